@@ -47,6 +47,7 @@ class Dynamics(NamedTuple):
     rates: list[float]
     reactions: dict[tuple[str, str], float]
     rows: dict[tuple[str, str], Row]
+    columns: dict[tuple[str, str], Slope]  # along which each reaction acts, the kinetic friction that goes with it too
     loads: dict[str, Slope]
     modes: dict[str, str]
     open_rates: frozenset[int]
@@ -62,11 +63,8 @@ class Dynamics(NamedTuple):
 
 def gathered(model: Known, pose: Pose) -> tuple[list[Row], list[Grip], dict[str, Slope]]:
     """All rows, all that may slip, and all known forces by their owner."""
-    rows: list[Row] = []
-    grips: list[Grip] = []
     loads: dict[str, Slope] = {}
-    for item in held_by(model, pose):
-        (grips if isinstance(item, Grip) else rows).append(item)  # type: ignore[arg-type]
+    rows, grips = split(held_by(model, pose))
     for push in forces(model, pose):
         if isinstance(push, Grip):
             grips.append(push)
@@ -84,9 +82,9 @@ def placed(model: Known, start: Placed | None = None, *, time: float = 0.0, line
     still = list(start.speed) if start is not None else [0.0] * model.size
     for _ in range(TRIES):
         pose = Pose(model.seats, q, still, time, offsets, origin)
-        rows, grips, _ = (*split(held_by(model, pose)), None)
+        rows, grips = split(held_by(model, pose))
         said = list(told(model, pose, {grip.name: grip for grip in grips})) if lines else []
-        places = [(row.slope, row.gap) for row in rows if row.hard and abs(row.gap) >= 0.0]
+        places = [(row.slope, row.gap) for row in rows if row.hard]
         places += [(line.slope, line.gap) for line in said if line.gap is not None]
         worst = max((abs(gap) for _, gap in places), default=0.0)
         if worst < CLOSE:
@@ -292,6 +290,7 @@ def assembled(
         rates=rates,
         reactions=dict(zip(keys, answer.values, strict=False)),
         rows=dict(zip(keys, rows, strict=True)),
+        columns=dict(zip(keys, columns, strict=True)),
         loads=dict(loads),
         modes=modes,
         open_rates=frozenset(open_rates),

@@ -118,6 +118,10 @@ class Model:
                 return pose.place(ref.owner, pose.spatial(ref.owner, self.spot(ref), (radius * x, radius * y)))
         return pose.place(ref.owner, self.spot(ref))
 
+    def meeting(self, ref: PointRef) -> Spot:
+        """Where a body is hit: a named point, else its centre of mass."""
+        return self.seats[ref.owner].rigid.centre if ref.point is None else self.drawn(ref)
+
     @cached_property
     def hung(self) -> frozenset[str]:
         """Ropes, whose weight what they hang over tells, part by part."""

@@ -1,0 +1,190 @@
+"""Blow: how rates change through an event that takes no time: M Δq̇ = Σ Λ column, with all that is held still held afterwards."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from itertools import product
+from typing import Any, NamedTuple
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.constraints import held_by
+from rotsolve.confirm.forces import aimed
+from rotsolve.confirm.instant import BACK, FORWARD, OPEN, STICKS, Dynamics, Placed, balanced, slip_speed, split
+from rotsolve.confirm.jet import Slope, merged
+from rotsolve.confirm.known import Known
+from rotsolve.confirm.lines import told
+from rotsolve.confirm.pose import Pose, Way, load
+from rotsolve.confirm.rows import Grip, Row
+from rotsolve.confirm.seating import put, where
+from rotsolve.confirm.signs import RIGHT
+from rotsolve.elements.events import Collides, Cuts, Fixes, Grips, Impulse, Joins, Removes
+from rotsolve.language.elements import Event
+
+
+class Struck(NamedTuple):
+    """The instant after an event, and the impulses: of each row that holds, by its owner and kind; `open` are those not settled."""
+
+    placed: Placed
+    impulses: Mapping[tuple[str, str], float]
+    columns: Mapping[tuple[str, str], Slope]
+    open: frozenset[tuple[str, str]]
+    clash: float
+
+
+class Hit(NamedTuple):
+    """What an event itself does: rows that hold through it, and impulses of known size, by their owner."""
+
+    rows: tuple[Row, ...] = ()
+    loads: Mapping[str, Slope] = {}
+
+
+def struck(model: Known, before: Placed, event: Event) -> Struck:
+    """The rates after an event; `model` is that of the state after it."""
+    at = met(model, before, event)
+    pose = at.pose(model)
+    hit = HITS.get(type(event), unheard)(event, pose, model)
+    rows, grips = split(held_by(model, pose))
+    aims = [changed(row, at) for row in (*rows, *hit.rows) if not row.loose and row.speed is not None]
+    gripped = [Grip(grip.name, changed(grip.row, at), *grip[2:]) for grip in grips]
+    held = begun(event)
+    for trial in product(*(blow_modes(grip, pose, held) for grip in grips)):
+        modes = {grip.name: mode for grip, mode in zip(grips, trial, strict=True)}
+        found = without_pulls(model, at, aims, gripped, hit.loads, modes)
+        if all(lasts(grip, found, at) for grip in grips if grip.name not in held):
+            rates = [old + change for old, change in zip(at.speed, found.rates, strict=True)]
+            after = at._replace(speed=rates, open=found.open_rates | at.open, clash=0.0)
+            return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash)
+    raise NotConfirmed(f"no way to stick and slip through `{event.name}` fits")
+
+
+def changed(row: Row, at: Placed) -> Row:
+    """What a row asks of the change of the rates."""
+    now = sum([part * at.speed[index] for index, part in row.slope.items()])
+    return row._replace(bend=(row.speed or 0.0) - now)
+
+
+def begun(event: Event) -> frozenset[str]:
+    """The contacts that an event begins, which hold through it."""
+    return frozenset(event.begins())
+
+
+def blow_modes(grip: Grip, pose: Pose, held: frozenset[str]) -> tuple[str, ...]:
+    """Friction of a size that is not infinite gives no impulse, save with the push that is one."""
+    if grip.static is None or grip.name in held:
+        return (STICKS,)
+    if grip.normal is None:
+        return (OPEN,)
+    slip = slip_speed(grip, pose.speed)
+    first = STICKS if abs(slip) < 1e-12 else FORWARD if slip > 0 else BACK
+    return (first, *(mode for mode in (STICKS, FORWARD, BACK) if mode != first))
+
+
+def lasts(grip: Grip, found: Dynamics, at: Placed) -> bool:
+    """Whether friction is within its limit, and slip afterwards as its mode says."""
+    mode = found.modes[grip.name]
+    if grip.static is None or grip.normal is None or mode == OPEN:
+        return True
+    if mode == STICKS:
+        limit = grip.static * abs(found.reactions.get(grip.normal, 0.0))
+        return abs(found.reactions.get(grip.row.key, 0.0)) <= limit * (1 + 1e-9) + 1e-12
+    after = slip_speed(grip, [old + change for old, change in zip(at.speed, found.rates, strict=True)])
+    return after >= -1e-12 if mode == FORWARD else after <= 1e-12
+
+
+def without_pulls(
+    model: Known, at: Placed, rows: list[Row], grips: list[Grip], loads: Mapping[str, Slope], modes: dict[str, str]
+) -> Dynamics:
+    """The change of the rates, where what can only push or pull lets go rather than do the opposite."""
+    rows = list(rows)
+    while True:
+        found = balanced(model, at, rows, grips, loads, modes)
+        size = max([abs(value) for value in found.reactions.values()], default=0.0)
+        wrong = [row for row in rows if row.push and found.reactions[row.key] < -1e-9 * size]
+        if not wrong:
+            return found
+        worst = min(wrong, key=lambda row: found.reactions[row.key])
+        rows.remove(worst)
+        grips = [grip for grip in grips if grip.normal != worst.key]
+
+
+def met(model: Known, before: Placed, event: Event) -> Placed:
+    """The places at an event: of two bodies that meet at a point, one that nothing holds is brought there."""
+    pair = event.joined()
+    if not pair:
+        return before
+    q = list(before.q)
+    free = [ref for ref in pair if ref.owner not in model.held]
+    if not free:
+        return before
+    mover = min(free, key=lambda ref: (ties(ref.owner, model), model.seats[ref.owner].rigid.inertia > 0.0))
+    other = pair[1] if mover is pair[0] else pair[0]
+    put(mover.owner, model.drawn(mover), where(other.owner, model.drawn(other), q, model), q, model)
+    return before._replace(q=q)
+
+
+def ties(name: str, model: Known) -> int:
+    """How many connections touch a body."""
+    return sum(1 for item in model.acting.connections if any(ref.owner == name for ref in item.touches()))
+
+
+def unheard(event: Event, pose: Pose, model: Known) -> Hit:
+    raise NotConfirmed(f"`{event.name}`: the assembly has no blow for `{event.word}`")
+
+
+def nothing_but_holds(event: Event, pose: Pose, model: Known) -> Hit:
+    """What holds afterwards, and did not before, is among the rows of the state after."""
+    return Hit()
+
+
+def impulse(event: Impulse, pose: Pose, model: Known) -> Hit:
+    """A blow of a size that is told."""
+    if event.on is None or event.impulse is None:
+        return Hit()
+    spot, way = aimed(event.on, event.direction, pose, model)
+    size = model.value(event.impulse)
+    return Hit(loads={event.name: load(pose.place(event.on.owner, spot), (size * way[0], size * way[1]))})
+
+
+def collides(event: Collides, pose: Pose, model: Known) -> Hit:
+    """Along the line of approach the points part e times as fast as they came; where no e is told, as the state after says."""
+    if event.friction is not None:
+        raise NotConfirmed(f"`{event.name}`: friction in a collision")
+    way = approach(event, pose, model)
+    first, second = (load(pose.place(ref.owner, model.meeting(ref)), way) for ref in event.collides)
+    slope = merged(second, 1.0, first, -1.0)
+    if event.restitution is None:
+        row = Row(event.name, "impulse", {}, 0.0, 0.0, slope)
+        return Hit((row, *after_lines(event, pose, model)))
+    now = sum([part * pose.speed[index] for index, part in slope.items()])
+    return Hit((Row(event.name, "impulse", slope, -model.value(event.restitution) * now, 0.0, slope),))
+
+
+def after_lines(event: Event, pose: Pose, model: Known) -> Iterator[Row]:
+    """What the state after tells of rates, as rows without a reaction."""
+    for number, line in enumerate(told(model, pose, {})):
+        if line.speed is not None:
+            yield Row(event.name, f"told{number}", line.slope, line.speed, 0.0, {})
+
+
+def approach(event: Collides, pose: Pose, model: Known) -> Way:
+    """The line on which one of the bodies travels, else that of their relative velocity."""
+    for ref in event.collides:
+        way = model.line(ref.owner)
+        if way is not None:
+            return way
+    (x, y), (u, w) = (pose.place(ref.owner, model.meeting(ref)) for ref in event.collides)
+    gap = u.rate - x.rate, w.rate - y.rate
+    size = math.hypot(*gap)
+    return (gap[0] / size, gap[1] / size) if size else RIGHT
+
+
+HITS: dict[type[Event], Callable[[Any, Pose, Known], Hit]] = {
+    Joins: nothing_but_holds,
+    Fixes: nothing_but_holds,
+    Grips: nothing_but_holds,
+    Cuts: nothing_but_holds,
+    Removes: nothing_but_holds,
+    Impulse: impulse,
+    Collides: collides,
+}
