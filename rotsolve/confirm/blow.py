@@ -53,9 +53,14 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
         found = without_pulls(model, at, aims, gripped, hit.loads, modes)
         if all(lasts(grip, found, at) for grip in grips if grip.name not in held):
             rates = [old + change for old, change in zip(at.speed, found.rates, strict=True)]
-            after = at._replace(speed=rates, open=found.open_rates | at.open, clash=0.0)
+            after = at._replace(speed=rates, open=found.open_rates | untouched(at, found), clash=0.0)
             return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash)
     raise NotConfirmed(f"no way to stick and slip through `{event.name}` fits")
+
+
+def untouched(at: Placed, found: Dynamics) -> frozenset[int]:
+    """The rates that nothing told before, and that nothing holds now."""
+    return at.open - {index for row in found.rows.values() for index in row.slope}
 
 
 def changed(row: Row, at: Placed) -> Row:

@@ -164,9 +164,9 @@ def radius_of(body: Body, point: str | None, value: Value) -> float | None:
 
 def is_round(body: Body) -> bool:
     """Whether it looks like a circle: its shape does, or it has a radius without a shape."""
-    if body.shape is not None and not body.shape.round:
-        return False
-    return shape_of(body).outer is not None or body.radius is not None or bool(body.radii)
+    if body.shape is not None and not body.shape.pointlike:
+        return "rim" in body.shape.points
+    return body.radius is not None or bool(body.radii)
 
 
 def on_rim(body: Body, point: str | None) -> bool:

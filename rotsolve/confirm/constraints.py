@@ -9,6 +9,7 @@ from typing import Any
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, part_of, radius_of
+from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.jet import Jet, arctangent, distance
 from rotsolve.confirm.known import Known
 from rotsolve.confirm.pose import Pair, Pose, along, load, turned
@@ -16,11 +17,12 @@ from rotsolve.confirm.rows import Grip, Row, held, unknown
 from rotsolve.confirm.signs import GROUND, RIGHT, UP, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.elements.connections.contact import Contact, Rolls
+from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
-from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Weld
+from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Rides, Shaft, Weld
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Curved
@@ -95,7 +97,8 @@ def driven(item: Driven, refs: tuple[PointRef, ...], carrier: PointRef | None, p
         for word, value in given:
             sign = 1 if word == "angle" else model.sense(ref)
             coordinate = turn + model.lean(ref) if word == "angle" else turn
-            yield prescribed(item.name, "torque", coordinate, TURNING.index(word), sign, value, pose, model)
+            row = prescribed(item.name, f"torque_{ref}", coordinate, TURNING.index(word), sign, value, pose, model)
+            yield row if word == given[-1][0] else row._replace(kind=f"{word}_{ref}", bend=None)
         if item.friction_torque is not None:
             size = model.now(item.friction_torque, pose)
             yield Grip(f"{item.name}.{ref}", held(item.name, f"torque_{ref}", turn, pose), size, size)
@@ -120,13 +123,17 @@ def guide(item: Guide, pose: Pose, model: Known) -> Held:
     """The keys of a body that prescribe its own motion: of its centre of mass, and its turn."""
     name = item.guided[0].owner
     centre = pose.place(name, model.seats[name].rigid.centre)
-    for word, component, value in item.motions:
+    ordered = sorted(item.motions, key=lambda motion: (*TURNING, *TRAVELLING).index(motion[0]))
+    last = {
+        component: word for word, component, _ in ordered
+    }  # of several words the highest rate tells the acceleration
+    for word, component, value in ordered:
         if word in TURNING:
-            sign = 1 if word == "angle" else model.sense(name)
-            yield prescribed(item.name, "torque", pose.turn(name), TURNING.index(word), sign, value, pose, model)
+            sign, coordinate, order = 1 if word == "angle" else model.sense(name), pose.turn(name), TURNING.index(word)
         else:
-            coordinate = centre["xy".index(component or "x")]
-            yield prescribed(item.name, component or "x", coordinate, TRAVELLING.index(word), 1, value, pose, model)
+            sign, coordinate, order = 1, centre["xy".index(component or "x")], TRAVELLING.index(word)
+        row = prescribed(item.name, component or "torque", coordinate, order, sign, value, pose, model)
+        yield row if last[component] == word else row._replace(kind=f"{word}{component}", bend=None)
 
 
 def weld(item: Weld, pose: Pose, model: Known) -> Held:
@@ -312,4 +319,7 @@ ROWS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     MutualDrive: mutual,
     Clutch: clutch,
     Rims: rims,
+    Rides: riding,
+    Drapes: draping,
+    Shaft: whirling,
 }

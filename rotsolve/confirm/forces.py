@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from typing import Any
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import SPATIAL, Spot, on_rim, radius_of
+from rotsolve.confirm.carried import centrifugal, rope_weight
 from rotsolve.confirm.constraints import place_of
 from rotsolve.confirm.jet import Jet, Slope, distance
 from rotsolve.confirm.known import Known
@@ -15,8 +16,10 @@ from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, pointing
 from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Press
+from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import MutualDrive
 from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.connections.supports import Shaft
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import ActingElement
 
@@ -24,14 +27,14 @@ Pushes = Iterator[tuple[str, Slope] | Grip]
 SIDES = (None, "tangential", "clockwise", "counterclockwise")  # directions square to the arm
 
 
-def forces(model: Known, pose: Pose) -> Pushes:
-    """All known forces, by their owner, and brakes that may hold."""
+def forces(model: Known, pose: Pose, without: Collection[str] = ()) -> Pushes:
+    """All known forces, by their owner, and brakes that may hold; `without` those of some elements."""
     for name, seat in model.seats.items():
         if model.gravity and seat.rigid.mass and name not in model.hung:
             yield f"weight of {name}", {seat.first + 1: -seat.rigid.mass * model.gravity}
     for item in (*model.acting.connections, *model.acting.actions):
         line = FORCES.get(type(item))
-        if line is not None:
+        if line is not None and item.name not in without:
             yield from line(item, pose, model)
     for action in model.acting.actions:
         if type(action) not in FORCES:
@@ -161,6 +164,8 @@ def power(item: AppliedPower, pose: Pose, model: Known) -> Pushes:
 FORCES: dict[type[ActingElement], Callable[[Any, Pose, Known], Pushes]] = {
     Spring: spring,
     Torsion: torsion,
+    Drapes: rope_weight,
+    Shaft: centrifugal,
     MutualDrive: mutual,
     AppliedForce: applied,
     AppliedCouple: couple,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import product
 from typing import NamedTuple
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.carried import hanging
 from rotsolve.confirm.constraints import held_by
 from rotsolve.confirm.forces import forces, spring_length
 from rotsolve.confirm.jet import Slope
@@ -15,8 +16,9 @@ from rotsolve.confirm.known import Known
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.lines import Stated, told
 from rotsolve.confirm.pose import Pose
-from rotsolve.confirm.rows import Grip, Row
+from rotsolve.confirm.rows import Grip, Row, unknown
 from rotsolve.confirm.seating import seated
+from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
 
 CLOSE, TRIES, STILL = 1e-12, 50, 1e-9
@@ -61,11 +63,11 @@ class Dynamics(NamedTuple):
         return [key for key, value in self.reactions.items() if self.rows[key].push and value < -1e-9 * size]
 
 
-def gathered(model: Known, pose: Pose) -> tuple[list[Row], list[Grip], dict[str, Slope]]:
+def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[list[Row], list[Grip], dict[str, Slope]]:
     """All rows, all that may slip, and all known forces by their owner."""
     loads: dict[str, Slope] = {}
     rows, grips = split(held_by(model, pose))
-    for push in forces(model, pose):
+    for push in forces(model, pose, without):
         if isinstance(push, Grip):
             grips.append(push)
         else:
@@ -99,7 +101,28 @@ def placed(model: Known, start: Placed | None = None, *, time: float = 0.0, line
         origin = q
     clash = worst if worst > 1e-9 else 0.0
     offsets |= stretched(model, Pose(model.seats, q, still, time, offsets, origin), offsets)
-    return moving(model, Placed(q, still, time, offsets, origin, clash=clash), rows, grips, said, start is not None)
+    found = moving(model, Placed(q, still, time, offsets, origin, clash=clash), rows, grips, said)
+    return at_balance(model, found) if model.acting.state.balance else found
+
+
+def at_balance(model: Known, at: Placed) -> Placed:
+    """How far springs are stretched where they hold bodies at rest: by the forces that this takes."""
+    pose = at.pose(model)
+    springs = [item for item in model.acting.connections if isinstance(item, Spring) and item.stiffness is not None]
+    springs = [item for item in springs if item.name not in at.offsets]
+    if not springs:
+        return at
+    rows, grips, loads = gathered(model, pose, [item.name for item in springs])
+    lengths = {item.name: spring_length(item, pose, model) for item in springs}
+    rows += [unknown(name, "force", length.slope) for name, length in lengths.items()]
+    rows += [Row("rest", str(index), {index: 1.0}, 0.0, 0.0, {}) for index in range(model.size)]
+    found = balanced(model, at, [row for row in rows if not row.loose], grips, loads, {})
+    offsets = dict(at.offsets)
+    for item in springs:
+        if (item.name, "force") not in found.open_reactions and item.stiffness is not None:
+            pull = -found.reactions[item.name, "force"] / model.value(item.stiffness)
+            offsets[item.name] = lengths[item.name].value - pull
+    return at._replace(offsets=offsets, clash=max(at.clash, found.clash))
 
 
 def split(items: Iterator[Row | Grip]) -> tuple[list[Row], list[Grip]]:
@@ -111,9 +134,19 @@ def split(items: Iterator[Row | Grip]) -> tuple[list[Row], list[Grip]]:
 
 
 def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str, float]:
-    """The lengths at which springs are without force, from how far a state says that they are stretched."""
+    """The lengths at which springs are without force, from how far a state says that they are stretched; how much of a rope hangs."""
     found = {}
     for item in model.acting.connections:
+        if isinstance(item, Drapes) and item.name not in known:
+            for line in model.acting.state.conditions:
+                path = line.path
+                if (
+                    path is not None
+                    and path.owner == item.name
+                    and path.quantity == "length"
+                    and line.value is not None
+                ):
+                    found[item.name] = model.value(line.value) - hanging(item, pose, model).value
         if not isinstance(item, Spring) or item.name in known:
             continue
         if item.rest_length is not None and any(ref.place is not None for ref in item.spring):
@@ -131,9 +164,7 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
     return found
 
 
-def moving(
-    model: Known, at: Placed, rows: Sequence[Row], grips: Sequence[Grip], said: Sequence[Stated], kept: bool
-) -> Placed:
+def moving(model: Known, at: Placed, rows: Sequence[Row], grips: Sequence[Grip], said: Sequence[Stated]) -> Placed:
     """The rates: of all that is held, of all that the state says, of what rolls; what grips does not slip where nothing tells more."""
     slips = {
         line.owner or (line.path.owner if line.path else "")
@@ -159,7 +190,7 @@ def moment(model: Known, at: Placed, modes: Mapping[str, str] | None = None) -> 
     """Accelerations and reactions, in the given modes of what may slip; the modes that are consistent where none are given."""
     pose = at.pose(model)
     rows, grips, loads = gathered(model, pose)
-    rows = [row for row in rows if not row.loose]
+    rows = [row for row in rows if not row.loose and row.bend is not None]
     if modes is not None:
         return balanced(model, at, rows, grips, loads, dict(modes))
     choices = [choice(grip, pose) for grip in grips]
@@ -200,7 +231,7 @@ def fits(grip: Grip, found: Dynamics) -> bool:
         return abs(found.reactions[grip.row.key]) <= limit * (1 + slack) + 1e-12
     if abs(slip_speed(grip, found.placed.speed)) > STILL:
         return True
-    rate = sum([part * found.rates[index] for index, part in grip.row.slope.items()]) - grip.row.bend
+    rate = sum([part * found.rates[index] for index, part in grip.row.slope.items()]) - (grip.row.bend or 0.0)
     scale = max([abs(part * found.rates[index]) for index, part in grip.row.slope.items()], default=0.0)
     return rate >= -slack * scale if mode == FORWARD else rate <= slack * scale
 
@@ -260,7 +291,7 @@ def assembled(
             by_index.setdefault(index, []).append((number, part))
     for row in rows:
         equation: dict[int, float] = {}
-        rest = row.bend
+        rest = row.bend or 0.0
         for index, part in row.slope.items():
             if index in light:
                 equation[light[index]] = equation.get(light[index], 0.0) + part

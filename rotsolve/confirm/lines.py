@@ -8,11 +8,13 @@ from typing import NamedTuple
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, radius_of
-from rotsolve.confirm.jet import Jet, Slope, arctangent
+from rotsolve.confirm.carried import hanging
+from rotsolve.confirm.jet import Jet, Slope, arctangent, distance
 from rotsolve.confirm.known import Known
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of
+from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
@@ -30,7 +32,7 @@ class Stated(NamedTuple):
 
 EXTREMES = ("largest", "smallest")
 ELSEWHERE = (  # what lines say that is no place and no rate at the instant itself
-    "mass", "inertia", "gyration", "length", "time", "swing_period", "frequency", "angular_frequency", "acceleration",
+    "mass", "inertia", "gyration", "time", "swing_period", "frequency", "angular_frequency", "acceleration",
     "angular_acceleration", "force", "tension", "torque", "normal_force", "friction_force", "friction", "impulse", "",
 )  # fmt: skip
 
@@ -42,7 +44,12 @@ def told(model: Known, pose: Pose, sticking: dict[str, Row | Grip]) -> Iterator[
         yield from resting(model, tuple(model.seats))
     for line in state.conditions:
         if line.rest:
-            yield from resting(model, tuple(model.seats) if line.owner in ("all", "") else (line.owner,))
+            if line.owner in ("all", ""):
+                yield from resting(model, tuple(model.seats))
+            elif (away := from_axis(line.owner, pose, model)) is not None:  # what rides rests on what carries it
+                yield Stated(away.slope, None, 0.0)
+            else:
+                yield from resting(model, (line.owner,))
         elif line.word in ("rolls", "sticks"):
             grip = sticking.get(line.owner or (line.path.owner if line.path else ""))
             if isinstance(grip, Grip):
@@ -74,12 +81,18 @@ def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) 
     name = f"{path.owner}.{path.quantity}"
     if path.quantity in ELSEWHERE or path.quantity in ("elongation", "radius"):
         return
+    if path.quantity == "length" and pose.offsets.get(path.owner) is None:
+        return
+    if path.quantity in ("rotation", "displacement") and pose.origin is pose.q:  # at the first state they are 0
+        return
     rate = rate_of(path, pose, model)
     if rate is not None:
         slope, sign = rate
         yield Stated(slope, None, (2 * math.pi / value if path.quantity == "period" else value) * sign, name)
         return
     place = placed_value(path, pose, model)
+    if place is None and path.quantity == "length":
+        return
     if place is None:
         raise NotConfirmed(f"a state that tells `{name}`")
     gap = place.value - value
@@ -105,8 +118,12 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
             return place["xy".index(path.component or "x")]
         if path.quantity == "height":
             return height(path.owner, pose, model)
+        if path.quantity == "radius":
+            return from_axis(path.owner, pose, model)
         return None
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
+    if isinstance(contact, Drapes) and path.quantity == "length":
+        return hanging(contact, pose, model) + pose.offsets.get(contact.name, 0.0)
     if isinstance(contact, Touch) and path.quantity == "angle":
         surface = surface_of(contact, model)
         if isinstance(surface, Curved):
@@ -119,6 +136,17 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
             return pose.turn(owners[0]) + model.lean(owners[0])
         if len(owners) == 2:
             return (pose.turn(owners[1]) - pose.turn(owners[0])) * float(model.sense(owners[1]))
+    return None
+
+
+def from_axis(name: str, pose: Pose, model: Known) -> Jet | None:
+    """How far from the axis a body is that rides on another."""
+    for item in model.acting.connections:
+        ride = item.ride()
+        if ride is not None and ride.rider.owner == name:
+            x, y = pose.place(name, model.seats[name].rigid.centre)
+            u, w = pose.place(ride.carrier.owner, model.axis(ride.carrier.owner))
+            return distance(x - u, y - w)
     return None
 
 
@@ -194,6 +222,10 @@ def direction(path: Path, place: Pair, pose: Pose, model: Known) -> tuple[float,
     fixed = {"x": RIGHT, "y": UP}.get(path.component or "")
     if fixed is not None:
         return fixed
+    if path.component == "radial":
+        away = from_axis(path.owner, pose, model)
+        first = model.seats[path.owner].first
+        return None if away is None else (away.slope.get(first, 0.0), away.slope.get(first + 1, 0.0))
     way = model.line(path.owner)
     if way is not None and path.point is None:
         return way

@@ -10,6 +10,7 @@ from typing import Any
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import SPATIAL, Spot, radius_of, rigid, spot_of
+from rotsolve.confirm.carried import as_one, whirled
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.known import StringPart
@@ -37,7 +38,8 @@ class Model:
         self.letters: dict[str, Any] = {**problem.values, **values}
         self.acting = InForce(problem, state)
         self.surfaces = {surface.name: surface for surface in problem.surfaces}
-        bodies = self.acting.bodies.values()
+        free = {ride.rider.owner for item in problem.connections if (ride := item.ride()) is not None and ride.free}
+        bodies = [as_one(body, body.name in free) for body in self.acting.bodies.values()]
         self.seats = {body.name: Seat(rigid(body, self.value), PER_BODY * k) for k, body in enumerate(bodies)}
         self.size = PER_BODY * len(self.seats)
         self.gravity = (
@@ -105,6 +107,11 @@ class Model:
         return self._legs[item.name]
 
     @cached_property
+    def whirled(self) -> dict[str, float]:
+        """The angular velocity of the upright shaft with which a body goes round: each piece at x has the speed ω x across the picture."""
+        return whirled(self)
+
+    @cached_property
     def masses(self) -> list[float]:
         """The mass or moment of inertia of each coordinate."""
         return [part for seat in self.seats.values() for part in (seat.rigid.mass, seat.rigid.mass, seat.rigid.inertia)]
@@ -124,8 +131,12 @@ class Model:
 
     @cached_property
     def hung(self) -> frozenset[str]:
-        """Ropes, whose weight what they hang over tells, part by part."""
-        return frozenset(item.drapes[0].owner for item in self.acting.connections if isinstance(item, Drapes))
+        """Ropes, whose weight what they hang over tells, part by part; several riders, whose weights balance."""
+        ropes = {item.drapes[0].owner for item in self.acting.connections if isinstance(item, Drapes)}
+        riders = (
+            ride.rider.owner for item in self.acting.connections if (ride := item.ride()) is not None and ride.free
+        )
+        return frozenset(ropes | {name for name in riders if self.body(name).count > 1})
 
     @cached_property
     def guided(self) -> tuple[str, ...]:
@@ -181,6 +192,10 @@ class Model:
     def axis(self, name: str) -> Spot:
         """Where a body's axis is in its own axes; its centre of mass where nothing holds it."""
         return self.drawn(self.held[name][1]) if name in self.held else self.seats[name].rigid.centre
+
+    def axis_of(self, ref: PointRef) -> PointRef:
+        """The point of a body at its axis; its centre where nothing holds it."""
+        return self.held[ref.owner][1] if ref.owner in self.held else PointRef(ref.owner)
 
     def spot(self, ref: PointRef) -> Spot:
         """Where a point is in its body's axes; the centre, for the rim of a wheel, its top and its bottom."""

@@ -12,14 +12,15 @@ class Row(NamedTuple):
     """slope · q̇ = speed and slope · q̈ = bend, kept up by a reaction λ that acts along `column` on the coordinates.
 
     `gap` is by how much the places miss, where that matters (`hard`); a `push` can only be positive, as a normal force or a tension.
-    `loose` marks what holds in places but not in rates: it only says where things are; a `speed` None, what tells accelerations alone.
+    `loose` marks what holds in places but not in rates: it only says where things are; a
+    `speed` or `bend` of None, what tells accelerations alone, or rates alone.
     """
 
     owner: str
     kind: str
     slope: Slope
     speed: float | None
-    bend: float
+    bend: float | None
     column: Slope
     gap: float = 0.0
     hard: bool = False

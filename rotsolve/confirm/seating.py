@@ -81,6 +81,8 @@ def joints_of(model: Known) -> list[Joint]:
             found += [(carrier, ref) for ref in item.axle if carrier is not None and ref is not carrier]
         elif item.joined():
             found.append((item.joined()[0], item.joined()[1]))
+    riders = [ride for item in model.acting.connections if (ride := item.ride()) is not None]
+    found += [(model.axis_of(ride.carrier), PointRef(ride.rider.owner)) for ride in riders]
     found += [(event.joined()[0], event.joined()[1]) for event in model.acting.joined()]
     found += [(item.gear[0], item.gear[1]) for item in model.acting.connections if isinstance(item, Gear)]
     for item in model.acting.connections:
@@ -96,6 +98,9 @@ def turned_as_told(model: Known) -> dict[str, float]:
         path = line.path
         if path is not None and path.quantity == "angle" and path.owner in model.seats and line.value is not None:
             turns[path.owner] = model.value(line.value) - model.lean(path.owner)
+    rides = [ride for item in model.acting.connections if (ride := item.ride()) is not None]
+    for ride in rides:
+        turns[ride.rider.owner] = turns.get(ride.carrier.owner, 0.0)
     for _ in model.unions:
         for first, second in model.unions:
             apart = model.told_apart(first, second) or 0.0

@@ -126,7 +126,7 @@ bodies: {{block: {{mass: m, moves: up}}}}
 connections: {{cord: {{string: [ceiling, block]}}}}
 states: {{before: {{at rest: all}}, after: {{}}}}
 events: {{hit: {{impulse: J, on: block, direction: {way}, from: before, to: after}}}}"""
-    model, found = through(scene.format(way="up"))
+    _, found = through(scene.format(way="up"))
     assert found.placed.speed[1] == pytest.approx(1.5)
     assert found.impulses.get(("cord", "tension0"), 0.0) == 0.0
     _, found = through(scene.format(way="down"))
