@@ -32,7 +32,7 @@ class Struck(NamedTuple):
     clash: float
 
 
-class Hit(NamedTuple):
+class Blowing(NamedTuple):
     """What an event itself does: rows that hold through it, and impulses of known size, by their owner."""
 
     rows: tuple[Row, ...] = ()
@@ -133,25 +133,25 @@ def ties(name: str, model: Known) -> int:
     return sum(1 for item in model.acting.connections if any(ref.owner == name for ref in item.touches()))
 
 
-def unheard(event: Event, pose: Pose, model: Known) -> Hit:
+def unheard(event: Event, pose: Pose, model: Known) -> Blowing:
     raise NotConfirmed(f"`{event.name}`: the assembly has no blow for `{event.word}`")
 
 
-def nothing_but_holds(event: Event, pose: Pose, model: Known) -> Hit:
+def nothing_but_holds(event: Event, pose: Pose, model: Known) -> Blowing:
     """What holds afterwards, and did not before, is among the rows of the state after."""
-    return Hit()
+    return Blowing()
 
 
-def impulse(event: Impulse, pose: Pose, model: Known) -> Hit:
+def impulse(event: Impulse, pose: Pose, model: Known) -> Blowing:
     """A blow of a size that is told."""
     if event.on is None or event.impulse is None:
-        return Hit()
+        return Blowing()
     spot, way = aimed(event.on, event.direction, pose, model)
     size = model.value(event.impulse)
-    return Hit(loads={event.name: load(pose.place(event.on.owner, spot), (size * way[0], size * way[1]))})
+    return Blowing(loads={event.name: load(pose.place(event.on.owner, spot), (size * way[0], size * way[1]))})
 
 
-def collides(event: Collides, pose: Pose, model: Known) -> Hit:
+def collides(event: Collides, pose: Pose, model: Known) -> Blowing:
     """Along the line of approach the points part e times as fast as they came; where no e is told, as the state after says."""
     if event.friction is not None:
         raise NotConfirmed(f"`{event.name}`: friction in a collision")
@@ -160,9 +160,9 @@ def collides(event: Collides, pose: Pose, model: Known) -> Hit:
     slope = merged(second, 1.0, first, -1.0)
     if event.restitution is None:
         row = Row(event.name, "impulse", {}, 0.0, 0.0, slope)
-        return Hit((row, *after_lines(event, pose, model)))
+        return Blowing((row, *after_lines(event, pose, model)))
     now = sum([part * pose.speed[index] for index, part in slope.items()])
-    return Hit((Row(event.name, "impulse", slope, -model.value(event.restitution) * now, 0.0, slope),))
+    return Blowing((Row(event.name, "impulse", slope, -model.value(event.restitution) * now, 0.0, slope),))
 
 
 def after_lines(event: Event, pose: Pose, model: Known) -> Iterator[Row]:
@@ -184,7 +184,7 @@ def approach(event: Collides, pose: Pose, model: Known) -> Way:
     return (gap[0] / size, gap[1] / size) if size else RIGHT
 
 
-HITS: dict[type[Event], Callable[[Any, Pose, Known], Hit]] = {
+HITS: dict[type[Event], Callable[[Any, Pose, Known], Blowing]] = {
     Joins: nothing_but_holds,
     Fixes: nothing_but_holds,
     Grips: nothing_but_holds,
