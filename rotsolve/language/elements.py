@@ -75,6 +75,7 @@ class Surroundings(Protocol):
     def drives(self, name: str, state: str) -> tuple[Drive, ...]: ...
     def balanced(self, name: str, state: str) -> bool: ...
     def swings_round(self, ref: PointRef, state: str) -> bool: ...
+    def can_turn(self, name: str, state: str) -> bool: ...
     def driven(self, name: str, state: str) -> bool: ...
 
 
@@ -206,6 +207,10 @@ class Connection(ActingElement, frozen=True):
                 raise Unsolvable(
                     f"`{self.word}` is solved for two bodies on one axle only", span=second.span, help=help
                 )
+
+    def among(self, moving: Container[str]) -> Connection:
+        """The connection as it stands among all others, which let the bodies `moving` move where it touches them."""
+        return self
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """The connection with letters for what the scene leaves out; `held` are the bodies on axles and hinges."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Integral, total
@@ -64,17 +64,43 @@ def over_time(first: Formula, midway: Formula, passage: Passage) -> Formula:
 
 
 def momentum_without_force(over: OverPhase) -> Iterator[Equation]:
-    """p₁ = p₂ along right or up of a free body on which no force acts in that direction."""
+    """Σ p₁ = Σ p₂ along right or up of bodies that move together, one at least freely, on which no outside force acts in that direction."""
+    passage = over.passage
+    start, midst, end = (
+        {body.name: body for body in facts.bodies} for facts in (passage.start, passage.midst, passage.end)
+    )
+    for group in passage.groups:
+        bodies = [midst[name] for name in sorted(group) if name in midst]
+        ends = [[known.get(body.name) for body in bodies] for known in (start, end)]
+        free = any(body.motion.kind == "plane" for body in bodies)
+        if not free or any(body.changing or body.sliding for body in bodies) or None in (*ends[0], *ends[1]):
+            continue
+        for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
+            if is_zero(total([force.vector.along(axis) for body in bodies for force in body.forces])):
+                before, after = ([body.mass * body.centre_velocity.along(axis) for body in end if body] for end in ends)
+                label = f"no {words} force: momentum is conserved, {listed(group)}"
+                yield MOMENTUM.equation(total(before), total(after), over.section, tuple(sorted(group)), words=label)
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names in a row: a, b and c."""
+    *others, last = [spoken(name) for name in sorted(names)]
+    return f"{', '.join(others)} and {last}" if others else last
+
+
+def turning_without_torque(over: OverPhase) -> Iterator[Equation]:
+    """I ω₁ = I ω₂ of a body that no axis holds, about whose centre of mass nothing turns it."""
     passage = over.passage
     for body in passage.midst.bodies:
         first, last = passage.start.body(body.name), passage.end.body(body.name)
-        if first is None or last is None or body.motion.kind != "plane":
+        if first is None or last is None or body.inertia is None or not body.motion.turns or body.changing:
             continue
-        for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
-            if all(force.vector.along(axis) == ZERO for force in body.forces):
-                before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
-                label = f"no {words} force: momentum is conserved, {spoken(body.name)}"
-                yield MOMENTUM.equation(before, after, over.section, (body.name,), words=label)
+        if body.motion.kind != "axis" and all(is_zero(item.torque) for item in body.acting):
+            before, after = (
+                body.inertia.letter * signed(item.motion.spin, body.motion.sense) for item in (first, last)
+            )
+            label = f"nothing turns {spoken(body.name)} about its centre of mass"
+            yield MOMENTUM.equation(before, after, over.section, (body.name,), words=label)
 
 
 def about_common_axes(over: OverPhase) -> Iterator[Equation]:

@@ -173,6 +173,7 @@ LAWS = (
     Principle((SEPARATED_BY_RATE, SEPARATED_BY_PLACE, SPEED_AT_PLACE), (PHASE,), "kinematics:separated"),
     Principle((TWISTS, BLOWS), (PHASE,), "momentum:impulses_over"),
     Principle((MOMENTUM,), (PHASE,), "momentum:momentum_without_force"),
+    Principle((MOMENTUM,), (PHASE,), "momentum:turning_without_torque"),
     Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
     Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),

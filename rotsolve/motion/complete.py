@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from msgspec.structs import replace
@@ -13,7 +14,7 @@ from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import has_quantities, paths_in
 from rotsolve.elements.connections import guide
-from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
+from rotsolve.elements.shapes import Graded, Particle, Shape, rim_radius, shape_of
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
@@ -73,6 +74,7 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
+    problem = on_mounts(problem)
     check(problem)
     letters, held = _Letters(problem), {ref.owner for item in problem.connections for ref in item.fixed_points()}
     wheels = {name for item in problem.connections for name in item.turned()}
@@ -85,6 +87,34 @@ def completed(problem: Problem) -> Problem:
     guides = [guide(body) for body in bodies if body.moved]
     connections = (*[item.completed(letters, held) for item in problem.connections], *guides)
     return replace(problem, bodies=tuple(bodies), connections=connections, givens=(*problem.givens, *letters.made))
+
+
+def on_mounts(problem: Problem) -> Problem:
+    """The problem with its connections as they stand among each other: an axle on a body that moves is no fixed one."""
+    bodies = {body.name: body for body in problem.bodies}
+    connections = []
+    for item in problem.connections:
+        moving = set()
+        if item.axial and len(item.touches()) > 1:
+            others = [other for other in problem.connections if other is not item]
+            moving = {ref.owner for ref in item.touches() if ref.owner in bodies and moves(ref, others, bodies)}
+        connections.append(item.among(moving) if moving else item)
+    return replace(problem, connections=tuple(connections))
+
+
+def moves(ref: PointRef, others: Sequence[Connection], bodies: Mapping[str, Body]) -> bool:
+    """Whether the other connections, or its `moves`, let a point of a body move: what two hold at one point stands still."""
+    body = bodies[ref.owner]
+    for item in others:
+        held = [other for other in (*item.fixed_points(), *item.joint()) if other.owner == ref.owner]
+        under = bodies.get(item.places()[0].owner) if item.lying() == ref.owner else None
+        wheels = under is not None and rim_radius(under, None) is not None
+        on_rim = rim_radius(body, None) is not None
+        if any(other.point != ref.point for other in held) or (item.hangs(body) and not on_rim):
+            return True
+        if item.lying() == ref.owner and not wheels:
+            return True
+    return body.moves is not None
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:

@@ -228,6 +228,13 @@ class Configuration(Struct, frozen=True, dict=True):
         held = (ref for item in self.connections(state) for ref in item.fixed_points() if ref.owner == name)
         return next(held, None)
 
+    @remembered
+    def hung(self, name: str, state: str) -> PointRef | None:
+        """The point of a body at which a hinge or axle hangs it from another one, where no fixed one holds it."""
+        if self.pivot(name, state) is not None:
+            return None
+        return next((ref for item in self.connections(state) for ref in item.joint()[1:] if ref.owner == name), None)
+
     def axis(self, name: str, state: str) -> str:
         """The support on whose axis a body turns."""
         held = (item for item in self.connections(state) for ref in item.fixed_points() if ref.owner == name)

@@ -128,8 +128,9 @@ class Instant(Struct, frozen=True, dict=True):
 
     def offset(self, name: str) -> Heading:
         """Direction, in the body's own axes, that its `angle` measures: a rod's start to end, else from hinge to centre of mass."""
-        body, own = self.body(name), self.frame(name)
-        return RIGHT if shape_of(body).slender or not own.cm.parts else direction_of(own.cm)
+        body, own, hung = self.body(name), self.frame(name), self.configuration.hung(name, self.state)
+        arm = own.cm if hung is None else tidy(own.reference - locate(body, hung))
+        return RIGHT if shape_of(body).slender or not arm.parts else direction_of(arm)
 
     def angle(self, name: str) -> Formula | None:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""

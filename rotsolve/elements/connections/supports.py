@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
@@ -142,13 +142,28 @@ class Hinge(Driven, frozen=True):
 
 class Axle(Driven, frozen=True):
     word = "axle"
-    about = "a fixed axis through the centre of a wheel, or of several that turn freely on it"
+    about = (
+        "a fixed axis through the centre of a wheel, or of several that turn freely on it; or one on a body that moves"
+    )
     quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
     bodily = True
-    axle: tuple[PointRef, ...] = key("points", "the wheel, or wheels", count=(1, 20), required=True, example="disc")
+    axle: tuple[PointRef, ...] = key(
+        "points",
+        "the wheel, or wheels, and the body that carries the axle, if any",
+        count=(1, 20),
+        required=True,
+        example="disc",
+    )
 
     independent = True
     axial = True
+
+    def among(self, moving: Container[str]) -> Connection:
+        """On a mount where one of its bodies moves by itself: that carries the others."""
+        mounts = [ref for ref in self.axle if ref.owner in moving]
+        if len(self.axle) == 1 or not mounts:
+            return self
+        return Mounted(**{name: getattr(self, name) for name in self.__struct_fields__}, mount=mounts[0])
 
     def held(self) -> tuple[PointRef, ...]:
         return self.axle
@@ -163,6 +178,42 @@ class Axle(Driven, frozen=True):
             if instant.host(ref.owner) not in hosts:
                 hosts.add(instant.host(ref.owner))
                 yield from reaction(self.name, AXLE, ref, instant, several=len(self.axle) > 1)
+
+
+class Mounted(Axle, frozen=True):
+    """An axle on a body that moves, its `mount`, which carries the wheels along. No scene writes it; it is what an axle becomes."""
+
+    mount: PointRef = PointRef("")
+
+    independent = False
+    axial = False
+
+    def among(self, moving: Container[str]) -> Connection:
+        return self
+
+    def joint(self) -> tuple[PointRef, ...]:
+        return (self.mount, *self.held())
+
+    def held(self) -> tuple[PointRef, ...]:
+        return tuple(ref for ref in self.axle if ref is not self.mount)
+
+    def fixed_points(self) -> tuple[PointRef, ...]:
+        return ()
+
+    def pace(self, configuration: Surroundings, state: str) -> str:
+        """Constant on a mount that travels along a line, where the wheels are balanced."""
+        mount = configuration.host(self.mount.owner, state)
+        straight = configuration.line(mount, state) is not None and not configuration.can_turn(mount, state)
+        steady = straight and not any(configuration.swings_round(ref, state) for ref in self.held())
+        return super().pace(configuration, state) if steady else "position"
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
+        yield from self.couples(instant)
+        for wheel in self.held():
+            several = len(self.axle) > 2
+            yield from reaction(self.name, AXLE, wheel, instant, several=several)
+            yield from reaction(self.name, AXLE, self.mount, instant, opposite=wheel, several=several)
+            yield from joint(self.name, self.mount, wheel, instant)
 
 
 class Ball(Connection, frozen=True):
@@ -241,7 +292,7 @@ def reaction(
     # a force that holds a centre of mass off the axis turns with the body, so that it is one of the moment
     span = instant.span(turned) if instant.configuration.balanced(turned, instant.state) else instant.when
     for axis, direction in (("x", RIGHT), ("y", UP)):
-        component = f"{axis}_{name}" if several else axis
+        component = f"{axis}_{turned}" if several else axis
         words = ("right", "left") if axis == "x" else ("up", "down")
         size = instant.ask("force", owner, when=span, component=component, words=words)
         arm = instant.point(ref)
