@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from itertools import product
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.constraints import held_by
 from rotsolve.confirm.forces import aimed
 from rotsolve.confirm.instant import BACK, FORWARD, OPEN, STICKS, Dynamics, Placed, balanced, slip_speed, split
 from rotsolve.confirm.jet import Slope, merged
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.lines import told
 from rotsolve.confirm.pose import Pose, Way, load
 from rotsolve.confirm.rows import Grip, Row
@@ -21,8 +23,11 @@ from rotsolve.confirm.signs import RIGHT
 from rotsolve.elements.events import Collides, Cuts, Fixes, Grips, Impulse, Joins, Removes
 from rotsolve.language.elements import Event
 
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
-class Struck(NamedTuple):
+
+class Struck(Struct, frozen=True):
     """The instant after an event, and the impulses: of each row that holds, by its owner and kind; `open` are those not settled."""
 
     placed: Placed
@@ -32,7 +37,7 @@ class Struck(NamedTuple):
     clash: float
 
 
-class Blowing(NamedTuple):
+class Blowing(Struct, frozen=True):
     """What an event itself does: rows that hold through it, and impulses of known size, by their owner."""
 
     rows: tuple[Row, ...] = ()
@@ -46,14 +51,14 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
     hit = HITS.get(type(event), unheard)(event, pose, model)
     rows, grips = split(held_by(model, pose))
     aims = [changed(row, at) for row in (*rows, *hit.rows) if not row.loose and row.speed is not None]
-    gripped = [Grip(grip.name, changed(grip.row, at), *grip[2:]) for grip in grips]
+    gripped = [replace(grip, row=changed(grip.row, at)) for grip in grips]
     held = begun(event)
     for trial in product(*(blow_modes(grip, pose, held) for grip in grips)):
         modes = {grip.name: mode for grip, mode in zip(grips, trial, strict=True)}
         found = without_pulls(model, at, aims, gripped, hit.loads, modes)
         if all(lasts(grip, found, at) for grip in grips if grip.name not in held):
             rates = [old + change for old, change in zip(at.speed, found.rates, strict=True)]
-            after = at._replace(speed=rates, open=found.open_rates | untouched(at, found), clash=0.0)
+            after = replace(at, speed=rates, open=found.open_rates | untouched(at, found), clash=0.0)
             return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash)
     raise NotConfirmed(f"no way to stick and slip through `{event.name}` fits")
 
@@ -66,7 +71,7 @@ def untouched(at: Placed, found: Dynamics) -> frozenset[int]:
 def changed(row: Row, at: Placed) -> Row:
     """What a row asks of the change of the rates."""
     now = sum([part * at.speed[index] for index, part in row.slope.items()])
-    return row._replace(bend=(row.speed or 0.0) - now)
+    return replace(row, bend=(row.speed or 0.0) - now)
 
 
 def begun(event: Event) -> frozenset[str]:
@@ -125,7 +130,7 @@ def met(model: Known, before: Placed, event: Event) -> Placed:
     mover = min(free, key=lambda ref: (ties(ref.owner, model), model.seats[ref.owner].rigid.inertia > 0.0))
     other = pair[1] if mover is pair[0] else pair[0]
     put(mover.owner, model.drawn(mover), where(other.owner, model.drawn(other), q, model), q, model)
-    return before._replace(q=q)
+    return replace(before, q=q)
 
 
 def ties(name: str, model: Known) -> int:

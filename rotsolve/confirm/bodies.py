@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.confirm import NotConfirmed
@@ -20,7 +21,7 @@ SPATIAL = {
 }  # points of a round body that do not turn with it
 
 
-class Mass(NamedTuple):
+class Mass(Struct, frozen=True):
     """Σ m, Σ m r and Σ (I + m r²), about the origin of the body's axes: what adds up over pieces."""
 
     whole: float
@@ -29,7 +30,12 @@ class Mass(NamedTuple):
     about: float
 
     def plus(self, other: Mass, sign: float = 1.0) -> Mass:
-        return Mass(*(a + sign * b for a, b in zip(self, other, strict=True)))
+        return Mass(
+            self.whole + sign * other.whole,
+            self.x + sign * other.x,
+            self.y + sign * other.y,
+            self.about + sign * other.about,
+        )
 
     def moved(self, spot: Spot, turn: float) -> Mass:
         """Turned about the origin, and then moved by a vector."""
@@ -43,7 +49,7 @@ class Mass(NamedTuple):
         )
 
 
-class Rigid(NamedTuple):
+class Rigid(Struct, frozen=True):
     """A body as the assembly knows it; `centre` is its centre of mass in its own axes, whose origin is its geometric centre."""
 
     name: str

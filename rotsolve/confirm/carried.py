@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -11,13 +12,15 @@ from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import frame, radius_of, spread
 from rotsolve.confirm.jet import Jet, Slope, cosine, sine
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.pose import Pose
 from rotsolve.confirm.rows import Grip, Row, held, unknown
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.supports import Rides, Shaft
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, Part
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
 Held = Iterator[Row | Grip]
 
@@ -123,7 +126,7 @@ def centrifugal(item: Shaft, pose: Pose, model: Known) -> Iterator[tuple[str, Sl
     for name, rate in whirled(model).items():
         if item.turning is None or rate != model.value(item.turning):
             continue
-        rigid, first = model.seats[name]
+        rigid, first = model.seats[name].rigid, model.seats[name].first
         a, b, product = second_moments(rigid.body, rigid.centre, model)
         angle = pose.q[first + 2]
         c, s = math.cos(angle), math.sin(angle)

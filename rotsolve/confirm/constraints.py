@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, part_of, radius_of
 from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.jet import Jet, arctangent, distance
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.pose import Pair, Pose, along, load, turned
 from rotsolve.confirm.rows import Grip, Row, held, unknown
 from rotsolve.confirm.signs import GROUND, RIGHT, UP, carrier_of, normal, rests, surface_of
@@ -28,6 +29,9 @@ from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
 Held = Iterator[Row | Grip]
 
@@ -98,7 +102,7 @@ def driven(item: Driven, refs: tuple[PointRef, ...], carrier: PointRef | None, p
             sign = 1 if word == "angle" else model.sense(ref)
             coordinate = turn + model.lean(ref) if word == "angle" else turn
             row = prescribed(item.name, f"torque_{ref}", coordinate, TURNING.index(word), sign, value, pose, model)
-            yield row if word == given[-1][0] else row._replace(kind=f"{word}_{ref}", bend=None)
+            yield row if word == given[-1][0] else replace(row, kind=f"{word}_{ref}", bend=None)
         if item.friction_torque is not None:
             size = model.now(item.friction_torque, pose)
             yield Grip(f"{item.name}.{ref}", held(item.name, f"torque_{ref}", turn, pose), size, size)
@@ -133,7 +137,7 @@ def guide(item: Guide, pose: Pose, model: Known) -> Held:
         else:
             sign, coordinate, order = 1, centre["xy".index(component or "x")], TRAVELLING.index(word)
         row = prescribed(item.name, component or "torque", coordinate, order, sign, value, pose, model)
-        yield row if last[component] == word else row._replace(kind=f"{word}{component}", bend=None)
+        yield row if last[component] == word else replace(row, kind=f"{word}{component}", bend=None)
 
 
 def weld(item: Weld, pose: Pose, model: Known) -> Held:
@@ -263,7 +267,8 @@ def meshed(
         return
     if inside is not None:
         apart = abs(radii[0] - radii[1]) if inside else radii[0] + radii[1]
-        yield held(owner, f"apart{kind}", distance(*gap) - apart, pose, hard=True)._replace(loose=True)
+        apart_row = held(owner, f"apart{kind}", distance(*gap) - apart, pose, hard=True)
+        yield replace(apart_row, loose=True)
     line = arctangent(gap[1], gap[0])
     yield held(owner, kind, (turns[1] - line) * radii[1] - (turns[0] - line) * (way * radii[0]), pose)
 

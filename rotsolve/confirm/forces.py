@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import SPATIAL, Spot, on_rim, radius_of
 from rotsolve.confirm.carried import centrifugal, rope_weight
 from rotsolve.confirm.constraints import place_of
 from rotsolve.confirm.jet import Jet, Slope, distance
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, pointing
@@ -22,6 +21,9 @@ from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Shaft
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import ActingElement
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
 Pushes = Iterator[tuple[str, Slope] | Grip]
 SIDES = (None, "tangential", "clockwise", "counterclockwise")  # directions square to the arm

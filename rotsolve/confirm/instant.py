@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import product
-from typing import NamedTuple
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.carried import hanging
 from rotsolve.confirm.constraints import held_by
 from rotsolve.confirm.forces import forces, spring_length
 from rotsolve.confirm.jet import Slope
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.lines import Stated, told
 from rotsolve.confirm.pose import Pose
@@ -21,12 +23,15 @@ from rotsolve.confirm.seating import seated
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
 
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
+
 CLOSE, TRIES, STILL = 1e-12, 50, 1e-9
 STICKS, FORWARD, BACK, OPEN = "sticks", "slips forward", "slips back", "open"
 MODES = (STICKS, FORWARD, BACK)
 
 
-class Placed(NamedTuple):
+class Placed(Struct, frozen=True):
     """Coordinates and rates at an instant; `open` are the rates that nothing tells (0 here), `clash` how far what is told contradicts."""
 
     q: list[float]
@@ -42,7 +47,7 @@ class Placed(NamedTuple):
         return Pose(model.seats, self.q, self.speed, self.time, self.offsets, self.origin)
 
 
-class Dynamics(NamedTuple):
+class Dynamics(Struct, frozen=True):
     """Accelerations and reactions at an instant; those that the equations leave open are named."""
 
     placed: Placed
@@ -122,7 +127,7 @@ def at_balance(model: Known, at: Placed) -> Placed:
         if (item.name, "force") not in found.open_reactions and item.stiffness is not None:
             pull = -found.reactions[item.name, "force"] / model.value(item.stiffness)
             offsets[item.name] = lengths[item.name].value - pull
-    return at._replace(offsets=offsets, clash=max(at.clash, found.clash))
+    return replace(at, offsets=offsets, clash=max(at.clash, found.clash))
 
 
 def split(items: Iterator[Row | Grip]) -> tuple[list[Row], list[Grip]]:
@@ -181,8 +186,8 @@ def moving(model: Known, at: Placed, rows: Sequence[Row], grips: Sequence[Grip],
             continue
         equations.append((grip.row.slope, grip.row.speed or 0.0))
         found = solved([slope for slope, _ in equations], [speed for _, speed in equations], model.size)
-    return at._replace(
-        speed=found.values, open=found.open, clash=max(at.clash, found.clash if found.clash > 1e-9 else 0.0)
+    return replace(
+        at, speed=found.values, open=found.open, clash=max(at.clash, found.clash if found.clash > 1e-9 else 0.0)
     )
 
 

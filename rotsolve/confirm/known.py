@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import Spot
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
-from rotsolve.confirm.pose import Pair, Pose, Seat, Way
+from rotsolve.confirm.pose import Pair, Pose, Seat, StringPart, Way
 from rotsolve.elements.connections.strings import String
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.problem import Problem
-
-
-class StringPart(NamedTuple):
-    """A straight part of a string: its ends, its direction where the language tells it (None: from end to end), and on which side of
-    the running string the centre of a wheel at either end is: +1 right (turned clockwise), −1 left, 0 tied to a point."""
-
-    first: PointRef
-    second: PointRef
-    along: Way | None
-    sides: tuple[int, int]
 
 
 class Known(Protocol):

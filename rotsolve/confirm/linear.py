@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 SMALL = 1e-10  # below this, relative to its row and column, a number is rounding
 
 
-class Solved(NamedTuple):
+class Solved(Struct, frozen=True):
     """A solution, the unknowns that the equations leave open (taken as 0, or moved by those), and the largest clash, relative."""
 
     values: list[float]

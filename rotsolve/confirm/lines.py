@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.carried import hanging
 from rotsolve.confirm.jet import Jet, Slope, arctangent, distance
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of
@@ -20,8 +21,11 @@ from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Condition, Path
 
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
-class Stated(NamedTuple):
+
+class Stated(Struct, frozen=True):
     """A line as an equation: a place (`gap` is to become 0 along `slope`), or a rate (slope · q̇ = speed)."""
 
     slope: Slope

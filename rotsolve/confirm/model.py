@@ -13,9 +13,8 @@ from rotsolve.confirm.bodies import SPATIAL, Spot, radius_of, rigid, spot_of
 from rotsolve.confirm.carried import as_one, whirled
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
-from rotsolve.confirm.known import StringPart
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, Way
+from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way
 from rotsolve.confirm.routing import legs
 from rotsolve.confirm.signs import grounded, line, sense
 from rotsolve.elements.connections.drapes import Drapes

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from rotsolve.confirm.bodies import Rigid, Spot
 from rotsolve.confirm.jet import Jet, Slope, cosine, merged, sine
+from rotsolve.language.bodies import PointRef
 
 PER_BODY = 3
 Pair = tuple[Jet, Jet]
@@ -15,7 +17,7 @@ Way = tuple[float, float]
 EMPTY: Mapping[str, float] = {}
 
 
-class Seat(NamedTuple):
+class Seat(Struct, frozen=True):
     """A body with the number of the first of its coordinates."""
 
     rigid: Rigid
@@ -24,6 +26,16 @@ class Seat(NamedTuple):
     @property
     def turn(self) -> int:
         return self.first + 2
+
+
+class StringPart(Struct, frozen=True):
+    """A straight part of a string: its ends, its direction where the language tells it (None: from end to end), and on which side of
+    the running string the centre of a wheel at either end is: +1 right (turned clockwise), −1 left, 0 tied to a point."""
+
+    first: PointRef
+    second: PointRef
+    along: Way | None
+    sides: tuple[int, int]
 
 
 class Pose:
@@ -54,7 +66,7 @@ class Pose:
 
     def place(self, name: str, spot: Spot) -> Pair:
         """Where a point of a body is, x + R(θ) (spot − centre of mass)."""
-        rigid, first = self.seats[name]
+        rigid, first = self.seats[name].rigid, self.seats[name].first
         x, y = self.coordinate(first), self.coordinate(first + 1)
         u, w = spot[0] - rigid.centre[0], spot[1] - rigid.centre[1]
         if u == 0.0 and w == 0.0:

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from rotsolve.confirm.bodies import on_rim, radius_of
-from rotsolve.confirm.known import Known, StringPart
-from rotsolve.confirm.pose import Way, turned
+from rotsolve.confirm.pose import StringPart, Way, turned
 from rotsolve.confirm.signs import DOWN, RIGHT, UP, WORDS, line, normal, surface_of, uphill
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Hinge
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Slope, Wall
 from rotsolve.language.bodies import PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
 
 def legs(item: String, model: Known) -> list[StringPart]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from msgspec import Struct
 
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.pose import Pose
 
 
-class Row(NamedTuple):
+class Row(Struct, frozen=True):
     """slope · q̇ = speed and slope · q̈ = bend, kept up by a reaction λ that acts along `column` on the coordinates.
 
     `gap` is by how much the places miss, where that matters (`hard`); a `push` can only be positive, as a normal force or a tension.
@@ -32,7 +32,7 @@ class Row(NamedTuple):
         return self.owner, self.kind
 
 
-class Grip(NamedTuple):
+class Grip(Struct, frozen=True):
     """What sticks (`row` holds, with a reaction of limited size) or slips: limit = coefficient · reaction of `normal`, or a size.
 
     `static` None is rough enough for anything; `name` is what its mode goes by.

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from rotsolve.confirm.bodies import radius_of
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.lines import bent, circle_of
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import GROUND, carrier_of
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.supports import Axle, Hinge
 from rotsolve.language.bodies import PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
 Joint = tuple[PointRef, PointRef]
 
@@ -130,7 +133,7 @@ def put(name: str, spot: Way, place: Way, q: list[float], model: Known) -> None:
 
 def where(name: str, spot: Way, q: list[float], model: Known) -> Way:
     """Where a point of a body is."""
-    rigid, first = model.seats[name]
+    rigid, first = model.seats[name].rigid, model.seats[name].first
     u, w = spot[0] - rigid.centre[0], spot[1] - rigid.centre[1]
     c, s = math.cos(q[first + 2]), math.sin(q[first + 2])
     return q[first] + c * u - s * w, q[first + 1] + s * u + c * w

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import is_round, on_rim
-from rotsolve.confirm.known import Known
 from rotsolve.confirm.pose import Way, heading, turned
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
@@ -15,6 +15,9 @@ from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved, Level, Slope, Wall
 from rotsolve.language.bodies import PointRef, Surface
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
 
 WORDS: dict[str, Way] = {"right": (1.0, 0.0), "up": (0.0, 1.0), "left": (-1.0, 0.0), "down": (0.0, -1.0)}
 RIGHT, UP, LEFT, DOWN = WORDS.values()
