@@ -63,6 +63,11 @@ class InForce:
                 body = with_data(body, path.quantity, line)
         return body
 
+    def words(self) -> dict[str, str]:
+        """What the state says of connections: `rolls`, `slips`, `slack`, …"""
+        lines = (line for line in self.state.conditions if line.word is not None)
+        return {line.owner or (line.path.owner if line.path is not None else ""): line.word or "" for line in lines}
+
     def joined(self) -> list[Event]:
         """The events by which bodies have become one."""
         return [event for event in self.past if event.joined()]

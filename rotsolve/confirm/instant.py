@@ -171,11 +171,7 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
 
 def moving(model: Known, at: Placed, rows: Sequence[Row], grips: Sequence[Grip], said: Sequence[Stated]) -> Placed:
     """The rates: of all that is held, of all that the state says, of what rolls; what grips does not slip where nothing tells more."""
-    slips = {
-        line.owner or (line.path.owner if line.path else "")
-        for line in model.acting.state.conditions
-        if line.word == "slips"
-    }
+    slips = {name for name, word in model.acting.words().items() if word == "slips"}
     firm = [row for row in rows if not row.loose]
     firm += [grip.row for grip in grips if grip.static is None and grip.name not in slips]
     equations = [(row.slope, row.speed) for row in firm if row.slope and row.speed is not None]
@@ -198,7 +194,8 @@ def moment(model: Known, at: Placed, modes: Mapping[str, str] | None = None) -> 
     rows = [row for row in rows if not row.loose and row.bend is not None]
     if modes is not None:
         return balanced(model, at, rows, grips, loads, dict(modes))
-    choices = [choice(grip, pose) for grip in grips]
+    said = model.acting.words()
+    choices = [choice(grip, pose, said.get(grip.name, "")) for grip in grips]
     first = None
     for trial in product(*choices):
         found = balanced(
@@ -214,15 +211,15 @@ def slip_speed(grip: Grip, speed: Sequence[float]) -> float:
     return sum([part * speed[index] for index, part in grip.row.slope.items()]) - (grip.row.speed or 0.0)
 
 
-def choice(grip: Grip, pose: Pose) -> tuple[str, ...]:
-    """What it can do: slip as it does, or, where it does not slip just now, stick, or begin to slip either way."""
-    if grip.static is None:
+def choice(grip: Grip, pose: Pose, said: str) -> tuple[str, ...]:
+    """What it can do: as the state says; slip as it does, or, where it does not slip just now, stick, or begin to slip either way."""
+    if grip.static is None and said != "slips":
         return (STICKS,)
     slip = slip_speed(grip, pose.speed)
     size = max([abs(part * pose.speed[index]) for index, part in grip.row.slope.items()], default=0.0)
     if abs(slip) > STILL * max(size, 1e-6):
         return (FORWARD if slip > 0 else BACK,)
-    return MODES
+    return {"slips": (FORWARD, BACK), "sticks": (STICKS,), "rolls": (STICKS,)}.get(said, MODES)
 
 
 def fits(grip: Grip, found: Dynamics) -> bool:
