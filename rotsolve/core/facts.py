@@ -32,7 +32,7 @@ class Bend(Struct, frozen=True):
 
 
 class Motion(Struct, frozen=True):
-    """How a body can move, about its reference point (the fixed pivot, else the centre of mass).
+    """How a body can move, about its reference point (the fixed pivot, the centre of what rolls, else the centre of mass).
 
     kind: 'axis' turns about a fixed point; 'line' travels along `heading` (and turns if `turns`); 'plane' moves freely;
     where the line is a circle, `bend` is that circle and `heading` its tangent; 'still' does not move. `velocity`,
@@ -120,6 +120,7 @@ class Force(Struct, frozen=True):
     place: str = ""
     works: bool = True
     internal: bool = False  # ideal connection: its powers on all its bodies add up to nothing
+    part: str = ""  # of several bodies that are joined the one on which it acts, where that is told
 
     @property
     def words(self) -> Words:
@@ -243,7 +244,7 @@ class GivenMotion(Struct, frozen=True):
 
 
 class Inertia(Struct, frozen=True):
-    """Moment of inertia about the body's reference, of a cut-off piece also its mass: the letter, and the formula that defines it."""
+    """Moment of inertia about the pivot, else the centre of mass; of a cut-off piece also its mass: the letter, and what defines it."""
 
     letter: Formula
     formula: Formula
@@ -277,6 +278,17 @@ class BodyFacts(Struct, frozen=True):
     def acting(self) -> tuple[Force | Couple, ...]:
         """All that acts on it, forces before couples."""
         return (*self.forces, *self.couples)
+
+    @property
+    def about(self) -> Vector:
+        """The point about which its law of rotation is written, from the reference: the fixed pivot, else the centre of mass."""
+        return NOWHERE if self.motion.kind == "axis" else self.cm
+
+    def torque_of(self, item: Force | Couple) -> Formula:
+        """Of a force or couple about that point, counterclockwise positive."""
+        if isinstance(item, Couple) or not self.about.parts:
+            return item.torque
+        return simplify((item.arm - self.about).cross(item.vector))
 
     @property
     def centre_velocity(self) -> Vector:

@@ -19,7 +19,7 @@ from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import is_key, rub_of
 from rotsolve.equations.states import Fixed, Statements
-from rotsolve.language.problem import Condition, Path, State, Term
+from rotsolve.language.problem import Condition, Find, Path, State, Term
 from rotsolve.laws.table import (
     BETWEEN,
     EVENT,
@@ -151,7 +151,7 @@ class SceneEquations(Struct, dict=True):
     def _swings_asked(self) -> Iterator[tuple[Term, Span | None]]:
         for find in self.configuration.problem.finds:
             where = find.where if find.where is not None and find.where.word == "stable" else None
-            for term in (*find.terms, *([term_of(where)] if where is not None else [])):
+            for term in (*terms_of(find), *([term_of(where)] if where is not None else [])):
                 if term.path.quantity in OSCILLATING:
                     yield term, find.span
 
@@ -282,6 +282,13 @@ def observed(state: State) -> Iterator[tuple[Condition, Term]]:
     for line in state.conditions:
         if line.path is not None and line.path.quantity in OSCILLATING:
             yield line, Term(line.path, at=state.name if state.balance or state.steady else None)
+
+
+def terms_of(find: Find) -> Iterator[Term]:
+    """The terms of a question and of its condition."""
+    yield from find.terms
+    if find.where is not None and find.where.phrase is not None:
+        yield from terms_of(find.where.phrase)
 
 
 def term_of(condition: Condition) -> Term:

@@ -8,11 +8,12 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Formula, Negative, Sum, Symbol
 from rotsolve.core.equation import STATED, Equation
+from rotsolve.core.facts import signed
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import is_quantity, paths_in
+from rotsolve.core.symbols import has_quantities, is_key, is_quantity, paths_in
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 from rotsolve.motion.configuration import Configuration
@@ -161,6 +162,20 @@ RATE_OF = {  # what is zero where a quantity is largest or smallest
 }
 
 
+def moved_letter(told: Formula) -> tuple[Formula, int, Formula] | None:
+    """A letter of the laws, the sign with which a formula holds it, and what is added to it; None of any other formula."""
+    if is_quantity(told):
+        return told, 1, ZERO
+    names = [name for name in told.symbols() if is_key(name)]
+    if len(names) != 1 or not isinstance(told, (Negative, Sum)):
+        return None
+    for sign in (1, -1):
+        rest = simplify(told - signed(Symbol(names[0]), sign))
+        if not has_quantities(rest):
+            return Symbol(names[0]), sign, rest
+    return None
+
+
 class Statements(Struct):
     """Takes the lines of all states into the registry."""
 
@@ -191,10 +206,9 @@ class Statements(Struct):
                 fix_balance(state.name, self.fixed)
         first = self.fixed.instant(self.configuration.timeline.states[0].name)
         for body in self.configuration.present(first.state):
-            marked = first.follows_marks(body.name) or first.leant_on(body.name)
-            angle = first.angle(body.name) if marked else None
-            if angle is not None:
-                self.fixed.fix(angle, ZERO)  # it stands as drawn at first, unless the scene says how it stands
+            angle = first.angle(body.name) if first.drawn_at_first(body.name) else None
+            if angle is not None:  # it stands as drawn at first, unless the scene says how it stands
+                self.fixed.fix(angle, first.offset(body.name).formula())
         for state in self.configuration.timeline.states:
             for generic in (False, True):
                 prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
@@ -239,8 +253,10 @@ class Statements(Struct):
 
     def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
         """Fix a letter that is free; what is known otherwise becomes an equation."""
-        if is_quantity(letter):
-            self.fixed.fix(letter, value)
+        moved = moved_letter(letter)
+        if moved is not None:
+            letter, sign, rest = moved
+            self.fixed.fix(letter, signed(simplify(value - rest) if rest != ZERO else value, sign))
         elif letter != value:
             path = condition.path
             label = "given" if not letter.symbols() else self._label(path) if path is not None else "stated"

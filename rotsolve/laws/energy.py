@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import CONSERVATION, WORK, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
 from rotsolve.core.passage import Passage
-from rotsolve.core.vectors.heading import UP
+from rotsolve.core.vectors.heading import UP, Vector
 from rotsolve.core.writing import flat, is_negative, moved, positive_first, spoken
 from rotsolve.laws.table import OverPhase
 
@@ -86,11 +88,18 @@ def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:
     terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
-            terms.extend(HALF * body.mass * square(size) for size, _ in body.motion.velocity.parts)
+            terms.extend(HALF * body.mass * item for item in squares(body.centre_velocity))
         if body.inertia is not None:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
         terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
     return [term for term in terms if term != ZERO]
+
+
+def squares(velocity: Vector) -> list[Formula]:
+    """v², part by part where the parts are at right angles."""
+    if any((one - other).cos() != ZERO for (_, one), (_, other) in combinations(velocity.parts, 2)):
+        return [simplify(velocity.dot(velocity))]
+    return [square(size) for size, _ in velocity.parts]
 
 
 def potential(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:

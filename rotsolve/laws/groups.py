@@ -44,7 +44,9 @@ def about_axle(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Itera
             if (force.owner, force.size) not in between:
                 pull = Vector(((force.vector.along(body.motion.heading), body.motion.heading),))
                 pushes.append(signed(held.arm.cross(pull), sense))
-    pushes += [signed(force.torque, sense) for force in wheel.forces if (force.owner, force.size) not in between]
+    pushes += [
+        signed(wheel.torque_of(force), sense) for force in wheel.forces if (force.owner, force.size) not in between
+    ]
     pushes += [signed(couple.torque, sense) for couple in wheel.couples]
     point = "the pivot" if wheel.cm.parts else "the axle"
     yield RATE.equation(positive_first(pushes), positive_first(rates), section, (wheel.name,), point=point)
@@ -68,7 +70,7 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     point, sense = held.pop(), body.motion.sense
     pushes = [signed((force.arm - point).cross(force.vector), sense) for force in body.forces if not force.internal]
     pushes += [signed(couple.torque, sense) for couple in body.couples]
-    orbital = signed((-point).cross(body.motion.acceleration.scaled(body.mass)), sense)
+    orbital = signed((body.cm - point).cross(body.centre_acceleration.scaled(body.mass)), sense)
     rates = [term for term in (response(body), orbital) if term != ZERO]
     where = f"the point of contact of {spoken(body.name)}"
     yield RATE.equation(positive_first(pushes), positive_first(rates), section, (body.name,), point=where)
@@ -200,7 +202,7 @@ def gained(body: BodyFacts) -> list[tuple[Formula, Formula]]:
     """m and a·v, I and α ω."""
     pairs = []
     if body.motion.kind != "axis":
-        pairs.append((body.mass, body.motion.acceleration.dot(body.motion.velocity)))
+        pairs.append((body.mass, body.centre_acceleration.dot(body.centre_velocity)))
     if body.inertia is not None:
         pairs.append((body.inertia.letter, unsigned_product(body.motion.spin_rate, body.motion.spin)))
     return pairs

@@ -157,10 +157,10 @@ def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula]
     """Angular impulses of what does not cancel between the bodies of one axis; None where it varies in a way that is not known."""
     by_owner: dict[str, list[Formula]] = {}
     for body in members:
-        if any(force.role.weighs and force.torque != ZERO for force in body.forces):
+        if any(force.role.weighs and body.torque_of(force) != ZERO for force in body.forces):
             return None  # it depends on how far the body has turned
         for item in body.acting:
-            by_owner.setdefault(item.owner, []).append(signed(item.torque, members[0].motion.sense))
+            by_owner.setdefault(item.owner, []).append(signed(body.torque_of(item), members[0].motion.sense))
     outside = [torque for torques in by_owner.values() if not is_zero(total(torques)) for torque in flat(torques)]
     names = {body.name for body in members}
     constant = all(travel.pace == "constant" for travel in passage.travels if travel.body in names)
@@ -269,7 +269,7 @@ def bodies_through_event(at: ThroughEvent) -> Iterator[Equation]:
             if flat([*pushes, before, after]):
                 yield BLOWS.equation(*moved([*pushes, before], [after]), at.section, (body.name,))
         if body.motion.turns:
-            pushes = [signed(blow.arm.cross(blow.vector), sense) for blow in item.blows]
+            pushes = [signed(body.torque_of(blow), sense) for blow in item.blows]
             pushes += [signed(twist.torque, sense) for twist in item.twists]
             before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
             if flat([*pushes, before, after]):

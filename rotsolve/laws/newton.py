@@ -133,7 +133,7 @@ def torque_about(point: Vector, force: Force) -> Formula:
 def torques(body: BodyFacts) -> list[Formula]:
     """Torques about the reference, positive along the body's declared turn."""
     sense = body.motion.sense
-    arms = [signed(force.torque, sense) for force in body.forces]
+    arms = [signed(body.torque_of(force), sense) for force in body.forces]
     return [torque for torque in (*arms, *(signed(couple.torque, sense) for couple in body.couples)) if torque != ZERO]
 
 

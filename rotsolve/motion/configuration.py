@@ -1,125 +1,37 @@
-"""Configuration: which connections act at which state, which bodies are joined into one, and how each can move."""
+"""Configuration: which bodies are joined into one, and how each can move at each state."""
 
 from __future__ import annotations
 
-from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
-from msgspec.structs import replace
-
-from rotsolve.algebra.certified.sign import ACUTE, SignOracle
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO
 from rotsolve.core.drive import TURNING, Drive, along_line
-from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.core.letters import letter_order
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import UNKNOWN, combined, is_key
-from rotsolve.core.vectors.heading import UP, WORDS, Heading
-from rotsolve.elements.shapes import rim_radius
-from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
-from rotsolve.language.elements import Action, Connection, Event
-from rotsolve.language.problem import Problem
-from rotsolve.motion.members import Member, rider, welded
-from rotsolve.motion.owndata import Version, versions
-from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
-from rotsolve.motion.rigid import Frame, centre_of_mass, locate, pieces, polar, tidy
-from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, timeline
+from rotsolve.core.symbols import MIXED, UNKNOWN, combined
+from rotsolve.core.vectors.heading import RIGHT, UP, WORDS, Heading, Vector, heading
+from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.language.bodies import Body, Orbit, PointRef, Ride
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.rigid import Frame, centre_of_mass, direction_of, locate, pieces, polar, rim_centre, tidy
+from rotsolve.motion.welds import Seat, seated
 
 if TYPE_CHECKING:
-    from rotsolve.core.passage import Alteration
+    pass
 
 
-class Configuration(Struct, frozen=True, dict=True):
-    """A problem with its timeline; answers what is connected to what at each state.
+def ridden(item: Ride, axis: PointRef | None) -> tuple[PointRef, PointRef]:
+    """Where a body that rides on another meets it: its distance is counted from the carrier's axis."""
+    return axis or PointRef(item.carrier.owner, "center"), PointRef(item.rider.owner, "center")
 
-    `alteration` is what is changed on purpose in what the laws say of it; nothing, save where a mistake is looked for.
-    """
 
-    problem: Problem
-    alteration: Alteration | None = None
-
-    @cached_property
-    def timeline(self) -> Timeline:
-        return timeline(self.problem)
-
-    @cached_property
-    def mentions(self) -> Mentions:
-        return Mentions(self.problem, self.timeline)
-
-    @cached_property
-    def order(self) -> tuple[str, ...]:
-        """Letters in the order in which a textbook writes them in a product."""
-        return letter_order((given.name, given.dimension) for given in self.problem.givens)
-
-    @cached_property
-    def positive(self) -> frozenset[str]:
-        """Givens that are surely positive."""
-        return positive_letters(self.problem.givens)
-
-    @cached_property
-    def signs(self) -> SignOracle:
-        """What tells the sign of a formula of givens."""
-        return SignOracle(self.problem.values, self.positive, partial(limited_letters, self.problem))
-
-    def certain_sign(self, value: Formula, question: str, span: Span | None = None) -> int:
-        """The sign on which it hangs what the scene is: answers the `question`, which is refused by name where nothing tells it.
-
-        With what is asked for it is that which it has for a positive number, or for an acute angle; `supposed` holds it against the answer.
-        """
-        sign = self.signs.decide(value)
-        if sign is None:
-            asked = {item.name: ACUTE if is_angle(item) else "positive" for item in self.problem.givens if item.asked}
-            if asked.keys() & value.symbols():
-                sign = replace(self.signs, limits=lambda: {**self.signs.limits(), **asked}).by_letters(value)
-            if sign is None:
-                raise self.undecided(value, question, span)
-            self.supposed[value] = sign, question, span
-        return sign
-
-    def undecided(self, value: Formula, question: str, span: Span | None) -> Unsolvable:
-        """A question that hangs on the sign of a formula in which letters lack a value."""
-        names = " and ".join(f"`{name}`" for name in self.signs.lacking(value) if not is_key(name))
-        help = f"give a number to {names}" if names else ""
-        return Unsolvable(
-            f"{question} can not be told", span=span, help=help, lines=self.problem.lines, file=self.problem.file
-        )
-
-    @cached_property
-    def supposed(self) -> dict[Formula, tuple[int, str, Span | None]]:
-        """The signs that only hold for some answers, with the questions that they answer."""
-        return {}
-
-    @cached_property
-    def bodies(self) -> dict[str, Body]:
-        return {body.name: body for body in self.problem.bodies}
-
-    @cached_property
-    def _versions(self) -> dict[str, dict[str, Version]]:
-        laid = [body.name for body in self.problem.bodies if self.laid(body.name)]
-        return versions(self.problem.bodies, self.timeline.states, laid)
-
-    def laid(self, name: str) -> bool:
-        """Whether a body lays itself out along a surface."""
-        return name in self._laid
-
-    @cached_property
-    def _laid(self) -> frozenset[str]:
-        named = ((item, ref.owner) for item in self.problem.connections for ref in item.touches())
-        return frozenset(name for item, name in named if name in self.bodies and item.lays(self.bodies[name]))
-
-    def body(self, name: str, state: str) -> Body:
-        """A body with the mass, size and moment of inertia that it has at a state."""
-        return self._versions[state][name].body
+class Configuration(Arrangement, frozen=True, dict=True):
+    """A problem in time; answers what is connected to what at each state, as one body or tied, and how it can move."""
 
     def since(self, name: str, state: str) -> str:
         """The state from which a body and all that it carries have their data; empty where these never change."""
         since = (self._versions[state][item].since for item in self.carried(name, state))
         return max(since, key=lambda name: self.timeline.order.get(name, -1))
-
-    def altered(self, name: str, start: str, end: str) -> bool:
-        """Whether a body's own data differ between two states."""
-        return self._versions[start][name] != self._versions[end][name]
 
     def changing(self, name: str, state: str) -> bool:
         """Whether the data of a body, or of what it carries, change in the phase of a state; what slides freely always goes on."""
@@ -128,95 +40,75 @@ class Configuration(Struct, frozen=True, dict=True):
             return True
         return phase is not None and self.since(name, phase.start) != self.since(name, phase.end)
 
-    @cached_property
-    def surfaces(self) -> dict[str, Surface]:
-        return {surface.name: surface for surface in self.problem.surfaces}
-
-    @cached_property
-    def _absent(self) -> dict[str, frozenset[str]]:
-        return absent(self.problem, self.timeline)
-
-    @cached_property
-    def begun(self) -> tuple[Connection, ...]:
-        """The connections that events begin."""
-        return begun(self.problem)
-
-    @cached_property
-    def held(self) -> dict[str, str]:
-        """By body that an axle or hinge holds from the start: what that is called."""
-        return {ref.owner: item.name for item in self.problem.connections for ref in item.fixed_points()}
-
-    @remembered
-    def connections(self, state: str) -> tuple[Connection, ...]:
-        """Connections that act at a state, those too by which events hold bodies."""
-        after = self.timeline.after(state)
-        gone = self._absent[state] | frozenset(after.without if after and after.event is None else ())
-        added = [item for event in self.events(state) for item in event.adds()]
-        return (*[item for item in self.problem.connections if item.name not in gone], *added)
-
-    def connection(self, name: str, state: str) -> Connection | None:
-        """The connection of that name, where it acts at a state."""
-        return next((item for item in self.connections(state) if item.name == name), None)
-
-    def events(self, state: str) -> list[Event]:
-        """What has happened up to a state."""
-        passed = self.timeline.intervals[: self.timeline.order[state]]
-        return [interval.event for interval in passed if interval.event is not None]
-
-    def actions(self, state: str) -> tuple[Action, ...]:
-        """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
-        order, now = self.timeline.order, self.timeline.order[state]
-        last = self.timeline.after(state) is None
-        result = []
-        for item in self.problem.actions:
-            if item.name in self._absent[state]:
-                continue
-            begins = order.get(item.from_ or "", 0)
-            ends = order.get(item.to or "", len(order))
-            if begins <= now < ends or (last and begins <= now <= ends):
-                result.append(item)
-        return tuple(result)
-
-    def acting(self, state: str) -> tuple[Connection | Action, ...]:
-        """All that acts on bodies at a state."""
-        return (*self.connections(state), *self.actions(state))
-
     def present(self, state: str) -> tuple[Body, ...]:
         """Bodies that are there at a state and stand for themselves (a joined body belongs to its host)."""
-        away = self._absent[state] | {member.name for member in self.members(state)}
+        away = self._absent[state] | self.seats(state).keys()
         return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in away)
 
     @remembered
-    def members(self, state: str) -> tuple[Member, ...]:
-        """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
-        riders = [rider(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
-        joined = [item.joined() for item in self.connections(state)]
-        joined += [event.joined() for event in self.events(state)]
-        pairs = [pair for pair in joined if pair]
-        held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points()) if pairs else ()
-        return (*riders, *(welded(first, second, held, self.bodies) for first, second in pairs))
+    def seats(self, state: str) -> dict[str, Seat]:
+        """Where the bodies sit that another stands for: by a weld, by an event up to this state, or since they ride on it."""
+        pairs = [ridden(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
+        joined = [item.joined() for item in self.connections(state)] + [item.joined() for item in self.events(state)]
+        gone = self._absent[state]
+        pairs += [(pair[0], pair[1]) for pair in joined if pair and not gone & {ref.owner for ref in pair}]
+        if not pairs:
+            return {}
+        held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points())
+        return seated(
+            pairs,
+            lambda name: (name in held, *self._carried_along(name, state), not shape_of(self.bodies[name]).pointlike),
+            lambda ref: locate(self.body(ref.owner, state), ref),
+            lambda first, second: self._bend(first, second, state),
+        )
 
-    def rides(self, state: str) -> tuple[Ride, ...]:
-        """The bodies that slide along others at a state."""
-        return tuple(ride for item in self.connections(state) if (ride := item.ride()) is not None)
+    def _carried_along(self, name: str, state: str) -> tuple[bool, bool]:
+        """Whether a body lies on a surface along which it travels, and whether it hangs from a string."""
+        body, items = self.bodies[name], self.connections(state)
+        on_surface = any(item.track(body, self, state) or item.orbit(body, self, state) for item in items)
+        return on_surface, any(item.hangs(body) for item in items)
 
-    def ride(self, name: str, state: str) -> Ride | None:
-        """How a body slides along another, with which it turns."""
-        return next((item for item in self.rides(state) if item.rider.owner == name), None)
+    def _bend(self, first: str, second: str, state: str) -> Heading:
+        """How far the second of two bodies that meet is turned against the first: two rods that are welded as the first state says that
+        tells both their angles, else in line; bodies that an event joins as they stand then."""
+        event = next(
+            (item for item in self.events(state) if {first, second} == {ref.owner for ref in item.joined()}), None
+        )
+        if event is None:
+            slender = all(shape_of(self.bodies[name]).slender for name in (first, second))
+            states = [item.name for item in self.timeline.states] if slender else []
+        else:
+            states = [event.from_ or ""]
+        for moment in states:
+            headings = [self._heading_told(name, moment) for name in (first, second)]
+            if headings[0] is not None and headings[1] is not None:
+                return headings[1] - headings[0]
+        return RIGHT
 
-    @remembered
+    def _heading_told(self, name: str, state: str) -> Heading | None:
+        """How a body stands, where a state, or one before it with nothing but events between, tells that; one that is no rod as drawn."""
+        angle, moment = self.mentions.told(state, name, "angle"), state
+        while angle is None and (before := self.timeline.before(moment)) is not None and before.event is not None:
+            moment = before.start
+            angle = self.mentions.told(moment, name, "angle")
+        if shape_of(self.bodies[name]).slender:
+            return None if angle is None else heading(angle)
+        own = self.frame(name, state)
+        drawn = direction_of(own.cm) if own.cm.parts and self.pivot(name, state) is not None else RIGHT
+        return RIGHT if angle is None else heading(angle) - drawn
+
     def host(self, name: str, state: str) -> str:
-        """The body that carries `name` at a state: itself, unless joined."""
-        hosts = {member.name: member.host for member in self.members(state)}
-        while name in hosts:
-            name = hosts[name]
-        return name
+        """The body that stands for `name` at a state: itself, unless joined."""
+        seat = self.seats(state).get(name)
+        return name if seat is None else seat.host
 
-    def cluster(self, host: str, state: str) -> tuple[Member, ...]:
-        """All members that a host carries, nearest first."""
-        members = self.members(state)
-        direct = [member for member in members if member.host == host]
-        return tuple(item for member in direct for item in (member, *self.cluster(member.name, state)))
+    def seat(self, name: str, state: str) -> Seat:
+        """Where a body sits in the axes of the one that stands for it."""
+        return self.seats(state).get(name) or Seat(name, name)
+
+    def cluster(self, host: str, state: str) -> tuple[Seat, ...]:
+        """The seats of all for which a body stands, nearest first."""
+        return tuple(seat for seat in self.seats(state).values() if seat.host == host)
 
     def carried(self, host: str, state: str) -> tuple[str, ...]:
         """A body and all that it carries, nearest first."""
@@ -234,6 +126,21 @@ class Configuration(Struct, frozen=True, dict=True):
         if self.pivot(name, state) is not None:
             return None
         return next((ref for item in self.connections(state) for ref in item.joint()[1:] if ref.owner == name), None)
+
+    @remembered
+    def hub(self, name: str, state: str) -> Vector | None:
+        """The centre of the rim with which a body lies on a surface along which it travels, in the body's own axes."""
+        body = self.body(name, state)
+        for item in self.connections(state):
+            if item.lying() == name and (item.track(body, self, state) or item.orbit(body, self, state)):
+                ref = item.slider()
+                return None if rim_radius(body, ref.point) is None else rim_centre(body, ref.point)
+        return None
+
+    def eccentric(self, name: str, state: str) -> bool:
+        """Whether a body turns about an axis, or rolls about a centre, that is not its centre of mass."""
+        turns = self.pivot(name, state) is not None or self.hub(name, state) is not None
+        return turns and not self.balanced(name, state)
 
     def axis(self, name: str, state: str) -> str:
         """The support on whose axis a body turns."""
@@ -328,17 +235,14 @@ class Configuration(Struct, frozen=True, dict=True):
     def _own_pace(self, name: str, state: str) -> str:
         if self.changing(name, state):
             return UNKNOWN
-        if self.pivot(name, state) is not None:
-            return "constant" if self.balanced(name, state) or not self.heavy else "position"
-        return "constant"
-
-    @property
-    def heavy(self) -> bool:
-        """Whether weight acts in the plane of motion."""
-        return self.problem.gravity not in (None, ZERO) and self.problem.plane == "vertical"
+        if self.balanced(name, state):
+            return "constant"
+        if self.pivot(name, state) is None:
+            return MIXED  # the centre of mass of what rolls goes round its centre
+        return "position" if self.heavy else "constant"
 
     def balanced(self, name: str, state: str) -> bool:
-        """Whether a body on an axis carries its centre of mass on that axis."""
+        """Whether a body that turns about an axis, or rolls, carries its centre of mass there."""
         return not self.frame(name, state).cm.parts
 
     @remembered
@@ -349,26 +253,25 @@ class Configuration(Struct, frozen=True, dict=True):
             return state
         return phase.name
 
-    def phase_start(self, state: str) -> str:
-        """The state at which the phase of a state starts, or the state itself."""
-        phase = self.timeline.phase_of(state)
-        return phase.start if phase is not None else state
-
     def can_turn(self, name: str, state: str) -> bool:
-        """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
+        """Whether a body that no axis holds turns: a particle never, a light rod does; a body on a line if it is round or said to turn."""
         body, own = self.body(name, state), self.frame(name, state)
-        turning = body.turns is not None or rim_radius(body, None) is not None
+        wheel = rim_radius(body, None) is not None or self.hub(name, state) is not None
+        free = self.line(name, state) is None and self.orbit(name, state) is None
         if any(drive.kinds == TURNING for drive in self.drives(name, state)):
             return True
-        if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
-            return body.turns is not None and rim_radius(body, None) is not None
-        return turning or (self.line(name, state) is None and self.orbit(name, state) is None)
+        if all(piece.moment == ZERO and not tidy(piece.at - own.reference - own.cm).parts for piece in own.pieces):
+            shapes = [shape_of(self.bodies[item]) for item in self.carried(name, state)]
+            light = free and any(not (shape.pointlike or shape.round) for shape in shapes)
+            return light or (body.turns is not None and wheel)
+        return free or body.turns is not None or wheel
 
     def swings_round(self, ref: PointRef, state: str) -> bool:
         """Whether a point goes round the reference of its body as that turns."""
         name, own = self.host(ref.owner, state), self.frame(self.host(ref.owner, state), state)
         held = self.pivot(name, state) is not None
-        off = name != ref.owner or bool(tidy(locate(self.body(name, state), ref) - own.reference).parts)
+        place = self.seat(ref.owner, state).place(locate(self.body(ref.owner, state), ref))
+        off = bool(tidy(place - own.reference).parts)
         return off and (held or self.can_turn(name, state))
 
     def driven(self, name: str, state: str) -> bool:
@@ -379,14 +282,11 @@ class Configuration(Struct, frozen=True, dict=True):
 
     @remembered
     def frame(self, name: str, state: str) -> Frame:
-        """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
-        body, pivot = self.body(name, state), self.pivot(name, state)
-        items = list(pieces(body))
-        for member in self.cluster(name, state):
-            if member.host == name:
-                base, offset = locate(body, member.at), locate(self.body(member.name, state), member.own)
-                own = self.frame(member.name, state).pieces
-                items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
-        centre = centre_of_mass(tuple(items))
-        reference = locate(body, pivot) if pivot is not None else centre
-        return Frame(tuple(items), reference, polar(tidy(centre - reference)))
+        """The rigid body `name` at a state; its reference is the fixed pivot, the centre of what rolls, else the centre of mass."""
+        body, hub = self.body(name, state), self.hub(name, state)
+        items, pivot, cluster = pieces(body), self.pivot(name, state), self.cluster(name, state)
+        for seat in cluster:
+            items += tuple(seat.piece(item) for item in pieces(self.body(seat.name, state)))
+        centre = centre_of_mass(items)
+        reference = locate(body, pivot) if pivot is not None else centre if hub is None else hub
+        return Frame(items, reference, polar(tidy(centre - reference)))

@@ -107,7 +107,7 @@ def weight(name: str, instant: Instant) -> tuple[Force, ...]:
             size, arm = mass * gravity, instant.point(PointRef(owner, "cm"))
             place = ", at the centre of mass" if arm.parts and owner == name else ""
             noun = "weight" if owner == name else f"weight of {spoken(owner)}"
-            forces.append(Force("", WEIGHT, name, size, unit(DOWN), arm, noun, f"down{place}"))
+            forces.append(Force("", WEIGHT, name, size, unit(DOWN), arm, noun, f"down{place}", part=owner))
     return tuple(forces)
 
 
@@ -175,7 +175,9 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     """The letter for the moment of inertia about the reference, with its formula; a given one is its own letter."""
     carried = instant.configuration.carried(body.name, instant.state)
     members = carried[1:]
-    formula, remark = moment_about(own.pieces, own.reference, instant.configuration.order)
+    held = instant.configuration.pivot(body.name, instant.state) is not None
+    point = own.reference if held or not own.cm.parts else own.reference + own.cm
+    formula, remark = moment_about(own.pieces, point, instant.configuration.order)
     if formula == ZERO:
         return Inertia(ZERO, ZERO, "")
     letter = given_inertia(body, own, bool(members))

@@ -18,7 +18,7 @@ from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, c
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
-from rotsolve.elements.shapes import Shape, rim_radius, shape_of
+from rotsolve.elements.shapes import Shape, rim_radius, rims, round_part, shape_of
 from rotsolve.language.problem import Body, Part, PointRef
 
 MINUS = Number(Fraction(-1))
@@ -269,6 +269,17 @@ def product_about(
 ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held
 
 
+def rim_ways(body: Body) -> dict[str, Heading]:
+    """The names of points on the rims of a body, with the directions from its centre in which they are."""
+    return {**ON_RIM, **dict.fromkeys(rims(body), RIGHT)}
+
+
+def rim_centre(body: Body, point: str | None) -> Vector:
+    """Place of the centre of the rim that a point names: that of the part of this name, else of the body."""
+    part = round_part(body, point)
+    return NOWHERE if part is None else part_frame(part)[1]
+
+
 class Frame(Struct, frozen=True):
     """A rigid body (with all that is joined to it) in its own axes: pieces, centre of mass and reference point."""
 
@@ -282,8 +293,8 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
     if ref is None or ref.point in (None, "center"):
         return NOWHERE
     radius = rim_radius(body, ref.point)
-    if ref.point in ON_RIM and radius is not None:
-        return vector(radius, ON_RIM[ref.point])
+    if ref.point in (ways := rim_ways(body)) and radius is not None:
+        return vector(radius, ways[ref.point])
     if ref.point == "cm":
         return centre_of_mass(pieces(body))
     for name, at in body.points:

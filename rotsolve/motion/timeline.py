@@ -128,6 +128,12 @@ class Mentions(Struct, frozen=True, dict=True):
         said = ({line.path.quantity, line.word} for line in lines if line.path is not None and line.path.owner == owner)
         return any(found & set(words) for found in said)
 
+    def told(self, state: str, owner: str, word: str) -> Formula | None:
+        """The value that a state gives to a quantity of a body."""
+        lines = self.timeline.state(state).conditions
+        paths = ((line.value, line.path) for line in lines if line.path is not None and line.path.point is None)
+        return next((value for value, path in paths if (path.owner, path.quantity) == (owner, word)), None)
+
     def untold(self, owner: str, word: str) -> tuple[str, Span | None] | None:
         """The first later state that says nothing of a quantity of an element, with its place."""
         silent = (state for state in self.timeline.states[1:] if not self.says(state.name, owner, word))

@@ -4,24 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from itertools import combinations
-from typing import TYPE_CHECKING
 
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, total
-from rotsolve.core.facts import BodyFacts, signed, square
+from rotsolve.algebra.formula import ZERO, Formula, Number, negate, total
+from rotsolve.core.facts import Couple, Force, signed, square
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.problem import Path, PointRef, Term
+from rotsolve.language.problem import Path, Term
 from rotsolve.laws.energy import kinetic
+from rotsolve.laws.newton import torque_about
 from rotsolve.motion.places import height
-from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
+from rotsolve.motion.rigid import mass_of, moment_about, tidy
 from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, path_text, vector_size
-
-if TYPE_CHECKING:
-    from rotsolve.motion.instant import Instant
+from rotsolve.paths.shares import Share, joined, place_about, share_of
 
 HALF = Number(Fraction(1, 2))
 
@@ -36,7 +32,7 @@ class OfBodies(AtInstant, frozen=True):
         return OF_BODIES[path.quantity](self, path, term)
 
     def angle(self, path: Path, term: Term | None) -> Formula:
-        return self.instant.ask("angle", self.instant.host(path.owner), words=("counterclockwise", "clockwise"))
+        return self.instant.angle_of(path.owner)
 
     def period(self, path: Path, term: Term | None) -> Formula:
         return self.instant.ask("period", self.instant.host(path.owner))
@@ -81,8 +77,13 @@ class OfBodies(AtInstant, frozen=True):
             return vector.along(motion.bend.outward.turned(180))
         if path.component == "normal":
             return ZERO
-        line = self.instant.line(host)
-        return self.instant.travel(path.quantity, host, line[1] if line else "")
+        line, own = self.instant.line(host), self.instant.line_of(path.owner)
+        letter = self.instant.travel(path.quantity, host, line[1] if line else "")
+        if own is None and line is not None:
+            raise NotYet(
+                f"`{path.owner}` moves across the way that it `moves`", help="ask for its velocity by `x` and `y`"
+            )
+        return letter if own == line else negate(letter)
 
     def height_above(self, path: Path, term: Term | None) -> Formula:
         """Height above the level that the scene counts from."""
@@ -99,42 +100,21 @@ class OfBodies(AtInstant, frozen=True):
         name = path.owner
         if not self.instant.motion(name).turns:
             raise NotYet(f"`{name}` does not turn", help="a body turns on an axle or hinge, or where it says `turns`")
-        return self.instant.rate(path.quantity, self.instant.host(name))
+        return self.instant.rate_of(path.quantity, name)
 
     def kinetic_energy(self, path: Path, term: Term | None) -> Formula:
-        """½ m v² + ½ I ω²; of a body joined to others, that of its own mass."""
+        """½ m v² + ½ I ω², or one of both; of a body joined to others, that of its own mass."""
         name, component = path.owner, path.component
-        if self._joined(name) and component is None:
-            motion, mass = self.instant.motion(name), mass_of(self.instant.body(name))
-            turning = HALF * self._own_moment(name, about_axis=motion.kind == "axis") * square(motion.spin)
-            if motion.kind == "axis":
-                return total([turning, HALF * mass * square(self.instant.outward(name))])
-            velocity = self.instant.velocity(PointRef(name, "cm"))
-            return total([HALF * mass * velocity.dot(velocity), turning])
-        body = self.body(name)
-        terms = kinetic([body])
-        if component == "rotational" and body.inertia is not None:
-            terms = [HALF * body.inertia.letter * square(body.motion.spin)]
+        share = self.share(name)
         if component == "translational":
-            parts = body.centre_velocity.parts
-            across = all((one - other).cos() == ZERO for (_, one), (_, other) in combinations(parts, 2))
-            whole = [body.centre_velocity.dot(body.centre_velocity)]
-            terms = [HALF * body.mass * item for item in ([square(size) for size, _ in parts] if across else whole)]
-        return total(terms)
+            return total(share.translational())
+        if component == "rotational":
+            return HALF * share.moment * square(share.motion.spin)
+        return share.kinetic_energy() if joined(name, self.instant) else total(kinetic([self.body(name)]))
 
-    def _joined(self, name: str) -> bool:
-        """Whether a body moves as one with others, so that its own share has to be told apart."""
-        return self.instant.host(name) != name or bool(self.instant.configuration.cluster(name, self.instant.state))
-
-    def _own_moment(self, name: str, *, about_axis: bool = True) -> Formula:
-        """InstantFacts of inertia of one of several joined bodies: about its own centre of mass, or I + m d² about the axis of all."""
-        items = pieces(self.instant.body(name))
-        order = self.instant.configuration.order
-        own, _ = moment_about(items, centre_of_mass(items), order)
-        if not about_axis:
-            return own
-        arm = self.instant.point(PointRef(name, "cm"))
-        return simplify(own + mass_of(self.instant.body(name)) * arm.dot(arm), order=order)
+    def share(self, name: str) -> Share:
+        """What a body has of its own."""
+        return share_of(name, self.instant, self.body(name))
 
     def radius(self, path: Path, term: Term | None) -> Formula:
         """Radius of a round body; of a particle, its distance from the axis."""
@@ -145,22 +125,17 @@ class OfBodies(AtInstant, frozen=True):
         return radius
 
     def angular_momentum(self, path: Path, term: Term | None) -> Meant:
-        """About the axis or a point; with a component, by the tensor; of a part of a body, its share."""
+        """I ω + r × m v about the axis, its own centre of mass or a point; with a component, by the tensor; of a part its share."""
         if path.component is not None:
             return self.spread(path, term)
-        return self._share(path) if path.point else self._spin_or_orbital(path.owner, term)
-
-    def _spin_or_orbital(self, name: str, term: Term | None) -> Formula:
-        """I ω about the axis or the centre of mass; of a body without spin of its own, r × m v about a named point."""
-        body = self.body(name)
-        if self._joined(name) and body.motion.kind == "axis":
-            return self._own_moment(name) * signed(body.motion.spin, body.motion.sense)
-        about = term.about if term is not None else None
-        if about is not None and body.motion.kind != "axis":
-            return self._orbital(body, about)
-        if body.inertia is None:
+        name, about = path.owner, term.about if term is not None else None
+        share = self.share(name)
+        if path.point:
+            return self._share(path)
+        if about is None and self.body(name).inertia is None:
             raise NotYet(f"`{name}` does not turn", help="say `about` which point its angular momentum is asked")
-        return body.inertia.letter * signed(body.motion.spin, body.motion.sense)
+        point = None if about is None else place_about(about, name, self.instant)
+        return signed(share.angular_momentum(point), self.instant.sense(name))
 
     def _share(self, path: Path) -> Formula:
         """(I + m r²) ω of one part of a body on a fixed axis."""
@@ -174,58 +149,82 @@ class OfBodies(AtInstant, frozen=True):
         moment, _ = moment_about(own_pieces, own.reference, self.instant.configuration.order)
         return moment * signed(motion.spin, motion.sense)
 
-    def _orbital(self, body: BodyFacts, about: PointRef) -> Formula:
-        """r × m v + I ω about a point of its own, or of a body that it is about to touch: the place from that body's pivot."""
-        instant = self.instant
-        own = instant.host(about.owner) == body.name
-        place = body.cm - instant.point(about) if own else meeting_place(body.name, about, instant)
-        spin = body.inertia.letter * body.motion.spin if body.inertia is not None else ZERO
-        orbital = place.cross(body.centre_velocity.scaled(body.mass))
-        return total([signed(part, body.motion.sense) for part in (orbital, spin)])
-
     def momentum(self, path: Path, term: Term | None) -> Meant:
         """m v along the line of travel, a component of it, or its size."""
-        body, component = self.body(path.owner), path.component
+        share, component = self.share(path.owner), path.component
         if component in ("x", "y"):
-            return body.mass * body.centre_velocity.along(RIGHT if component == "x" else UP)
-        if body.motion.kind == "line" and body.motion.heading is not None:
-            return body.mass * body.motion.velocity.along(body.motion.heading)
-        momentum = body.centre_velocity.scaled(body.mass)
+            return share.mass * share.velocity.along(RIGHT if component == "x" else UP)
+        line = self.instant.line_of(path.owner)
+        if line is not None and not (share.motion.turns and share.cm.parts):
+            return share.mass * share.velocity.along(line[0])
+        momentum = share.momentum()
         return Meaning(vector_size(momentum), QUANTITIES["momentum"].dimension, momentum)
 
     def torque(self, path: Path, term: Term | None) -> Formula:
-        """Net torque about the reference (I α), or that of the weight alone."""
-        body, alone = self.body(path.owner), path.component == "gravity"
-        wanted = [force for force in body.forces if force.role.weighs] if alone else body.acting
-        return total([signed(item.torque, body.motion.sense) for item in wanted])
+        """Of all that acts on it, about the axis, its own centre of mass (I α) or a point; with a component that of the weight, or of
+        one of its forces."""
+        name, about = path.owner, term.about if term is not None else None
+        share = self.share(name)
+        point = None if about is None else place_about(about, name, self.instant)
+        sense = self.instant.sense(name)
+        if path.component in (None, "net") and joined(name, self.instant):
+            return signed(share.torque(point), sense)
+        arm = share.base if point is None else point
+        forces, couples = self._acting(path)
+        torques = [
+            force.torque if arm == share.base and not arm.parts else torque_about(arm, force) for force in forces
+        ]
+        return total([signed(torque, sense) for torque in (*torques, *(couple.torque for couple in couples))])
+
+    def _acting(self, path: Path) -> tuple[list[Force], list[Couple]]:
+        """What acts on a body: all, its own weight, or what the element does that the path names."""
+        body, wanted = self.body(path.owner), path.component
+        forces = [force for force in body.forces if wanted in (None, "net", "x", "y", force.owner or "gravity")]
+        if wanted == "gravity":
+            forces = [force for force in body.forces if force.role.weighs and force.part in ("", path.owner)]
+        couples = [couple for couple in body.couples if wanted in (None, "net", couple.owner)]
+        acting = self.instant.configuration.acting(self.instant.state)
+        touched = next((item.touches() for item in acting if item.name == wanted), ())
+        if touched and path.owner not in {ref.owner for ref in touched}:
+            raise NotYet(f"`{wanted}` does not act on `{path.owner}`")
+        return forces, couples
 
     def force(self, path: Path, term: Term | None) -> Meant:
-        """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone."""
+        """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone, or one of its forces."""
         name, component, dimension = path.owner, path.component, QUANTITIES["force"].dimension
-        body = self.body(name)
-        if component == "gravity":
-            weight = Vector(tuple(part for force in body.forces if force.role.weighs for part in force.vector.parts))
-            size = total([force.size for force in body.forces if force.role.weighs])
-            return Meaning(size, dimension, tidy(weight))
+        share = self.share(name)
+        pull = share.acceleration.scaled(share.mass)
         if component in ("x", "y"):
-            return sum((force.vector for force in body.forces), Vector()).along(RIGHT if component == "x" else UP)
-        pull = body.centre_acceleration.scaled(body.mass)
+            side = RIGHT if component == "x" else UP
+            if joined(name, self.instant):
+                return pull.along(side)
+            return sum((force.vector for force in self.body(name).forces), Vector()).along(side)
         if component in NATURAL:
-            if not body.cm.parts:
+            if not share.cm.parts or not share.axial:
                 raise NotYet(
                     f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
                     help="ask for `x` or `y`",
                 )
-            part = about_centre(pull, body.cm, body.motion.sense, component or "")
+            part = about_centre(pull, share.cm, self.instant.sense(name), component or "")
             return Meaning(part, dimension, label=f"{component} part of the resultant on {spoken(name)}")
-        return Meaning(vector_size(pull), dimension, pull, label=f"resultant force on {spoken(name)}")
+        if component in (None, "net"):
+            return Meaning(vector_size(pull), dimension, pull, label=f"resultant force on {spoken(name)}")
+        forces, _ = self._acting(path)
+        vector = tidy(Vector(tuple(part for force in forces for part in force.vector.parts)))
+        size = total([force.size for force in forces]) if component == "gravity" else vector_size(vector)
+        return Meaning(size, dimension, vector)
 
     def power(self, path: Path, term: Term | None) -> Formula:
-        """Σ F·v + Σ τ ω; with `gravity` that of the weight alone."""
-        body, alone = self.body(path.owner), path.component == "gravity"
-        forces = [force for force in body.forces if force.role.weighs or not alone]
-        parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in forces]
-        return total(parts + [couple.torque * body.motion.spin for couple in body.couples if not alone])
+        """Σ F·v + Σ τ ω, of one of several that are joined m a·v + I α ω; with a component that of the weight, or of one of its forces."""
+        name = path.owner
+        share = self.share(name)
+        if path.component in (None, "net") and joined(name, self.instant):
+            turning = share.moment * share.motion.spin_rate * share.motion.spin
+            moving = ZERO if share.axial else share.mass * share.acceleration.dot(share.velocity)
+            return total([part for part in (moving, turning) if part != ZERO])
+        forces, couples = self._acting(path)
+        parts = [force.vector.dot(share.motion.velocity_of(force.arm)) for force in forces]
+        return total(parts + [couple.torque * share.motion.spin for couple in couples])
 
 
 OF_BODIES: dict[str, Callable[[OfBodies, Path, Term | None], Meant]] = {  # what can be asked of a whole body
@@ -251,16 +250,3 @@ OF_BODIES: dict[str, Callable[[OfBodies, Path, Term | None], Meant]] = {  # what
     "inertia_tensor": OfBodies.spread,
     "cm": OfBodies.spread,
 }
-
-
-def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:
-    """Where a body is when it meets another in an event, seen from the pivot or point `about`."""
-    configuration = instant.configuration
-    for interval in configuration.timeline.intervals:
-        refs = interval.event.points(configuration.problem.connections) if interval.event is not None else ()
-        if instant.state in (interval.start, interval.end) and any(ref.owner == name for ref in refs):
-            other = next((ref for ref in refs if ref.owner != name), None)
-            if other is not None:
-                return instant.point(other)
-    help = f"name a point of `{name}`, or of what it meets in an event"
-    raise NotYet(f"where `{name}` is, seen from `{about.owner}`, is not known", help=help)

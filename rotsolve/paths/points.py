@@ -32,7 +32,8 @@ class OfPoints(AtInstant, frozen=True):
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
         if path.quantity not in OF_POINTS or path.point is not None or path.component in NATURAL:
             return path.quantity in OF_POINTS
-        return self.instant.motion(path.owner).kind != "line" or self.instant.host(path.owner) != path.owner
+        motion = self.instant.motion(path.owner)
+        return motion.kind != "line" or (motion.turns and self.instant.host(path.owner) != path.owner)
 
     def motion_of(self, path: Path) -> Meaning:
         """Velocity or acceleration of a point: as a vector with its size, or a component."""

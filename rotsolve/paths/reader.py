@@ -14,28 +14,31 @@ from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector, opposite
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import Path, Term
+from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
+from rotsolve.laws.newton import torque_about
 from rotsolve.motion.rigid import tidy
 from rotsolve.paths.bodies import OfBodies
 from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, label_of, vector_size
 from rotsolve.paths.points import OF_POINTS, OfPoints
+from rotsolve.paths.shares import place_about, share_of
 
 if TYPE_CHECKING:
     from rotsolve.language.elements import Connection
 
 
 class Acting(NamedTuple):
-    """The forces and couples of one element, each with the body on which it acts."""
+    """The forces and couples of one element, each with the body on which it acts, and the point about which is asked."""
 
     forces: list[tuple[BodyFacts, Force]]
     couples: list[tuple[BodyFacts, Couple]]
+    about: PointRef | None = None
 
 
 class OfElements(AtInstant, frozen=True):
     """Reads paths of connections and actions at one instant."""
 
-    def of_element(self, path: Path) -> Meant:
+    def of_element(self, path: Path, term: Term | None = None) -> Meant:
         """A force, tension, torque or power of a connection or action, or how far it is stretched or turned."""
         bodies = self.facts().bodies
         forces = [(body, force) for body in bodies for force in body.forces if force.owner == path.owner]
@@ -44,18 +47,24 @@ class OfElements(AtInstant, frozen=True):
         if not forces and not couples and path.quantity != "tension" and path.owner not in acting:
             raise NotYet(f"`{path.owner}` does not act{self._moment()}")
         reading = OF_ELEMENTS.get(path.quantity)
-        found = None if reading is None else reading(self, path, Acting(forces, couples))
+        about = term.about if term is not None else None
+        found = None if reading is None else reading(self, path, Acting(forces, couples, about))
         if found is None:
             raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
         return found
 
     def torque(self, path: Path, acting: Acting) -> Formula:
-        """The couple on the last-named body, and the torques of its forces."""
-        last = self._last_body(path.owner, [body.name for body, _ in acting.couples]) if acting.couples else ""
-        own = [(body, couple) for body, couple in acting.couples if body.name == last]
-        parts = [signed(couple.torque, body.motion.sense) for body, couple in own[-1:]]
-        parts += [signed(force.torque, body.motion.sense) for body, force in acting.forces]
-        return total(parts)
+        """The couple on the last-named body, and the torques of its forces: about its axis, its centre of mass or a point."""
+        bodies = [body.name for body, _ in (*acting.couples, *acting.forces)]
+        if not bodies:
+            raise NotYet(f"`{path.owner}` gives no torque{self._moment()}")
+        last = self._last_body(path.owner, bodies)
+        couples = [couple.torque for body, couple in acting.couples if body.name == last][-1:]
+        forces = [(body, force) for body, force in acting.forces if body.name == last]
+        point = None if acting.about is None else place_about(acting.about, last, self.instant)
+        pushes = [body.torque_of(force) if point is None else torque_about(point, force) for body, force in forces]
+        sense = self.instant.sense(self._turned_by(path.owner) or last)
+        return total([signed(torque, sense) for torque in (*couples, *pushes)])
 
     def power(self, path: Path, acting: Acting) -> Formula:
         """Σ F·v + Σ τ ω; of a motor that is told by its power, just that."""
@@ -83,7 +92,7 @@ class OfElements(AtInstant, frozen=True):
             return contact.touching_angle(self.instant)
         item = self._connection(path.owner)
         if path.quantity != "angle" and item is not None and item.between():
-            return self._relative(path.quantity, *(self.instant.host(ref.owner) for ref in item.between()))
+            return self._relative(path.quantity, *(ref.owner for ref in item.between()))
         name = self._turned_by(path.owner)
         return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None) if name else None
 
@@ -115,7 +124,7 @@ class OfElements(AtInstant, frozen=True):
         """Angular velocity or acceleration of the last body less that of the first, along the last one's positive turn."""
         instant = self.instant
         way = instant.sense(first) * instant.sense(last)
-        return instant.rate(word, last) - signed(instant.rate(word, first), way)
+        return instant.rate_of(word, last) - signed(instant.rate_of(word, first), way)
 
     def tension(self, path: Path, acting: Acting) -> Formula:
         """The tension of a string, or of the part that leaves the body that the path names."""
@@ -168,8 +177,8 @@ class OfElements(AtInstant, frozen=True):
     def _last_body(self, owner: str, bodies: list[str]) -> str:
         """Of the bodies on which it acts, the one that the connection names last."""
         instant = self.instant
-        item = self._connection(owner)
-        refs = [ref for ref in item.touches() if ref.owner in instant.configuration.bodies] if item else []
+        items = (item for item in instant.configuration.acting(instant.state) if item.name == owner)
+        refs = [ref for item in items for ref in item.touches() if ref.owner in instant.configuration.bodies]
         named = [instant.host(ref.owner) for ref in refs]
         return next((name for name in reversed(named) if name in bodies), bodies[-1])
 
@@ -214,9 +223,9 @@ class PathReader(AtInstant, frozen=True):
             bodies = OfBodies(self.instant, self.facts)
             found = OF_POINTS[path.quantity](points, path) if points.at_point(path) else bodies.of_body(path, term)
         elif not path.owner:
-            found = self.of_scene(path)
+            found = self.of_scene(path, term)
         else:
-            found = OfElements(self.instant, self.facts).of_element(path)
+            found = OfElements(self.instant, self.facts).of_element(path, term)
         kind = QUANTITIES[path.quantity]
         if term is not None and term.by is not None and path.quantity not in BY_INTEGRATION:
             raise NotYet(
@@ -241,38 +250,49 @@ class PathReader(AtInstant, frozen=True):
             return ("right", "left") if path.component == "x" else ("up", "down")
         if path.quantity in ("torque", "angular_momentum"):
             name = path.owner if path.owner in self.instant.configuration.bodies else self._turned_by(path.owner)
-            return self.instant.turn_words(self.instant.host(name)) if name else ("", "")
+            return self.instant.turn_words(name) if name else ("", "")
         if path.owner in self.instant.configuration.bodies and not (path.point or path.component):
-            return self._senses(self.instant.host(path.owner), path.quantity)
+            return self._senses(path.owner, path.quantity)
         return ("", "")
 
     def _senses(self, name: str, quantity: str) -> tuple[str, str]:
         """The two senses of a body's turn, or of its travel along its line."""
         if quantity in ("angular_velocity", "angular_acceleration"):
             return self.instant.turn_words(name)
-        line = self.instant.configuration.line(name, self.instant.state)
+        line = self.instant.line_of(name) if self.instant.orbit(self.instant.host(name)) is None else None
         return (line[1], opposite(line[1])) if line and quantity in ("velocity", "acceleration") else ("", "")
 
-    def of_scene(self, path: Path) -> Meant:
+    def of_scene(self, path: Path, term: Term | None) -> Meant:
         """A quantity of all bodies together."""
         reading = OF_SCENE.get(path.quantity)
-        found = reading(self, path) if reading is not None else None
+        found = reading(self, path, term.about if term is not None else None) if reading is not None else None
         if found is None:
             raise NotYet(f"`{path.quantity}` of the whole scene is not solved yet")
         return found
 
-    def kinetic_energy(self, path: Path) -> Formula:
+    def kinetic_energy(self, path: Path, about: PointRef | None) -> Formula:
         return total(kinetic(list(self.facts().bodies)))
 
-    def angular_momentum(self, path: Path) -> Formula | None:
-        """Σ I ω of bodies that all turn about fixed axes, along the first one's positive turn."""
+    def angular_momentum(self, path: Path, about: PointRef | None) -> Formula | None:
+        """Σ (I ω + r × m v) about a point, or about the axis that all have in common; along the first one's positive turn."""
         bodies = self.facts().bodies
-        if any(body.motion.kind != "axis" for body in bodies):
-            return None
-        sense = bodies[0].motion.sense
-        return total([body.inertia.letter * signed(body.motion.spin, sense) for body in bodies if body.inertia])
+        sense = next((body.motion.sense for body in bodies if body.motion.turns), 1)
+        axes = {body.axis for body in bodies}
+        if (
+            about is None
+            and (len(axes) > 1 or "" in axes)
+            and any(body.motion.kind != "axis" or body.cm.parts for body in bodies)
+        ):
+            raise NotYet(
+                "the bodies turn about no common axis", help="say `about` which point their angular momentum is asked"
+            )
+        parts = []
+        for body in bodies:
+            point = None if about is None else place_about(about, body.name, self.instant)
+            parts.append(signed(share_of(body.name, self.instant, body, whole=True).angular_momentum(point), sense))
+        return total([part for part in parts if part != ZERO])
 
-    def momentum(self, path: Path) -> Meant:
+    def momentum(self, path: Path, about: PointRef | None) -> Meant:
         """Σ m v: a component of it, or its size."""
         momenta = [body.centre_velocity.scaled(body.mass) for body in self.facts().bodies]
         whole = tidy(Vector(tuple(part for momentum in momenta for part in momentum.parts)))
@@ -280,14 +300,16 @@ class PathReader(AtInstant, frozen=True):
             return whole.along(RIGHT if path.component == "x" else UP)
         return Meaning(vector_size(whole), QUANTITIES["momentum"].dimension, whole)
 
-    def time(self, path: Path) -> Formula:
+    def time(self, path: Path, about: PointRef | None) -> Formula:
         return self.instant.time()
 
-    def mass(self, path: Path) -> Formula:
+    def mass(self, path: Path, about: PointRef | None) -> Formula:
         return total([body.mass for body in self.facts().bodies])
 
 
-OF_SCENE: dict[str, Callable[[PathReader, Path], Meant | None]] = {  # what can be asked of the whole scene
+OF_SCENE: dict[
+    str, Callable[[PathReader, Path, PointRef | None], Meant | None]
+] = {  # what can be asked of the whole scene
     "kinetic_energy": PathReader.kinetic_energy,
     "angular_momentum": PathReader.angular_momentum,
     "momentum": PathReader.momentum,

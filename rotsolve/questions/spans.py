@@ -107,7 +107,7 @@ def impulse_over(path: Path, passage: Passage) -> Formula:
 def efforts(path: Path, body: BodyFacts) -> list[Formula]:
     """What an action or connection does to a body: its torques along the body's positive turn, or the sizes of its forces."""
     if path.quantity == "angular_impulse":
-        return [signed(item.torque, body.motion.sense) for item in body.acting if item.owner == path.owner]
+        return [signed(body.torque_of(item), body.motion.sense) for item in body.acting if item.owner == path.owner]
     return [force.size for force in body.forces if force.owner == path.owner]
 
 
@@ -116,7 +116,7 @@ def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
     hit = meeting_of_last(owner, interval, scene)
     if hit is None:
         raise NotYet(f"`{owner}` gives no angular impulse there")
-    torques = [item.torque for item in hit.impulses if item.owner == owner]
+    torques = [hit.body.torque_of(item) for item in hit.impulses if item.owner == owner]
     return total([signed(torque, hit.body.motion.sense) for torque in torques])
 
 

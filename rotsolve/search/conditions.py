@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_under_root
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
@@ -76,6 +76,10 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     order, positive = search.solver.order, search.solver.positive - {letter}
     roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
     roots = roots or solve_trig(curve - value, letter, order=order, positive=positive)
+    squared = [] if roots else solve_under_root(curve - value, letter, order=order, positive=search.solver.positive)
+    roots = roots or [
+        root for root in squared if search.signs.decide(curve.substitute({letter: root}) - value) in (0, None)
+    ]
     picked = search.choose_root(letter, roots) if len(roots) > 1 else PickedRoot(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")

@@ -196,3 +196,18 @@ def solve_unwrapped(
     gap = add(argument, negate(inner))
     roots = solve_polynomial(gap, unknown, order=order, positive=positive)
     return roots or solve_unwrapped(gap, unknown, order=order, positive=positive)
+
+
+def solve_under_root(
+    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
+) -> list[Formula]:
+    """The roots of f = 0 where the unknown stands under one square root only: √g = v gives g = v², to be tried, since v may be negative."""
+    whole = simplify(f, order=order, positive=positive)
+    nodes = {node for node in whole.walk(Call) if isinstance(node, Call) and unknown in node.symbols()}
+    if len(nodes) != 1 or (node := nodes.pop()).function != "sqrt":
+        return []
+    opened = whole.transform(lambda part: Symbol(STAND_IN) if part == node else part, "sqrt")
+    value = None if unknown in opened.symbols() else solve_linear(opened, STAND_IN, order=order, positive=positive)
+    if value is None:
+        return []
+    return solve_polynomial(node.arguments[0] - value**2, unknown, order=order, positive=positive)

@@ -20,7 +20,7 @@ from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Heading,
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.connections.touch import supporting
-from rotsolve.elements.shapes import rim_radius
+from rotsolve.elements.shapes import rim_radius, rims, round_part
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -120,10 +120,12 @@ class Routing(Struct, frozen=True, dict=True):
     def wraps(self, index: int) -> bool:
         """Whether the string runs on a rim there: a round body named alone, by `rim`, or by one of its radii."""
         ref = self.points[index]
-        if ref.owner not in self.instant.configuration.bodies or not self.instant.is_round(ref.owner):
+        if ref.owner not in self.instant.configuration.bodies:
             return False
-        radii = {name for name, _ in self.instant.body(ref.owner).radii} | {"inner", "outer"}
-        return ref.point is None or ref.point == "rim" or ref.point in radii
+        body = self.instant.body(ref.owner)
+        if ref.point in (None, "rim"):
+            return self.instant.is_round(ref.owner)
+        return ref.point in rims(body) or round_part(body, ref.point) is not None
 
     def meeting(self, station: int, along: list[Vector], leg: int) -> Vector:
         """Where a leg meets a body: the tangent point of a rim, on the left of the running string when it turns clockwise."""
@@ -132,8 +134,8 @@ class Routing(Struct, frozen=True, dict=True):
             return Vector()
         if not self.wraps(station):
             return self.instant.point(ref)
-        centre = self.instant.point(PointRef(ref.owner, "center"))
-        radius = rim_radius(self.instant.body(ref.owner), ref.point) or ZERO
+        body = self.instant.body(ref.owner)
+        centre, radius = self.instant.hub(ref), rim_radius(body, ref.point) or ZERO
         if self.light(station):
             return centre
         return centre + along[leg].turned(90 * self.clockwise(station, along)).times(radius)

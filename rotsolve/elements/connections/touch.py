@@ -24,7 +24,7 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, rims, round_part, shape_of
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
@@ -179,8 +179,9 @@ class Touch(Connection, frozen=True):
     def rests(self, body: Body) -> bool:
         """Whether a body lies or rolls on the surface; one that leans on it with an end does not."""
         ref = self.pair()[0]
-        rims = ("bottom", "rim", "center", *(name for name, _ in (*body.radii, *getattr(body.shape, "radii", ()))))
-        return ref.owner == body.name and (ref.point is None or ref.point in rims)
+        if ref.owner != body.name:
+            return False
+        return ref.point in (None, "bottom", "rim", "center", *rims(body)) or round_part(body, ref.point) is not None
 
     def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
         """A body that lies or rolls on a flat surface travels along it."""
@@ -246,7 +247,8 @@ class Touch(Connection, frozen=True):
         yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
         if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
-            point = instant.point(PointRef(ref.owner, "center")) if instant.is_round(ref.owner) else arm
+            body = instant.body(ref.owner)
+            point = arm if rim_radius(body, ref.point) is None else instant.hub(ref)
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
@@ -403,10 +405,10 @@ def travel_words(forward: Heading, path: Heading | None, instant: Moment, name: 
 
 def contact_arm(ref: PointRef, facing: Heading, instant: Moment) -> Vector:
     """From the body's reference to where it touches: a wheel's rim towards the surface, a named point, or the body itself."""
-    radius = rim_radius(instant.body(ref.owner), ref.point)
-    if radius is not None and instant.is_round(ref.owner):
-        centre = PointRef(ref.owner, "center")
-        return instant.point(centre) + vector(radius, facing.turned(180))
+    body = instant.body(ref.owner)
+    radius = rim_radius(body, ref.point)
+    if radius is not None:
+        return instant.hub(ref) + vector(radius, facing.turned(180))
     if instant.motion(ref.owner).kind == "line" and not instant.motion(ref.owner).turns:
         return NOWHERE
     return instant.point(ref)

@@ -11,7 +11,7 @@ from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
 from rotsolve.elements.shapes.thin import Arc, Rope
 from rotsolve.elements.shapes.thin import Particle as Particle
 from rotsolve.elements.shapes.thin import Rod as Rod
-from rotsolve.language.bodies import Body
+from rotsolve.language.bodies import Body, Part
 from rotsolve.language.shape import WHEEL as WHEEL
 from rotsolve.language.shape import Place as Place
 from rotsolve.language.shape import Shape as Shape
@@ -45,12 +45,24 @@ def shape_of(body: Body) -> Shape:
     return body.shape or PARTICLE
 
 
+def rims(body: Body) -> dict[str, Formula]:
+    """The named rims of a body with their radii: those of `radii`, its own or its shape's, about its centre."""
+    return {**dict(getattr(shape_of(body), "radii", ())), **dict(body.radii)}
+
+
+def round_part(body: Body, point: str | None) -> Part | None:
+    """The part of a body that a point names, where it has a rim of its own."""
+    part = next((part for part in body.parts if part.body.name == point), None)
+    return part if part is not None and rim_radius(part.body, None) is not None else None
+
+
 def rim_radius(body: Body, point: str | None) -> Formula | None:
-    """Radius of the rim that a point names: a name of `radii`, else the shape's rim, else the last named of a stepped drum."""
-    shape = shape_of(body)
-    for name, radius in (*body.radii, *getattr(shape, "radii", ())):
-        if name == point:
-            return radius  # type: ignore[no-any-return]
+    """Radius of the rim that a point names: a name of `radii` or a round part, else the shape's rim, else the last named of a drum."""
+    shape, named, part = shape_of(body), rims(body), round_part(body, point)
+    if point in named:
+        return named[point]
+    if part is not None:
+        return rim_radius(part.body, None)
     if shape.outer is not None:
         return shape.outer
     if body.radius is not None:

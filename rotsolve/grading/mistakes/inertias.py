@@ -44,7 +44,10 @@ def turning_bodies(scene: Scene) -> Iterator[BodyFacts]:
     """The bodies that turn, and are never joined to another, so that their moment of inertia is theirs alone."""
     states = [state.name for state in scene.configuration.timeline.states]
     joined = {
-        name for state in states for member in scene.configuration.members(state) for name in (member.name, member.host)
+        name
+        for state in states
+        for seat in scene.configuration.seats(state).values()
+        for name in (seat.name, seat.host)
     }
     return (body for body in scene.bodies.values() if has_inertia(body) and body.name not in joined)
 

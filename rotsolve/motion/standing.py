@@ -1,0 +1,295 @@
+"""Standing: how bodies stand at one moment: what their angles are, on which lines they travel, and the letters for that."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
+
+from rotsolve.algebra.formula import ZERO, Formula, add
+from rotsolve.core.drive import TRAVELLING, Drive
+from rotsolve.core.facts import signed
+from rotsolve.core.quantity import PLANE, QUANTITIES
+from rotsolve.core.registry import Registry, SceneQuantity
+from rotsolve.core.remembered import remembered
+from rotsolve.core.symbols import COURSE, GENERIC, VIRTUAL, paths_in, rub_key
+from rotsolve.core.vectors.heading import (
+    RIGHT,
+    TURNS,
+    WORDS,
+    Heading,
+    Vector,
+    heading,
+    opposite,
+)
+from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.language.keys import varying_values
+from rotsolve.language.shape import WHEEL
+from rotsolve.motion.rigid import Frame, direction_of, locate, tidy
+
+if TYPE_CHECKING:
+    from rotsolve.language.bodies import Orbit
+    from rotsolve.language.problem import Body
+    from rotsolve.motion.configuration import Configuration
+
+
+STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
+FOLLOWED = ("position", "velocity", "acceleration")
+
+
+class Standing(Struct, frozen=True, dict=True):
+    """One moment of a configuration; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
+    the equilibrium of its bodies or a moment of their swings about it.
+
+    `modes` says which contacts slip in the phase that starts at a state, by "contact@state": "slips" along the positive travel,
+    "slips back" against it. A `virtual`
+    moment has the positions and accelerations of its state, but velocities of its own: any small motion that the rules allow.
+    """
+
+    configuration: Configuration
+    registry: Registry
+    state: str
+    generic: bool = False
+    modes: Mapping[str, str] = field(default_factory=dict)
+    virtual: bool = False
+    mark: str = GENERIC
+
+    @cached_property
+    def when(self) -> str:
+        return self.mark + self.state if self.generic else self.state
+
+    @property
+    def moving(self) -> str:
+        """When the velocities are."""
+        return VIRTUAL + self.when if self.virtual else self.when
+
+    def mode(self, contact: str) -> str:
+        return self.modes.get(rub_key(contact, self.configuration.phase_start(self.state)), "sticks")
+
+    def span(self, name: str) -> str:
+        """Where forces and accelerations of a body belong: to its phase while they are constant, else to this moment."""
+        own = self.configuration.span(name, self.state)
+        return self.when if self.generic and own == self.state else own
+
+    def body(self, name: str) -> Body:
+        return self.configuration.body(name, self.state)
+
+    def host(self, name: str) -> str:
+        return self.configuration.host(name, self.state)
+
+    def frame(self, name: str) -> Frame:
+        return self.configuration.frame(name, self.state)
+
+    def weightless(self, name: str) -> bool:
+        """Whether a body has no inertia against turning."""
+        return all(piece.moment == ZERO for piece in self.frame(name).pieces)
+
+    def centre_of_mass(self, name: str) -> Vector:
+        """From the reference of a body, while that stands as drawn."""
+        return self.frame(name).cm
+
+    def ask(
+        self,
+        word: str,
+        owner: str,
+        *,
+        when: str | None = None,
+        component: str = "",
+        words: tuple[str, str] = ("", ""),
+        letter: str = "",
+    ) -> Formula:
+        """The letter of a quantity at this moment, or its value where the scene fixes it."""
+        kind = QUANTITIES[word]
+        moment = self.when if when is None else when
+        quantity = SceneQuantity(word, owner, moment, component, letter or kind.letter, kind.dimension, *words)
+        return self.registry.ask(quantity)
+
+    def sense(self, name: str) -> int:
+        """+1 where a body's positive turn is counterclockwise, −1 where it is clockwise."""
+        return self.configuration.sense(name, self.state)
+
+    def turn_words(self, name: str) -> tuple[str, str]:
+        return TURNS if self.sense(name) > 0 else (TURNS[1], TURNS[0])
+
+    def rate(self, word: str, name: str) -> Formula:
+        """Angular velocity or acceleration of a body, counted along its positive sense."""
+        when = self.span(name) if word == "angular_acceleration" else self.moving
+        return self.ask(word, name, when=when, words=self.turn_words(name))
+
+    def driven(self, drive: Drive, word: str) -> Formula:
+        """The letter of a coordinate that is given, or of its rate or acceleration."""
+        if drive.component:
+            return self.component(word, drive.body, drive.component)
+        if word in TRAVELLING:
+            line = self.line(drive.body)
+            return self.travel(word, drive.body, line[1] if line else "")
+        if word == "angle":
+            return self.ask("angle", drive.body, words=TURNS)
+        return self.rate(word, drive.body)
+
+    def orientation(self, name: str) -> Heading:
+        """How far a body's own axes are turned in space: by its angle, or not at all where it stands as drawn."""
+        angle = self.angle(name)
+        return RIGHT if angle is None else heading(angle) - self.offset(name)
+
+    def offset(self, name: str) -> Heading:
+        """Direction, in a body's own axes, that its `angle` measures; of one that stands for others, which are all turned by one angle,
+        that of the first rod whose angle the scene speaks of, where it is no rod itself."""
+        if not shape_of(self.body(name)).slender:
+            for seat in self.configuration.cluster(name, self.state):
+                if shape_of(self.body(seat.name)).slender and self._speaks_of("angle", seat.name):
+                    return seat.turned
+        return self._measured(name)
+
+    def _measured(self, name: str) -> Heading:
+        """Direction that the angle of a body measures, in the axes of the one that stands for it: a rod's start to end, of what is held
+        by a hinge or rolls from there to the centre of mass, else its own axis to the right."""
+        seat, own = self.configuration.seat(name, self.state), self.frame(name)
+        if seat.host != name or shape_of(self.body(name)).slender:
+            return seat.turned
+        hung = self.configuration.hung(name, self.state)
+        arm = own.cm if hung is None else tidy(own.reference + own.cm - locate(self.body(name), hung))
+        return direction_of(arm) if arm.parts else RIGHT
+
+    def angle(self, name: str) -> Formula | None:
+        """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
+        return self.ask("angle", name, words=TURNS) if self.follows_angle(name) else None
+
+    def angle_of(self, name: str) -> Formula:
+        """The angle of a body, which may be part of another: that of all, and how far it is turned against it."""
+        host = self.host(name)
+        letter, apart = self.ask("angle", host, words=TURNS), self._measured(name) - self.offset(host)
+        return letter if apart == RIGHT else add(letter, apart.formula())
+
+    def rate_of(self, word: str, name: str) -> Formula:
+        """Angular velocity or acceleration of a body, which may be part of another, counted along its own positive sense."""
+        return self.as_counted(self.rate(word, self.host(name)), name)
+
+    def as_counted(self, turn: Formula, name: str) -> Formula:
+        """A turn of all that is joined to a body, counted along that body's own positive sense."""
+        return signed(turn, self.sense(self.host(name)) * self.sense(name))
+
+    @remembered
+    def follows_angle(self, name: str) -> bool:
+        """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark; of all
+        that turns where a motion is followed in time."""
+        if self.mark == COURSE:
+            held = self.configuration.pivot(name, self.state) is not None
+            return held or self.configuration.can_turn(name, self.state)
+        rod = shape_of(self.body(name)).slender
+        if self.weight_swings(name):
+            return True
+        told = self.speaks_of_angle(name) or self.follows_marks(name) or self.tilts(name)
+        if not (rod and self.configuration.heavy) and not told:
+            return False
+        return rod or not self.stands_as_drawn(name)
+
+    def tilts(self, name: str) -> bool:
+        """Whether what acts on a body that turns about another point than its centre of mass gets another arm on the way."""
+        configuration = self.configuration
+        phases = any(interval.event is None for interval in configuration.timeline.intervals)
+        return phases and configuration.heavy and configuration.eccentric(name, self.state)
+
+    def drawn_at_first(self, name: str) -> bool:
+        """Whether a body stands as drawn at the first state, since nothing tells how it stands; a rod may stand anyhow."""
+        asked = (term.path for find in self.configuration.problem.finds for term in find.terms)
+        if any(
+            path.quantity == "angle" and self.host(path.owner) == name
+            for path in asked
+            if path.owner in self.configuration.bodies
+        ):
+            return False
+        tilts = self.tilts(name) and not shape_of(self.body(name)).slender
+        return tilts or self.follows_marks(name) or self.leant_on(name)
+
+    def weight_swings(self, name: str) -> bool:
+        """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
+        configuration = self.configuration
+        hinged = self.generic and self.mark != GENERIC and configuration.pivot(name, self.state) is not None
+        return hinged and configuration.heavy and bool(self.frame(name).cm.parts)
+
+    def speaks_of_angle(self, name: str) -> bool:
+        """Whether the scene speaks of the angle of a body or of what is joined to it, drives it, or lets something vary with it."""
+        configuration = self.configuration
+        problem, carried = configuration.problem, configuration.carried(name, self.state)
+        if any(self._speaks_of("angle", item) for item in carried):
+            return True
+        if any(drive.word == "angle" for drive in configuration.drives(name, self.state)) or self.leant_on(name):
+            return True
+        values = (value for item in (*problem.connections, *problem.actions) for value in varying_values(item))
+        return any(owner in carried and word == "angle" for value in values for _, owner, word in paths_in(value))
+
+    def _speaks_of(self, word: str, name: str) -> bool:
+        """Whether a state or question speaks of a quantity of a body, not of a point of it."""
+        paths = self.configuration.mentions.paths
+        return any((path.owner, path.quantity) == (name, word) and not path.point for path in paths)
+
+    def leant_on(self, name: str) -> bool:
+        """Whether something pulls on a body in a direction that stays while the arm turns with it, from one state to another."""
+        configuration = self.configuration
+        several = len(configuration.timeline.states) > 1
+        return several and any(
+            name in item.leans(configuration, self.state) for item in configuration.actions(self.state)
+        )
+
+    def follows_marks(self, name: str) -> bool:
+        """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
+        configuration, body = self.configuration, self.body(name)
+        slanted = self.frame(name).cm.parts and not shape_of(body).slender
+        if len(configuration.timeline.states) < 2 or slanted:
+            return False
+        asked = (term.path for find in configuration.problem.finds for term in find.terms if term.path.owner == name)
+        still = (*STILL, *dict(body.radii))
+        return any(
+            path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
+        )
+
+    def stands_as_drawn(self, name: str) -> bool:
+        """Whether a body slides along as it is drawn, with nothing said of its angle."""
+        flat = self.travels_on_line(name)
+        said = self.configuration.mentions.says
+        return flat and not self.configuration.can_turn(name, self.state) and not said(self.state, name, "angle")
+
+    def travels_on_line(self, name: str) -> bool:
+        """Whether a body travels along a line."""
+        return self.line(name) is not None
+
+    def line(self, name: str) -> tuple[Heading, str] | None:
+        """Direction of travel of a body that moves along a line or circle, and the words for its positive sense."""
+        orbit = self.orbit(name)
+        if orbit is None:
+            return self.configuration.line(name, self.state)
+        return heading(self.place_on(orbit)).turned(90 * orbit.way), orbit.words
+
+    def line_of(self, name: str) -> tuple[Heading, str] | None:
+        """The line along which a body travels, also as part of another, in its own positive sense where it says one."""
+        host = self.host(name)
+        line, moves = self.line(host), self.body(name).moves
+        if line is None or host == name or not moves:
+            return line
+        question = f"which way along its line `{name}` counts as positive"
+        ahead = (line[0] - WORDS[moves]).cos()
+        forward = self.configuration.certain_sign(ahead, question, self.body(name).span)
+        return line if forward > 0 else (line[0].turned(180), opposite(line[1])) if forward else None
+
+    def orbit(self, name: str) -> Orbit | None:
+        return self.configuration.orbit(name, self.state)
+
+    def place_on(self, orbit: Orbit) -> Formula:
+        """The angle that tells where on its circle a body is."""
+        return self.ask("angle", orbit.owner, words=TURNS)
+
+    def is_round(self, name: str) -> bool:
+        return name in self.configuration.bodies and rim_radius(self.body(name), None) is not None
+
+    def travel(self, word: str, name: str, words: str) -> Formula:
+        """Velocity or acceleration along a body's line, counted along its positive sense."""
+        when = self.span(name) if word == "acceleration" else self.moving
+        return self.ask(word, name, when=when, words=(words, opposite(words)))
+
+    def component(self, word: str, name: str, axis: str) -> Formula:
+        when = self.span(name) if word == "acceleration" else self.moving
+        words = ("right", "left") if axis == "x" else ("up", "down")
+        return self.ask(word, name, when=when, component=axis, words=words)
