@@ -14,7 +14,7 @@ from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rigid import Frame, centre_of_mass, direction_of, locate, pieces, polar, rim_centre, tidy
-from rotsolve.motion.welds import Seat, seated
+from rotsolve.motion.welds import Member, seated
 
 if TYPE_CHECKING:
     pass
@@ -46,7 +46,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
         return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in away)
 
     @remembered
-    def seats(self, state: str) -> dict[str, Seat]:
+    def seats(self, state: str) -> dict[str, Member]:
         """Where the bodies sit that another stands for: by a weld, by an event up to this state, or since they ride on it."""
         pairs = [ridden(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
         joined = [item.joined() for item in self.connections(state)] + [item.joined() for item in self.events(state)]
@@ -102,11 +102,11 @@ class Configuration(Arrangement, frozen=True, dict=True):
         seat = self.seats(state).get(name)
         return name if seat is None else seat.host
 
-    def seat(self, name: str, state: str) -> Seat:
+    def seat(self, name: str, state: str) -> Member:
         """Where a body sits in the axes of the one that stands for it."""
-        return self.seats(state).get(name) or Seat(name, name)
+        return self.seats(state).get(name) or Member(name, name)
 
-    def cluster(self, host: str, state: str) -> tuple[Seat, ...]:
+    def cluster(self, host: str, state: str) -> tuple[Member, ...]:
         """The seats of all for which a body stands, nearest first."""
         return tuple(seat for seat in self.seats(state).values() if seat.host == host)
 

@@ -16,7 +16,7 @@ Pair = tuple[PointRef, PointRef]
 Rank = tuple[bool, ...]
 
 
-class Seat(Struct, frozen=True):
+class Member(Struct, frozen=True):
     """Where a body sits in the axes of its `host`, which stands for all that are joined to it: turned, and moved to a place."""
 
     name: str
@@ -42,7 +42,7 @@ def seated(
     rank: Callable[[str], Rank],
     locate: Callable[[PointRef], Vector],
     turned: Callable[[str, str], Heading],
-) -> dict[str, Seat]:
+) -> dict[str, Member]:
     """The seats of all bodies that others stand for, nearest to their host first, by name.
 
     Of bodies that are joined the one of the highest `rank` stands for all, of several the last-named. `locate` tells where a point is in
@@ -53,17 +53,17 @@ def seated(
     for first, second in pairs:
         meetings.setdefault(first.owner, []).append((first, second))
         meetings.setdefault(second.owner, []).append((second, first))
-    seats: dict[str, Seat] = {}
+    seats: dict[str, Member] = {}
 
-    def around(seat: Seat) -> Iterator[Seat]:
+    def around(seat: Member) -> Iterator[Member]:
         """Those that meet a body, and those behind them."""
         for here, there in meetings[seat.name]:
             if there.owner not in placed:
                 placed.add(there.owner)
                 heading = seat.turned + turned(seat.name, there.owner)
-                behind = Seat(there.owner, seat.host, turned=heading)
+                behind = Member(there.owner, seat.host, turned=heading)
                 at = seat.place(locate(here)) - behind.place(locate(there))
-                behind = Seat(there.owner, seat.host, at, heading)
+                behind = Member(there.owner, seat.host, at, heading)
                 yield behind
                 yield from around(behind)
 
@@ -71,5 +71,5 @@ def seated(
     for host in sorted(named, key=lambda name: (rank(name), named[name]), reverse=True):
         if host not in placed:
             placed.add(host)
-            seats |= {seat.name: seat for seat in around(Seat(host, host))}
+            seats |= {seat.name: seat for seat in around(Member(host, host))}
     return seats
