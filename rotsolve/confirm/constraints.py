@@ -23,7 +23,7 @@ from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
-from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Rides, Shaft, Weld
+from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Mounted, Rides, Shaft, Weld
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Curved
@@ -312,6 +312,7 @@ def rims(item: Rims, pose: Pose, model: Known) -> Held:
 ROWS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Hinge: hinge,
     Axle: axle,
+    Mounted: axle,
     Guide: guide,
     Weld: weld,
     Contact: touch,

@@ -94,13 +94,26 @@ def grounded(model: Known) -> dict[str, tuple[str, PointRef]]:
 
 
 def carrier_of(item: Axle, model: Known) -> PointRef | None:
-    """The body on which an axle is, where it names one that travels."""
-    laid = {other.lying() for other in model.acting.connections if isinstance(other, Touch) and rests(other, model)}
-    first = item.axle[0]
-    travels = first.owner in laid or (
-        model.body(first.owner).moves is not None and not is_round(model.body(first.owner))
-    )
-    return first if len(item.axle) > 1 and travels else None
+    """The body that carries an axle: one of several that moves by itself; None where the axle is fixed."""
+    if len(item.axle) == 1:
+        return None
+    return next((ref for ref in item.axle if ref.owner in model.seats and moves_by_itself(ref, item, model)), None)
+
+
+def moves_by_itself(ref: PointRef, axle: Axle, model: Known) -> bool:
+    """Whether a body `moves`, lies on something, is on a hinge of its own at another point, or hangs from its centre."""
+    body = model.body(ref.owner)
+    if body.moves is not None:
+        return True
+    for item in model.acting.connections:
+        if isinstance(item, Touch) and item.lying() == ref.owner:
+            return True
+        if isinstance(item, Hinge) and any(own.owner == ref.owner and own.point != ref.point for own in item.hinge):
+            return True
+        ends = (item.string[0], item.string[-1]) if isinstance(item, String) else getattr(item, "spring", ())
+        if not is_round(body) and any(own.owner == ref.owner and own.point in (None, "center") for own in ends):
+            return True
+    return False
 
 
 def line(name: str, model: Known) -> Way | None:
