@@ -80,6 +80,8 @@ class Role(Struct, frozen=True):
     holds: bool = False  # what a support does to what it holds
     axle: bool = False  # of a support in whose axis a wheel turns
     unseen: bool = False  # told in a free-body diagram only where an equation speaks of it
+    meshes: bool = False  # between rims, where the way it points hangs on where the wheels stand: told by its size
+    strained: bool = False  # it also draws its bodies together, as strongly as it was put on, which nobody tells
     noun: str = ""  # what all forces of this role are called where several are listed
 
 
@@ -95,7 +97,8 @@ SPRING = Role("spring", stores=True, springs=True)
 TORSION = Role("torsion", stores=True)
 APPLIED = Role("applied")
 DRIVE = Role("drive", loses=True)  # whatever makes a given motion true
-COUPLING = Role("coupling")
+COUPLING = Role("coupling", meshes=True)
+PULL = Role("pull of a belt", strained=True)
 POWERED = Role("power", powered=True)
 INNER = Role("inner", loses=True, inner=True)
 BLOW = Role("blow")  # from outside the scene

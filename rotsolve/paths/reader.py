@@ -150,7 +150,10 @@ class OfElements(AtInstant, frozen=True):
             if letters:
                 return Symbol(letters[0])
             raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
+        if path.component is None and forces[-1][1].role.meshes:
+            return forces[-1][1].size
         last = self._last_body(path.owner, [body.name for body, _ in forces])
+        self._refuse_strain(path, forces)
         vector, arm = Vector(), Vector()
         for body, force in forces:
             if body.name == last:
@@ -162,6 +165,15 @@ class OfElements(AtInstant, frozen=True):
             label = f"{path.component} part of the force of {spoken(path.owner)}"
             return Meaning(part, QUANTITIES["force"].dimension, label=label)
         return Meaning(vector_size(vector), QUANTITIES["force"].dimension, vector)
+
+    def _refuse_strain(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> None:
+        """No force of a support is told that a belt presses on, as strongly as it was put on."""
+        held = [body for body, force in forces if force.role.holds]
+        belt = next((couple.owner for body in held for couple in body.couples if couple.role.strained), None)
+        if belt is not None:
+            raise NotYet(
+                f"the force of `{path.owner}` is not told: `{belt}` presses on it as strongly as it was put on"
+            )
 
     def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:
         """Component across the arm of the force, of a force at the pivot across the line to the centre of mass; or along it, inwards."""

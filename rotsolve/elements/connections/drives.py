@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from itertools import pairwise
 
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.drive import TRAVELLING, TURNING
-from rotsolve.core.facts import COUPLING, DRIVE, INNER, Couple, Force, Rule, signed
+from rotsolve.core.facts import COUPLING, DRIVE, INNER, PULL, Couple, Force, Rule, signed
 from rotsolve.core.symbols import UNKNOWN, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.core.writing import balance
-from rotsolve.elements.shapes import rim_radius
+from rotsolve.elements.connections.trains import Pair, pair_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -28,12 +29,22 @@ class Belt(Connection, frozen=True):
     crossed: bool = key("flag", "the belt crosses between the wheels", default=False)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
-        """Between neighbours the belt's net pull F turns one wheel forward and holds the other back; rims run equally fast."""
-        sense = -1 if self.crossed else 1
-        words = ("the belt does not slip", "belt's pull")
-        for number, pair in enumerate(pairwise(self.belt), 1):
+        """Between neighbours the belt's net pull F turns one wheel forward and holds the other back; rims run equally fast.
+
+        What it does to a carrier of both wheels is what keeps their angular momentum together as it is.
+        """
+        way = -1 if self.crossed else 1
+        for number, wheels in enumerate(pairwise(self.belt), 1):
+            pair = pair_of(wheels, self.word, instant)
             component = "" if len(self.belt) == 2 else str(number)
-            yield from coupling(self.name, pair, sense, component, words, instant)
+            size = instant.ask("force", self.name, when=instant.span(pair.names[1]), component=component)
+            turn, (first, second) = instant.sense(pair.names[1]), pair.radii
+            torques = [(pair.names[1], signed(size * second, turn)), (pair.names[0], signed(size * first, -turn * way))]
+            if pair.carrier:
+                torques.append((pair.carrier, signed(size * (signed(first, way) - second), turn)))
+            for name, torque in torques:
+                yield Couple(self.name, PULL, name, torque, "belt's pull", size, place="at the rim", internal=True)
+            yield no_slip(self.name, pair, way, "the belt does not slip", instant)
 
 
 class Gear(Connection, frozen=True):
@@ -47,8 +58,17 @@ class Gear(Connection, frozen=True):
     inside: bool = key("flag", "the first wheel runs inside the second: both turn the same way", default=False)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
-        words = ("the wheels do not slip on each other", "tooth force")
-        yield from coupling(self.name, self.gear, 1 if self.inside else -1, "", words, instant)
+        """The force F between the teeth turns the second wheel forward with R₂ F, the first with ∓R₁ F; the rims run equally fast."""
+        pair = pair_of(self.gear, self.word, instant)
+        size = instant.ask("force", self.name, when=instant.span(pair.names[1]))
+        first, second = pair.outward(self.inside, instant)
+        ahead = second.turned(90 * instant.sense(pair.names[1]))
+        ends = ((pair.names[1], second, pair.radii[1], ahead), (pair.names[0], first, pair.radii[0], -ahead))
+        for name, outward, radius, push in ends:
+            arm = outward.times(radius)
+            yield Force(self.name, COUPLING, name, size, push, arm, "tooth force", place="at the rim", internal=True)
+        label = "the wheels do not slip on each other"
+        yield no_slip(self.name, pair, 1 if self.inside else -1, label, instant)
 
 
 class MutualDrive(Connection, frozen=True):
@@ -80,22 +100,14 @@ class MutualDrive(Connection, frozen=True):
             yield Couple(self.name, role, name, signed(size, turn), "torque", size, way)
 
 
-def coupling(
-    owner: str, pair: tuple[PointRef, ...], sense: int, component: str, words: tuple[str, str], instant: Moment
-) -> Iterator[Fact]:
-    """Two rims run equally fast, R₁ ω₁ = ± R₂ ω₂; the force F between them turns the second with +R₂ F, the first with ∓R₁ F."""
-    names = [instant.host(ref.owner) for ref in pair]
-    radii = [rim_radius(instant.body(ref.owner), ref.point) or ZERO for ref in pair]
-    force = instant.ask("force", owner, when=instant.span(names[1]), component=component)
-    (label, noun), turn = words, instant.sense(names[1])
-    for name, radius, way in ((names[1], radii[1], turn), (names[0], radii[0], -turn * sense)):
-        torque = signed(force * radius, way)
-        yield Couple(owner, COUPLING, name, torque, noun, force, place="at the rim", internal=True)
-    sides = []
-    for rate in ("spin", "spin_rate"):
-        values = [radius * getattr(instant.motion(name), rate) for name, radius in zip(names, radii, strict=True)]
-        sides.append(balance([(values[0], 1), (values[1], -sense)]))
-    yield Rule(owner, label, tuple(names), sides[0], sides[1])
+TURNS = ("spin", "spin_rate")
+
+
+def no_slip(owner: str, pair: Pair, sense: int, label: str, instant: Moment) -> Rule:
+    """The rims run equally fast as seen from what carries both: R₁ (ω₁ − Ω) = ± R₂ (ω₂ − Ω)."""
+    first, second = (balance([(one, 1), (two, -sense)]) for one, two in map(partial(pair.spins, instant), TURNS))
+    bodies = (*pair.names, pair.carrier) if pair.carrier else pair.names
+    return Rule(owner, label, bodies, first, second)
 
 
 class Guide(Connection, frozen=True):
