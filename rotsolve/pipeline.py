@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import witnessed
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.derivation import Refusal, Section
+from rotsolve.core.derivation import Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, Unsolvable
 from rotsolve.derivation.checks import checks
@@ -93,6 +94,61 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
     """Solve all questions of a problem in one derivation."""
     with stage("arrange", whole=True):
         configuration = asked_part(problem)
+    if any(given.value is None and not given.asked for given in configuration.problem.givens):
+        solution = solved_by_cases(problem, configuration, law, digits, at)
+    else:
+        solution = solved(problem, configuration, law, digits, at)
+
+    def case(values: Mapping[str, Formula]) -> tuple[Solution, Mapping[Formula, int]]:
+        return case_of(problem, values, law, digits, at)
+
+    return replace(solution, trace=replace(solution.trace, case=case))
+
+
+def case_of(
+    problem: Problem, values: Mapping[str, Formula], law: str | None, digits: int, at: str | None
+) -> tuple[Solution, Mapping[Formula, int]]:
+    """The solution in letters for some givens in the case that their values are of, and the signs that it took."""
+    from rotsolve.search.cases import at_point, first_point, open_letters
+
+    freed = tuple([replace(item, value=None) if item.name in values else item for item in problem.givens])
+    configuration = asked_part(replace(problem, givens=freed))
+    own = configuration.problem
+    point = {**first_point(open_letters(own)), **values}
+    with witnessed() as witness:
+        solution = solved(problem, Configuration(at_point(own, point)), law, digits, at)
+    return solution, dict(witness.supposed)
+
+
+def solved_by_cases(
+    problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None
+) -> Solution:
+    """The solution of a scene with letters that have no number: case by case, where signs hang on them."""
+    from rotsolve.search.cases import LetterSpace, at_point, cases_of, open_letters
+
+    letters = open_letters(configuration.problem)
+    space = LetterSpace(letters, configuration.signs, configuration.order)
+    solutions: list[Solution] = []
+
+    def solve(point: Mapping[str, Formula]) -> tuple[Derivation, bool]:
+        own = Configuration(at_point(configuration.problem, point))
+        solutions.append(solved(problem, own, law, digits, at))
+        derivation = solutions[-1].derivation
+        return derivation, any(check.holds is False for check in derivation.checks)
+
+    cases = cases_of(space, solve)
+    if not solutions:
+        assert cases[0].fault is not None
+        raise cases[0].fault
+    if len(cases) == 1 and not cases[0].conditions and not space.assumed:
+        return solutions[0]
+    from rotsolve.derivation.cases import with_cases
+
+    return replace(solutions[0], derivation=with_cases(cases, space))
+
+
+def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:
+    """The solution of a scene by one choice of laws."""
     try:
         with stage("friction", whole=True):
             decision = decided(configuration)

@@ -30,6 +30,8 @@ class Trace(Struct, frozen=True):
     plan: Callable[[], str]
     validity: Callable[[], Validity] | None = None  # for which numbers the closed forms hold
     meanings: Callable[[], Meanings] | None = None  # what the letters of the scene stand for
+    # the solution in letters of the case that some numbers are of, and the signs that it took
+    case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
 
 
 class AnswerView(Struct, frozen=True):
@@ -81,6 +83,24 @@ class AnswerView(Struct, frozen=True):
     def angle(self) -> builtins.float | None:
         """The angle of a slanted vector to the horizontal, in degrees; None of all else."""
         return None if self.answer.angle is None else self.answer.angle.float
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """What letters have to fulfil for it to hold: ("P ≤ μ m g",)."""
+        from rotsolve.algebra.notation.text import to_text
+
+        sides = ((to_text(one.left), one.relation, to_text(one.right)) for one in self.answer.conditions)
+        return tuple(map(" ".join, sides))
+
+    @property
+    def otherwise(self) -> tuple[AnswerView, ...]:
+        """The answers under other conditions."""
+        return tuple(AnswerView(other, self.digits) for other in self.answer.otherwise)
+
+    @property
+    def branches(self) -> tuple[AnswerView, ...]:
+        """It and the answers under other conditions."""
+        return self, *self.otherwise
 
     @property
     def word(self) -> str:
@@ -169,16 +189,24 @@ class Solution(Struct, frozen=True, dict=True):
 
         Givens that are left out keep their values. Results are in the answers' units, NaN where a string would go slack, a contact
         open, or a sign on which the scene hangs be another. `certified` gives pairs of arrays, values and bounds on their errors. Where the
-        numbers of the scene have decided more (what slips, which root is meant) it is refused, unless that is to stay `as_decided`.
+        numbers have decided more (what slips, which root is meant) each set is answered by the case that it is of, unless all are to be
+        answered `as_decided` by those of the scene.
         """
         from rotsolve.arrays import NotForMany, evaluate_many
 
         valid = None if self.trace.validity is None else self.trace.validity()
-        if valid is None or (valid.decided and not as_decided):
-            decided = "how the answers were found" if valid is None else " and ".join(valid.decided)
-            remedy = "solve it again for others, or say `as_decided`"
-            raise NotForMany(f"the numbers of the scene have decided {decided}: {remedy}")
+        if valid is None:
+            raise NotForMany("how the answers were found is not known: solve the scene again")
+        if self.trace.case is not None and not as_decided and (valid.decided or self.by_cases):
+            from rotsolve.arrays.cases import evaluate_by_cases
+
+            return evaluate_by_cases(self.trace.case, self.problem.givens, valid, values, certified)
         return evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
+
+    @property
+    def by_cases(self) -> bool:
+        """Whether an answer holds under conditions."""
+        return any(answer.conditions for answer in self.derivation.answers)
 
     @property
     def page(self) -> DerivationPage:

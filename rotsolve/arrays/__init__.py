@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
@@ -54,21 +54,28 @@ def evaluate_many(
     """The answers by name, in their units; arrays of values with arrays of errors where `certified`."""
     try:
         from rotsolve.arrays.balls import ball_results
-        from rotsolve.arrays.floats import all_positive, float_results
+        from rotsolve.arrays.floats import float_results
     except ModuleNotFoundError:
         raise NotForMany("arrays take NumPy: pip install 'rotsolve[arrays]'") from None
-    known = {given.name: given.value for given in givens if given.value is not None}
-    strange = sorted(values.keys() - {given.name for given in givens} - {TIME})
-    if strange:
-        raise NotForMany(f"no given `{strange[0]}`; there are {', '.join(given.name for given in givens)}")
+    known = checked(givens, valid.positive, values)
     forms = {answer.name: in_its_unit(answer) for answer in answers}
     bounds = [*valid.bounds, *valid.sides, *(limit for limit in valid.limits if limit.symbols() <= values.keys())]
     work = program([*forms.values(), *bounds], values, known)
-    for name in sorted(values.keys() & valid.positive):
-        if not all_positive(values[name]):
-            raise NotForMany(f"`{name}` has to be positive")
     found = (ball_results if certified else float_results)(work, values, len(bounds))
     return dict(zip(forms, found, strict=True))
+
+
+def checked(givens: tuple[Given, ...], positive: Collection[str], values: Mapping[str, Any]) -> dict[str, Formula]:
+    """The values that givens have, once all that are put in are known by name and are positive where they have to be."""
+    from rotsolve.arrays.floats import all_positive
+
+    strange = sorted(values.keys() - {given.name for given in givens} - {TIME})
+    if strange:
+        raise NotForMany(f"no given `{strange[0]}`; there are {', '.join(given.name for given in givens)}")
+    for name in sorted(values.keys() & set(positive)):
+        if not all_positive(values[name]):
+            raise NotForMany(f"`{name}` has to be positive")
+    return {given.name: given.value for given in givens if given.value is not None}
 
 
 def in_its_unit(answer: Answer) -> Formula:

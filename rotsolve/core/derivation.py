@@ -81,6 +81,7 @@ class Answer(Struct, frozen=True):
     `components` hold the parts of a vector answer, whose `formula` and
     `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
     size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.
+    Of letters it holds under `conditions`; `otherwise` has the answers under others.
     """
 
     name: str
@@ -97,6 +98,8 @@ class Answer(Struct, frozen=True):
     brief: bool = False
     closed: Formula | None = None
     positive: str = ""
+    conditions: tuple[Equality, ...] = ()
+    otherwise: tuple[Answer, ...] = ()
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:

@@ -26,6 +26,7 @@ class Given(Struct, frozen=True):
 
     `value` may hold other givens (`L: 2*R`). `automatic` marks a letter that the reader made for a number written in place
     (`radius: 20 cm`) or for a quantity that the scene leaves out. `text` is the value as written.
+    `trial` is the number of a letter without a value at which it is looked what its case is.
     """
 
     name: str
@@ -36,3 +37,4 @@ class Given(Struct, frozen=True):
     asked: bool = False
     automatic: bool = False
     span: Span | None = None
+    trial: Formula | None = None

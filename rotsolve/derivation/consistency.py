@@ -141,18 +141,19 @@ class KnownBalls(Struct, frozen=True):
 
     found: dict[str, Ball]
     values: Mapping[str, Formula]
-    free: frozenset[str] = frozenset()  # givens without a number, which are taken as 1
+    free: frozenset[str] = frozenset()  # givens without a number, which have that of their case
 
     @staticmethod
     def known(search: Search) -> KnownBalls:
-        """What the search found, also on the way to the answers; givens without a number are taken as 1."""
+        """What the search found, also on the way to the answers; givens without a number have that of the case that is looked at."""
         solver = search.solver
         letters = {name: found.formula for name, found in solver.solved.items() if found.formula is not None}
         for name in solver.told.keys() - letters.keys():
             value = solver.with_found(Symbol(name))
             if not has_quantities(value):
                 letters[name] = value
-        free = {name: ONE for name, given in search.givens.items() if given.value is None and not given.asked}
+        open_ = [given for given in search.givens.values() if given.value is None and not given.asked]
+        free = {given.name: ONE if given.trial is None else given.trial for given in open_}
         numbers = KnownBalls({}, {**free, **search.values}, frozenset(free))
         sizes = {name: numbers.size(value) for name, value in letters.items()}
         numbers.found.update((name, size) for name, size in sizes.items() if size is not None)

@@ -33,7 +33,8 @@ def section_of_slipping(shown: SlippingContact, first: int) -> tuple[Section, in
     limit = shown.search.solver.simplify(static * normal)
     numbers = [composer.results.value(value) for value in (needed, limit)]
     sizes = [number.text(4).lstrip("−") for number in numbers if number is not None]
-    words: Words = (f"{' N > '.join(sizes)} N: more than the contact can give, so {body} slips",)
+    compared = f"{' N > '.join(sizes)} N: " if len(sizes) == len(numbers) else ""
+    words: Words = (f"{compared}more than the contact can give, so {body} slips",)
     friction, push = (composer.letters.symbols[force.asked.letter] for force in (shown.friction, shown.normal))
     move = Move("", (Equality(call("abs", friction), static * push, ">"),), None, words)
     section = Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move))

@@ -39,7 +39,7 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
             if key in told or not concerns(need, search):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))
-            sign = search.signs.by_numbers(gap) if gap is not None else None
+            sign = search.signs.taken(gap) if gap is not None else None
             if sign is None:
                 continue
             told.add(key)
@@ -123,7 +123,10 @@ def symbols_in(need: Requirement, search: Search, letters: Letters) -> dict[str,
 def holding_words(need: Requirement, search: Search, letters: Letters, settled: Settling) -> Words:
     """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
     if need.kind.grips:
-        size, limit_ = (decimal(settled(side), search) for side in (need.right, need.left))
+        sides = [settled(side) for side in (need.right, need.left)]
+        if any(side is None or search.signs.lacking(side) for side in sides):
+            return (f"friction suffices: {spoken(need.owner)} does not slip",)
+        size, limit_ = (decimal(side, search) for side in sides)
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
     names = {name for name in need.left.symbols() if is_key(name)}
     return (letters.printed(need.left), " > 0: ", need.kept) if names <= set(letters.names) else (need.kept,)

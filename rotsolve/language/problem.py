@@ -223,6 +223,11 @@ class Problem(Struct, frozen=True):
         """The givens that have a value."""
         return {given.name: given.value for given in self.givens if given.value is not None}
 
+    @property
+    def trials(self) -> dict[str, Formula]:
+        """The numbers at which it is looked what the case of the letters without a value is."""
+        return {given.name: given.trial for given in self.givens if given.trial is not None}
+
 
 def references(item: object) -> Iterator[PointRef | Path]:
     """All points and paths that a part of a scene speaks of."""

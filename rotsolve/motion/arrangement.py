@@ -55,7 +55,8 @@ class Arrangement(Struct, frozen=True, dict=True):
     @cached_property
     def signs(self) -> SignOracle:
         """What tells the sign of a formula of givens."""
-        return SignOracle(self.problem.values, self.positive, partial(limited_letters, self.problem))
+        problem = self.problem
+        return SignOracle(problem.values, self.positive, partial(limited_letters, problem), trials=problem.trials)
 
     def certain_sign(self, value: Formula, question: str, span: Span | None = None) -> int:
         """The sign on which it hangs what the scene is: answers the `question`, which is refused by name where nothing tells it.

@@ -44,7 +44,7 @@ class CrossSection(Struct, frozen=True):
         place = simplify(place)
         if place in (ZERO, self.length):
             return -1 if place == ZERO else 1
-        return self.instant.configuration.signs.sign(place - self.x)
+        return self.instant.configuration.signs.taken(place - self.x)
 
     def point(self, place: Formula) -> Vector:
         """A place along the rod, from the reference of the body."""

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from msgspec import Struct
+from msgspec.structs import astuple
+
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, is_positive
@@ -37,7 +40,7 @@ def limited_letters(problem: Problem) -> dict[str, str]:
 
 def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:
     """What is positive of a body: its mass, its radii, the sizes of its shape."""
-    yield from ((size, "positive") for size in (body.mass, body.density, body.gyration, body.radius))
+    yield from ((size, "positive") for size in (body.mass, body.inertia, body.density, body.gyration, body.radius))
     yield from ((radius, "positive") for _, radius in body.radii)
     if body.shape is not None:
         yield from limits_of(body.shape)
@@ -46,5 +49,6 @@ def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:
 def limits_of(element: Element) -> Iterator[tuple[Formula | None, str]]:
     """The values of an element under keys that limit them."""
     for field, declared in element.declared.items():
-        if declared.limits:
-            yield getattr(element, field), declared.limits
+        value = getattr(element, field) if declared.limits else None
+        sizes = (value,) if isinstance(value, Formula) or not isinstance(value, Struct) else astuple(value)
+        yield from ((size, declared.limits) for size in sizes)

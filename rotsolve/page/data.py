@@ -111,7 +111,8 @@ def section_data(section: Section) -> dict[str, Any]:
 def answer_data(answer: Answer, digits: int) -> dict[str, Any]:
     """An answer; `value` keeps its sign in the declared sense even where words tell the direction.
 
-    Of a vector `value` is the size, `angle` the degrees to the horizontal where it is slanted, `components` hold x and y.
+    Of a vector `value` is the size, `angle` the degrees to the horizontal where it is slanted, `components` hold x and y. What hangs on
+    letters holds under its `conditions`; `otherwise` has the answers under others.
     """
     value, note = certified_digits(answer.value, digits)
     return {
@@ -127,4 +128,6 @@ def answer_data(answer: Answer, digits: int) -> dict[str, Any]:
         "remark": plain_text(answer.remark),
         "components": [answer_data(component, digits) for component in answer.components],
         **({"rows": [[entry.name for entry in row] for row in answer.rows]} if answer.rows else {}),
+        **({"conditions": [equality_data(one) for one in answer.conditions]} if answer.conditions else {}),
+        **({"otherwise": [answer_data(other, digits) for other in answer.otherwise]} if answer.otherwise else {}),
     }

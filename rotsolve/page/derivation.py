@@ -22,7 +22,7 @@ from rotsolve.page.blocks import (
     PageBlock,
     Title,
 )
-from rotsolve.page.values import answer_row, given_equation, only_letters, shown_givens
+from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
 
 
 class DerivationPage(Page, frozen=True):
@@ -44,7 +44,7 @@ class DerivationPage(Page, frozen=True):
             yield from section_blocks(section)
         if derivation.answers:
             yield Title(2, ("Answers",))
-            yield Answers(tuple(answer_row(answer, self.digits) for answer in derivation.answers))
+            yield Answers(tuple(row for answer in derivation.answers for row in answer_rows(answer, self.digits)))
         if derivation.refused:
             yield Title(2, ("Not answered",))
             yield Bullets(tuple(map(refusal_bullet, derivation.refused)))

@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Answer, Words
-from rotsolve.page.blocks import Amount, AnswerRow, Math, Matrix
+from rotsolve.page.blocks import Amount, AnswerRow, Math, Matrix, Phrase, equation, joined_phrases
 from rotsolve.page.printer import LOWERED, in_powers_of_ten
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def only_letters(phrases: tuple[Words, ...]) -> bool:
 def answer_row(answer: Answer, digits: int) -> AnswerRow:
     """An answer: its exact form, its certified number, where it points, and what is not certain of it."""
     number, note = certified_digits(answer.value, digits)
-    notes = tuple(phrase for phrase in ((note,) if note else (), answer.remark) if phrase)
+    notes = tuple(phrase for phrase in ((note,) if note else (), answer.remark, holding_if(answer)) if phrase)
     asides = tuple(text for text in (_pointing(answer, number, digits), answer.word) if text)
     if answer.rows:
         entries = [(part.symbol, part.formula) for part in answer.components if part.formula is not None]
@@ -75,6 +75,18 @@ def answer_row(answer: Answer, digits: int) -> AnswerRow:
     forms = (*((formula,) if formula is not None else ()), *((Amount(number, answer.unit),) if number else ()))
     components = () if answer.brief else tuple(answer_row(part, digits) for part in answer.components)
     return AnswerRow(answer.symbol, forms, asides, notes, components)
+
+
+def answer_rows(answer: Answer, digits: int) -> Iterator[AnswerRow]:
+    """An answer, and what it is in other cases."""
+    yield answer_row(answer, digits)
+    yield from (answer_row(other, digits) for other in answer.otherwise)
+
+
+def holding_if(answer: Answer) -> Phrase:
+    """The conditions under which an answer holds: "if P ≤ μ m g"."""
+    phrases = joined_phrases(((equation(one),) for one in answer.conditions), " and ")
+    return ("if ", *phrases) if answer.conditions else ()
 
 
 def _matrices(answer: Answer, digits: int) -> tuple[Matrix, ...]:

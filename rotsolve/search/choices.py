@@ -102,4 +102,4 @@ def difference_sign(left: Found, right: Found, search: Search) -> int | None:
         balls = [number.refine(DIGITS) for number in numbers if number is not None]
         gap = balls[0] - balls[1] if len(balls) == 2 else None
         return None if gap is None or gap.contains(0) else 1 if gap > 0 else -1
-    return search.signs.sign(left.formula - right.formula)
+    return search.signs.taken(left.formula - right.formula)

@@ -128,7 +128,7 @@ def best_place(course: Curve, word: str, search: Search) -> tuple[Formula, Words
         check_open_ends(course, domain, inside, [at for at, _ in valued], side, search)
     best = valued[0]
     for other in valued[1:]:
-        ahead = search.signs.decide(other[1] - best[1])
+        ahead = search.signs.taken(other[1] - best[1])
         if ahead is None:
             raise NotYet(f"where `{course.letter}` makes it {word} depends on the givens: give them numbers")
         best = other if ahead * side > 0 else best
@@ -163,7 +163,7 @@ def factors_of(value: Formula, letter: str, search: Search) -> Iterator[Formula]
 def angles(course: Curve, search: Search) -> list[Formula]:
     """Roots of a derivative in the sine and cosine of the letter, over a full turn; the positive ones first."""
     roots = solve_trig(course.slope, course.letter, order=search.solver.order, positive=search.solver.positive)
-    return sorted(roots, key=lambda root: (search.signs.decide(root) or 0) < 0)
+    return sorted(roots, key=lambda root: (search.signs.taken(root) or 0) < 0)
 
 
 def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> bool:
@@ -172,7 +172,7 @@ def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> b
         return False
     gaps = [root - domain.low] if domain.low is not None else []
     gaps += [domain.high - root] if domain.high is not None else []
-    signs = [search.signs.decide(gap) for gap in gaps]
+    signs = [search.signs.taken(gap) for gap in gaps]
     if None in signs and -1 not in signs:
         raise NotYet(f"whether a root for `{course.letter}` lies in its range depends on the givens: give them numbers")
     return -1 not in signs
@@ -199,7 +199,7 @@ def check_open_ends(
         if not open_:
             continue
         beyond = [probe(root, towards, domain) for root in inside]
-        signs = [search.signs.decide(course.slope.substitute({course.letter: at})) for at in beyond]
+        signs = [search.signs.taken(course.slope.substitute({course.letter: at})) for at in beyond]
         if len(inside) != 1 or signs[0] is None or signs[0] * towards * side >= 0:
             raise NotYet(f"no {'largest' if side > 0 else 'smallest'} value was found: `{course.letter}` has no bounds")
 

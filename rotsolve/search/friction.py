@@ -231,7 +231,7 @@ class Trials:
                 continue
             value = speed.substitute(allowed) if speed is not None else ONE
             rate = value.substitute(dict.fromkeys(of_kinds(value.symbols(), RATES), ONE))
-            senses[rub.key] = -1 if signs.by_numbers(rate) == -1 else 1
+            senses[rub.key] = -1 if signs.taken(rate) == -1 else 1
         first = next((sense for sense in senses.values() if sense), 1)
         return {key: sense * first * way for key, sense in senses.items()}
 
@@ -299,7 +299,7 @@ def question(size: Formula, name: str) -> Asked:
 def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> Iterator[Unsolvable]:
     """Contacts that a state says to stick where friction is too weak for it, or to slip where it is strong enough."""
     problem = configuration.problem
-    numbered = {given.name for given in problem.givens if given.value is not None}
+    numbered = problem.values.keys() | problem.trials.keys()
     for state in configuration.timeline.states:
         contacts = {item.name: item for item in configuration.connections(state.name)}
         for line in state.conditions if configuration.phase_start(state.name) == state.name else ():

@@ -25,7 +25,7 @@ class Numbers(Struct, frozen=True):
 
     def of(self, value: Formula) -> float | None:
         """A rough value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
-        number = self.signs.number(value)
+        number = self.signs.supposed(value)
         return None if number is None else number.float if number.sign else 0.0
 
     def found(self, value: Formula) -> float | None:
@@ -34,13 +34,13 @@ class Numbers(Struct, frozen=True):
 
     def side(self, value: Formula) -> int | None:
         """The sign of a value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
-        number = self.signs.number(value)
+        number = self.signs.supposed(value)
         return None if number is None else number.sign or 0
 
     def whole(self, value: Formula) -> int | None:
         """The greatest whole number that is not greater than a value; None where the numbers do not tell."""
         decided_by_size()
-        number = self.signs.number(value)
+        number = self.signs.supposed(value)
         if number is None:
             return None
         for figures in FIGURES:

@@ -344,7 +344,8 @@ class RootChoice(Struct, frozen=True):
 
     def _lacks_numbers(self, root: Formula) -> bool:
         """Whether a root holds a given without a number."""
-        return bool(self.numbers.signs.lacking(root))
+        signs = self.numbers.signs
+        return not signs.trials.keys() >= set(signs.lacking(root))
 
 
 def smallest(entries: Sequence[tuple[int, float]]) -> int:

@@ -47,7 +47,9 @@ class Ground:
         problem = configuration.problem
         self.scene = scene
         self.givens = {given.name: given for given in problem.givens}
-        self.signs = SignOracle(problem.values, configuration.positive, configuration.signs.limits)
+        self.signs = SignOracle(
+            problem.values, configuration.positive, configuration.signs.limits, trials=problem.trials
+        )
         self.planner = Planner(scene.equations, [given.name for given in problem.givens if given.asked])
         running = {"time"} | places_and_speeds(scene.passages.values())
         self.known = {given.name for given in problem.givens if not given.asked} | running

@@ -108,9 +108,13 @@ find: {a: block.acceleration}
     assert np.isinf(errors[2])
 
 
-def test_what_numbers_have_decided_is_refused() -> None:
-    with pytest.raises(NotForMany, match="which root of an equation is meant"):
-        solve(PROBLEMS / "hinged" / "rod-30.yaml").evaluate_many({"M": [1, 2]})
+def test_each_set_is_answered_by_its_own_case() -> None:
+    rod = solve(PROBLEMS / "hinged" / "rod-30.yaml").evaluate_many({"M": [1, 2]})
+    assert (
+        rod["omega"][0]
+        == rod["omega"][1]
+        == pytest.approx(solve(PROBLEMS / "hinged" / "rod-30.yaml").answers["omega"].float)
+    )
     text = """\
 given: {m: 2 kg, F: 30 N, mu: 0.2}
 surfaces: {floor: level}
@@ -119,8 +123,10 @@ connections: {contact: {contact: [block, floor], friction: mu}}
 actions: {pull: {force: F, on: block, direction: right}}
 find: {a: block.acceleration}
 """
-    with pytest.raises(NotForMany, match="what slips and which way"):
-        solve(text).evaluate_many({"F": [1.0, 30.0]})
+    forces = [1.0, 30.0, -30.0, 2.0]
+    for certified in (False, True):
+        found = solve(text).evaluate_many({"F": forces}, certified=certified)["a"]
+        assert np.asarray(found).reshape(-1, 4)[0] == pytest.approx([0, 13.04, -13.04, 0])
     assert solve(text).evaluate_many({"F": [30.0]}, as_decided=True)["a"] == pytest.approx([13.04])
 
 

@@ -6,7 +6,6 @@ import pytest
 
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.notation.parse import parse
-from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
@@ -53,17 +52,18 @@ def test_the_largest_value_is_found_at_an_end_of_the_range() -> None:
     assert "an end of the range" in solution.to("text")
 
 
-def test_which_end_is_further_can_not_be_told_without_numbers() -> None:
-    with pytest.raises(Unsolvable, match="depends on the givens"):
-        solve(
-            """
+def test_which_end_is_further_depends_on_letters() -> None:
+    answer = solve(
+        """
 title: Bar between two loads
 given: {M: kg, m1: kg, m2: kg, L: m, x: m}
 bodies: {bar: {shape: rod, mass: M, length: L}, one: {mass: m1}, two: {mass: m2}}
 connections: {a: {weld: [bar.end, one]}, b: {weld: [bar.start, two]}}
 find: {y: x where bar.inertia about bar.at(x) is largest}
 """
-        )
+    ).answers["y"]
+    told = {(case.exact, *case.conditions) for case in (answer, *answer.otherwise)}
+    assert told == {("L", "m₁ < m₂"), ("0", "m₁ ≥ m₂")}
 
 
 def test_an_angle_is_sought_over_a_full_turn() -> None:

@@ -25,6 +25,7 @@ class Witness:
 
     def __init__(self) -> None:
         self.asked: dict[Formula, None] = {}
+        self.supposed: dict[Formula, int] = {}  # signs at the numbers of one case, of letters that have none
         self.by_size = False
 
 
@@ -52,6 +53,12 @@ def note(value: Formula, *, by_size: bool = False) -> None:
     for witness in OPEN:
         witness.asked[value] = None
         witness.by_size |= by_size
+
+
+def suppose(value: Formula, sign: int) -> None:
+    """A formula of letters has this sign at the numbers of the case that is looked at."""
+    for witness in OPEN:
+        witness.supposed.setdefault(value, sign)
 
 
 def decided_by_size() -> None:

@@ -6,15 +6,15 @@ knows where they hold: every number that is looked at goes to the witness, what 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 
 from msgspec import Struct, field
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.ball import Certified, evaluate, suppose
 from rotsolve.algebra.certified.balls import Undefined, with_values
 from rotsolve.algebra.exact.normal import Fractions, simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
 
 ACUTE = "acute"
 
@@ -29,6 +29,7 @@ class SignOracle(Struct, frozen=True):
     positive: frozenset[str] = frozenset()
     limits: Callable[[], Mapping[str, str]] = dict  # nothing is known of any
     decided: dict[Formula, int] = field(default_factory=dict)  # the signs on which it hung how formulas are made
+    trials: Mapping[str, Formula] = field(default_factory=dict)  # numbers of one case, for letters that have none
 
     def decide(self, value: Formula) -> int | None:
         """−1, 0 or 1, on which it will hang how formulas are made; None where nothing tells the sign."""
@@ -56,6 +57,41 @@ class SignOracle(Struct, frozen=True):
         except (Undefined, ValueError, ZeroDivisionError):
             return None
 
+    def taken(self, value: Formula) -> int | None:
+        """The sign on which it will hang what is written: that which is sure, else that in the case that is looked at."""
+        sign = self.decide(value)
+        return self.side_at_trial(value) if sign is None else sign
+
+    def supposed(self, value: Formula) -> Certified | None:
+        """The number, of letters without one that in the case that is looked at: its sign is a condition of all that follows.
+
+        So is it that the roots in it are real, or which is not.
+        """
+        lacking = self.lacking(value)
+        if not lacking:
+            return self.number(value)
+        if not self.trials.keys() >= set(lacking):
+            return None  # of what is asked nothing is supposed
+        for limit in real_where(value):
+            if self.side_at_trial(limit) == -1:
+                return None
+        self.side_at_trial(value)
+        return self.at_trial(value)
+
+    def side_at_trial(self, value: Formula) -> int | None:
+        """The sign of a formula in the case that is looked at, which is a condition of all that follows."""
+        number = self.at_trial(value)
+        if number is not None:
+            suppose(value, number.sign or 0)
+        return None if number is None else number.sign or 0
+
+    def at_trial(self, value: Formula) -> Certified | None:
+        """The number of a formula in the case that is looked at."""
+        try:
+            return evaluate(value, {**self.values, **self.trials}, digits=8)
+        except (Undefined, ValueError, ZeroDivisionError):
+            return None
+
     def lacking(self, value: Formula) -> list[str]:
         """The letters of a formula that have no value, in order."""
         return sorted(value.symbols() - self.values.keys())
@@ -75,9 +111,11 @@ class SignOracle(Struct, frozen=True):
         return sign
 
     def of_sizes(self, value: Formula) -> int | None:
-        """The sign of a formula in which letters without a value stand for sizes of any kind, all positive."""
+        """The sign in the case that is looked at, else that where letters without a value stand for sizes of any kind, all positive."""
         sign = self.by_numbers(value)
         if sign is not None or not self.lacking(value):
+            return sign
+        if (sign := self.by_letters(value)) is not None or (sign := self.side_at_trial(value)) is not None:
             return sign
         value = simplify(with_values(value, self.values), positive=self.positive)
         acute = {name for name, limits in self.limits().items() if limits == ACUTE}
@@ -91,6 +129,16 @@ class SignOracle(Struct, frozen=True):
         if not all(isinstance(degree, Number) for degree in degrees):
             return None
         return self.by_numbers(value.substitute(dict.fromkeys(names, ONE)))
+
+
+def real_where(value: Formula) -> Iterator[Formula]:
+    """What must not be negative for a formula to be real: what stands under roots, and how far sines and cosines are from 1."""
+    for node in value.walk(Call):
+        if isinstance(node, Call) and node.function == "sqrt":
+            yield node.arguments[0]
+        elif isinstance(node, Call) and node.function in ("asin", "acos"):
+            yield ONE - node.arguments[0]
+            yield ONE + node.arguments[0]
 
 
 def sign_within(value: Formula, positive: Collection[str], acute: Collection[str] = ()) -> int | None:

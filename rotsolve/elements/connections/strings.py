@@ -194,7 +194,7 @@ def pull_words(push: Vector, arm: Vector, kind: str, instant: Moment) -> tuple[s
     direction = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
     if kind == "axis" and arm.parts:
         senses = {1: "turning it counterclockwise", -1: "turning it clockwise"}
-        sense = senses.get(instant.configuration.signs.sign(arm.cross(push)) or 0, "")
+        sense = senses.get(instant.configuration.signs.taken(arm.cross(push)) or 0, "")
         return sense, "" if sense else direction
     return direction or "along the string", ""
 
