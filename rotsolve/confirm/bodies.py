@@ -150,7 +150,7 @@ def spot_of(item: Rigid, point: str | None, argument: Formula | None, value: Val
     part = part_of(body, point)
     if part is not None:
         return frame(part, value)[0]
-    if point in SPATIAL and radius_of(body, point, value) is not None:
+    if side_of(body, point) is not None:
         return (0.0, 0.0)
     x, y = shape_of(body).locate(point, argument)
     return value(x), value(y)
@@ -173,6 +173,14 @@ def is_round(body: Body) -> bool:
     if body.shape is not None and not body.shape.pointlike:
         return "rim" in body.shape.points
     return body.radius is not None or bool(body.radii)
+
+
+def side_of(body: Body, point: str | None) -> Spot | None:
+    """The side on which a point of a rim is: that of a rim as a whole is the one on the right; None of any other point."""
+    if point in SPATIAL:
+        return SPATIAL[point] if is_round(body) or body.radius is not None else None
+    names = {name for name, _ in (*body.radii, *getattr(shape_of(body), "radii", ()))}
+    return SPATIAL["rim"] if point in names else None
 
 
 def on_rim(body: Body, point: str | None) -> bool:

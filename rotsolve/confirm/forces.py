@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator
 from typing import TYPE_CHECKING, Any
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import SPATIAL, Spot, on_rim, radius_of
+from rotsolve.confirm.bodies import Spot, on_rim, radius_of, side_of
 from rotsolve.confirm.carried import centrifugal, rope_weight
 from rotsolve.confirm.constraints import place_of
 from rotsolve.confirm.jet import Jet, Slope, distance
@@ -127,8 +127,8 @@ def aimed(
         rightward = way[0] > 1e-9 or (abs(way[0]) <= 1e-9 and way[1] < 0)
         outward = turned(way, 1 if rightward == over else -1)
         return pose.spatial(name, model.spot(on), ((radius or 0.0) * outward[0], (radius or 0.0) * outward[1])), way
-    if on.point in SPATIAL and radius is not None:
-        side = SPATIAL[on.point]
+    side = side_of(model.body(name), on.point)
+    if side is not None and radius is not None:
         return pose.spatial(name, model.spot(on), (radius * side[0], radius * side[1])), way
     return model.drawn(on) if on.point is not None else model.seats[name].rigid.centre, way
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import SPATIAL, Spot, radius_of, rigid, spot_of
+from rotsolve.confirm.bodies import Spot, radius_of, rigid, side_of, spot_of
 from rotsolve.confirm.carried import as_one, whirled
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
@@ -117,11 +117,10 @@ class Model:
 
     def place(self, ref: PointRef, pose: Pose) -> Pair:
         """Where a point is just now: the rim on the right of a wheel, its top and bottom are those in space."""
-        if ref.point in SPATIAL:
-            radius = radius_of(self.body(ref.owner), ref.point, self.value)
-            if radius is not None:
-                x, y = SPATIAL[ref.point]
-                return pose.place(ref.owner, pose.spatial(ref.owner, self.spot(ref), (radius * x, radius * y)))
+        side = side_of(self.body(ref.owner), ref.point)
+        if side is not None:
+            radius = radius_of(self.body(ref.owner), ref.point, self.value) or 0.0
+            return pose.place(ref.owner, pose.spatial(ref.owner, (0.0, 0.0), (radius * side[0], radius * side[1])))
         return pose.place(ref.owner, self.spot(ref))
 
     def meeting(self, ref: PointRef) -> Spot:
@@ -202,8 +201,8 @@ class Model:
 
     def drawn(self, ref: PointRef) -> Spot:
         """Where a point is in its body's axes, that of a rim as drawn: the mark that something holds there."""
-        body, spot = self.body(ref.owner), self.spot(ref)
-        if ref.point in SPATIAL and spot == (0.0, 0.0):
-            radius = radius_of(body, ref.point, self.value) or 0.0
-            return radius * SPATIAL[ref.point][0], radius * SPATIAL[ref.point][1]
-        return spot
+        side = side_of(self.body(ref.owner), ref.point)
+        if side is None:
+            return self.spot(ref)
+        radius = radius_of(self.body(ref.owner), ref.point, self.value) or 0.0
+        return radius * side[0], radius * side[1]
