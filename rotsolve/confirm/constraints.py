@@ -181,7 +181,7 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
         x, y = pose.place(under.owner, model.seats[under.owner].rigid.centre)
         place = place[0] - x, place[1] - y
     yield held(item.name, "normal", along(place, out), pose, push=True)
-    if not wheel and rests(item, model) and not shape_of(body).pointlike:
+    if not wheel and rests(item, model):
         yield held(item.name, "torque", pose.turn(ref.owner), pose)
     slip = along(place, ahead) + (pose.turn(ref.owner) * radius if radius else 0.0)
     yield from friction(item, slip, pose, model)

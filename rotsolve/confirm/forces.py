@@ -128,7 +128,7 @@ def aimed(
         outward = turned(way, 1 if rightward == over else -1)
         return pose.spatial(name, model.spot(on), ((radius or 0.0) * outward[0], (radius or 0.0) * outward[1])), way
     side = side_of(model.body(name), on.point)
-    if side is not None and radius is not None:
+    if side is not None and radius is not None and (name, on.point) not in model.marks:
         return pose.spatial(name, model.spot(on), (radius * side[0], radius * side[1])), way
     return model.drawn(on) if on.point is not None else model.seats[name].rigid.centre, way
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import cached_property
+from itertools import permutations
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import Spot, radius_of, rigid, side_of, spot_of
+from rotsolve.confirm.bodies import Mass, Spot, is_round, radius_of, rigid, side_of, spot_of
 from rotsolve.confirm.carried import as_one, whirled
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
@@ -118,6 +119,8 @@ class Model:
     def place(self, ref: PointRef, pose: Pose) -> Pair:
         """Where a point is just now: the rim on the right of a wheel, its top and bottom are those in space."""
         side = side_of(self.body(ref.owner), ref.point)
+        if side is not None and (ref.owner, ref.point) in self.marks:
+            return pose.place(ref.owner, self.drawn(ref))
         if side is not None:
             radius = radius_of(self.body(ref.owner), ref.point, self.value) or 0.0
             return pose.place(ref.owner, pose.spatial(ref.owner, (0.0, 0.0), (radius * side[0], radius * side[1])))
@@ -145,7 +148,17 @@ class Model:
             ways = self.line(first), self.line(second)
             if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
                 free -= {first, second}
+        for name in free:
+            whole, centre = self.welded_mass(name), self.seats[name].rigid.centre
+            if math.hypot(whole.x - whole.whole * centre[0], whole.y - whole.whole * centre[1]) > 1e-9 * whole.whole:
+                raise NotConfirmed(f"nothing but its word keeps `{name}`, with what is welded to it, on its line")
         return tuple(name for name in self.seats if name in free)
+
+    @cached_property
+    def marks(self) -> frozenset[tuple[str, str | None]]:
+        """Points of rims that a hinge holds, which turn with the body as other points do."""
+        held = [ref for item in self.acting.connections for ref in (*item.joint(), *item.fixed_points())]
+        return frozenset((ref.owner, ref.point) for ref in held)
 
     @cached_property
     def unions(self) -> list[tuple[str, str]]:
@@ -158,10 +171,12 @@ class Model:
         return any(ref.point is None for ref in refs)
 
     def told_apart(self, first: str, second: str) -> float | None:
-        """By how much a welded body is turned against the other: nothing, unless a state gives the angles of both."""
+        """By how much a welded body is turned against the other: nothing, unless they are rods and a state gives the angles of both."""
+        if not (shape_of(self.body(first)).slender and shape_of(self.body(second)).slender):
+            return None
         for state in self.acting.states:
             angles = {
-                line.path.owner: self.value(line.value) - self.lean(line.path.owner)
+                line.path.owner: self.value(line.value)
                 for line in state.conditions
                 if line.path is not None
                 and line.path.quantity == "angle"
@@ -173,12 +188,32 @@ class Model:
         return None
 
     def lean(self, name: str) -> float:
-        """What a body's `angle` is beyond its turn: that of a rod is its direction, of another hinged body that from its hinge to cm."""
-        rigid, pivot = self.seats[name].rigid, self.pivot(name)
-        if shape_of(rigid.body).slender or pivot is None:
+        """What a body's `angle` is beyond its turn: that of a rod is its direction, of another body that hangs, or rolls out of balance,
+        that from its hinge or its centre to the centre of mass of all that is welded to it."""
+        body, pivot = self.body(name), self.pivot(name)
+        rolls = any(item.lying() == name and is_round(body) for item in self.acting.connections)
+        if shape_of(body).slender or not (pivot or rolls):
             return 0.0
-        x, y = (a - b for a, b in zip(rigid.centre, self.drawn(pivot), strict=True))
+        whole, centre = self.welded_mass(name), self.drawn(pivot) if pivot is not None else (0.0, 0.0)
+        if whole.whole == 0.0:
+            return 0.0
+        x, y = whole.x / whole.whole - centre[0], whole.y / whole.whole - centre[1]
         return math.atan2(y, x) if math.hypot(x, y) > 1e-12 else 0.0
+
+    def welded_mass(self, name: str, beside: frozenset[str] = frozenset()) -> Mass:
+        """The mass of a body and of all that is welded to it, in its own axes; `beside` are those that are counted already."""
+        rigid = self.seats[name].rigid
+        total = Mass(rigid.mass, rigid.mass * rigid.centre[0], rigid.mass * rigid.centre[1], 0.0)
+        beside = beside | {name}
+        for item in self.acting.connections:
+            for own, other in permutations(item.joined(), 2):
+                if own.owner == name and other.owner not in beside:
+                    turn = self.told_apart(name, other.owner) or 0.0
+                    (x, y), (u, w) = self.drawn(own), self.drawn(other)
+                    c, s = math.cos(turn), math.sin(turn)
+                    shift = x - c * u + s * w, y - s * u - c * w
+                    total = total.plus(self.welded_mass(other.owner, beside).moved(shift, turn))
+        return total
 
     def pivot(self, name: str) -> PointRef | None:
         """The point of a body that a hinge or axle holds."""
