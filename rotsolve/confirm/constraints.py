@@ -260,10 +260,15 @@ def meshed(
     turns = [pose.turn(ref.owner) for ref in pair]
     (x, y), (u, w) = (pose.place(ref.owner, model.spot(ref)) for ref in pair)
     gap = u - x, w - y
-    if all(ref.owner in model.held for ref in pair):  # where the axles are to each other the scene does not say
-        for axis, direction in (("x", RIGHT), ("y", UP)):
-            yield unknown(owner, f"press_{axis}{kind}", load(gap, direction))
-        yield held(owner, kind, turns[1] * radii[1] - turns[0] * (way * radii[0]), pose)
+    if all(ref.owner in model.held for ref in pair):
+        turning = turns[1] * radii[1] - turns[0] * (way * radii[0])
+        if inside is None:  # where the axles of a belt are to each other the scene does not say
+            for axis, direction in (("x", RIGHT), ("y", UP)):
+                yield unknown(owner, f"press_{axis}{kind}", load(gap, direction))
+            yield held(owner, kind, turning, pose)
+        else:  # of wheels in gear the second stands on the right
+            side = 1.0 if inside else -1.0
+            yield held(owner, kind, turning + gap[1] * side, pose)
         return
     if inside is not None:
         apart = abs(radii[0] - radii[1]) if inside else radii[0] + radii[1]
