@@ -265,6 +265,11 @@ def check_consistent(search: Search) -> KnownBalls:
         from rotsolve.search.explain import contradicted
 
         raise contradicted(broken, search.scene)
+    if search.scene.encounters:
+        from rotsolve.derivation.requirements import let_go
+
+        for refusal in let_go(search):
+            raise refusal
     configuration = search.scene.configuration
     for value, (sign, question, span) in configuration.supposed.items():
         if configuration.signs.sign(settled_aside(value, search)) != sign:

@@ -294,6 +294,11 @@ class BodyFacts(Struct, frozen=True):
         return simplify((item.arm - self.about).cross(item.vector))
 
     @property
+    def pressed(self) -> bool:
+        """Whether a surface pushes it."""
+        return any(force.role.presses for force in self.forces)
+
+    @property
     def centre_velocity(self) -> Vector:
         return self.motion.velocity_of(self.cm)
 

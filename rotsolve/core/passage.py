@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.core.equation import Equation
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Requirement
 from rotsolve.core.vectors.heading import Vector
 
 
@@ -68,10 +68,10 @@ class Passage(Struct, frozen=True):
 
 
 class Meeting(Struct, frozen=True):
-    """One body through an event: mass, inertia about its reference, the velocities before and after, and the blows that it takes.
+    """One body through an event: mass, inertia about its reference, the velocities before and after, and the impulses on it.
 
-    `place` is the centre of mass from the event's common point, `cm` from the body's own reference; vectors hold at the instant of
-    the event, when nothing has moved yet.
+    `place` is the body's reference from the event's common point, where that is told; vectors hold at the instant of the event, before
+    anything has moved. Of a body that is `guided` along a line nothing tells what keeps it there.
     """
 
     body: BodyFacts
@@ -86,6 +86,7 @@ class Meeting(Struct, frozen=True):
     held: Formula | None = (
         None  # moment of inertia about the common point, where the event holds the body there from then on
     )
+    guided: bool = False
 
     @property
     def impulses(self) -> tuple[Force | Couple, ...]:
@@ -94,14 +95,22 @@ class Meeting(Struct, frozen=True):
 
 
 class Encounter(Struct, frozen=True):
-    """An event: the bodies that take part, and the point about which no outside impulse has an arm, if there is one."""
+    """An event: the bodies that take part, all that is tied to them among them.
+
+    `about` is what the point is called at which they are held ('' where they meet freely): their places count from there. `requirements`
+    are what the impulses of strings and surfaces obey.
+    """
 
     name: str
     words: str
     meetings: tuple[Meeting, ...]
-    groups: tuple[frozenset[str], ...]
-    pivot: Mapping[str, str]  # body of a group -> name of the support about which it turns
+    about: str
+    requirements: tuple[Requirement, ...] = ()
     restitution: tuple[Formula, Formula, Formula] | None = None  # e, approach speed, separation speed
+
+    def gives(self, impulse: Force | Couple) -> bool:
+        """Whether an impulse is the event's own, from outside the scene."""
+        return impulse.owner == self.name and not impulse.internal
 
 
 class Alteration(Struct, frozen=True):

@@ -19,10 +19,12 @@ from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.rubs import rubs
+from rotsolve.search.answers import unsolvable
 from rotsolve.search.planning import families_for
 
 if TYPE_CHECKING:
     from rotsolve.core.facts import Requirement
+    from rotsolve.core.faults import Unsolvable
     from rotsolve.derivation.letters import Letters
     from rotsolve.search.search import Search
 
@@ -35,7 +37,8 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
     spoken_of: list[str | Formula] = []
     for place, needs in requirements_by_state(search):
         for need in needs:
-            key = (need.owner, need.otherwise, search.scene.section(place))
+            event = place in search.scene.encounters
+            key = (need.owner, need.otherwise, place if event else search.scene.section(place))
             if key in told or not concerns(need, search):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))
@@ -49,7 +52,7 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                 yield Check(words)
             elif sign < 0:
                 yield Check(objection(need, place, search, letters), False)
-            elif sign == 0 and not demanded(need, place, search):
+            elif sign == 0 and not event and not demanded(need, place, search):
                 yield Check(verge_words(need, place, search, letters), None)
 
 
@@ -72,9 +75,25 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
     scene = search.scene
     for state in scene.configuration.timeline.states:
         yield state.name, scene.facts(state.name).requirements
+    for name, encounter in scene.encounters.items():
+        yield name, encounter.requirements
     for swing in scene.swings.values():
         if swing.found:
             yield swing.near.state, free_bodies(swing.rest).requirements
+
+
+def let_go(search: Search) -> Iterator[Unsolvable]:
+    """A surface that would have to pull in an event, or a string to push: it lets go, and what comes then is another scene."""
+    configuration = search.scene.configuration
+    for name, encounter in search.scene.encounters.items():
+        for need in encounter.requirements:
+            gap = margin_of(need, search, families_for(None))[1] if concerns(need, search) else None
+            if gap is not None and search.signs.by_numbers(gap) == -1:
+                interval = configuration.timeline.interval(name)
+                span = configuration.timeline.state(interval.end).span if interval is not None else None
+                help = f"leave out `{need.owner}` where it does not hold through `{name}`"
+                message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
+                yield unsolvable(configuration.problem, message, span, help)
 
 
 def concerns(need: Requirement, search: Search) -> bool:

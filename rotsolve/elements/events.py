@@ -32,9 +32,9 @@ class Joins(Event, frozen=True):
         return self.joins
 
     def twists(self, body: str, instant: Moment) -> tuple[Couple, ...]:
-        """Bodies that stick together also twist each other until they turn as one."""
+        """Bodies that stick together also twist each other until they turn as one; a particle has nothing to be turned by."""
         owners = [instant.host(ref.owner) for ref in self.joins]
-        if body not in owners:
+        if body not in owners or any(instant.weightless(name) for name in owners):
             return ()
         size = instant.ask("angular_impulse", self.name)
         twist = size if owners.index(body) == 1 else negate(size)

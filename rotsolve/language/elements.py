@@ -320,6 +320,10 @@ class Connection(ActingElement, frozen=True):
         """No slip at a moment, for a state that says so."""
         return None
 
+    def jolts(self) -> bool:
+        """Whether its forces are as large as it takes even in an event."""
+        return True
+
     def rubs(self) -> bool:
         """Whether one of its bodies can slip, against friction of a size that is known."""
         return False

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Integral, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ANGLES_TURNED, BLOWS, COMMON_AXIS, MOMENTUM, RESTITUTION, TWISTS, Equation, Law
-from rotsolve.core.facts import BodyFacts, Facts, Force, signed
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, signed
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
 from rotsolve.core.symbols import TIME, at_any_time, has_quantities, is_key, key_of
-from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.laws.newton import about
 from rotsolve.laws.table import OverPhase, ThroughEvent
@@ -172,11 +172,15 @@ def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula]
     ]
 
 
-def groups_through_event(at: ThroughEvent) -> Iterator[Equation]:
-    """What an event keeps or changes of groups as wholes."""
-    for group in at.encounter.groups:
-        members = [meeting for meeting in at.encounter.meetings if meeting.body.name in group]
-        yield from group_through_event(at.encounter, group, members, at.section)
+def group_through_event(at: ThroughEvent) -> Iterator[Equation]:
+    """What an event keeps or changes of the bodies as a whole: angular momentum about the common point, and momentum of free ones."""
+    encounter, members = at.encounter, at.encounter.meetings
+    names = tuple(sorted(meeting.body.name for meeting in members))
+    alone = not encounter.about and len(members) == 1  # its own angular momentum is that about its centre of mass
+    if all(meeting.place is not None for meeting in members) and not alone:
+        yield from about_common_point(encounter, at.section, names)
+    if not encounter.about:
+        yield from linear_momentum(encounter, at.section, names)
 
 
 def restitution(at: ThroughEvent) -> Iterator[Equation]:
@@ -186,38 +190,50 @@ def restitution(at: ThroughEvent) -> Iterator[Equation]:
         yield RESTITUTION.equation(separation, coefficient * approach, at.section)
 
 
-def group_through_event(
-    encounter: Encounter, group: frozenset[str], members: list[Meeting], section: str
-) -> Iterator[Equation]:
-    """Angular momentum of a group about its support, or momentum and angular momentum of a free one."""
-    names = tuple(sorted(group))
-    pivot = next((encounter.pivot[name] for name in names if name in encounter.pivot), None)
-    outside = [blow for meeting in members for blow in meeting.blows if not blow.internal]
-    turned = [twist for meeting in members for twist in meeting.twists if not twist.internal]
-    alone = pivot is None and len(members) == 1  # its own angular momentum is that about its centre of mass
-    if all(meeting.place is not None for meeting in members) and not alone:
-        sense = next((item.body.motion.sense for item in members if item.body.motion.turns or item.held), 1)
-        before = [term for item in members for term in spin_terms(item, sense, after=False)]
-        after = [term for item in members for term in spin_terms(item, sense, after=True)]
-        torque = [
-            signed(arm_from_point(item, blow).cross(blow.vector), sense)
-            for item in members
-            for blow in item.blows
-            if not blow.internal
-        ]
-        torque += [signed(twist.torque, sense) for twist in turned]
-        point = f"about the {pivot}" if pivot else "about the meeting point"
-        changed = f"angular impulse = change of angular momentum, {point}"
-        label = changed if flat(torque) else f"angular momentum {point} is conserved"
-        why: Words = (f"No outside torque acts {point}: {why_none(members)}.",)
-        words = why if pivot and not outside and not turned else ()
-        if flat(before) or flat(after):
-            yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
-    if pivot is None:
-        yield from linear_momentum(members, outside, section, names)
+def about_common_point(encounter: Encounter, section: str, names: tuple[str, ...]) -> Iterator[Equation]:
+    """L₁ + Σ r × J = L₂ about the common point, where no impulse of a support that nobody knows has an arm."""
+    members = encounter.meetings
+    sense = next((item.body.motion.sense for item in members if item.body.motion.turns or item.held), 1)
+    arms = [
+        (blow, tidy(item.place + blow.arm).cross(blow.vector))
+        for item in members
+        if item.place is not None
+        for blow in item.blows
+    ]
+    turns: list[Effort] = [*arms, *((twist, twist.torque) for item in members for twist in item.twists)]
+    outside = left_over(turns, encounter)
+    if outside is None:
+        return
+    before, after = (
+        [term for item in members for term in spin_terms(item, sense, after=late)] for late in (False, True)
+    )
+    torque = [signed(term, sense) for term in outside]
+    point = f"about the {encounter.about}" if encounter.about else "about the meeting point"
+    changed = f"angular impulse = change of angular momentum, {point}"
+    label = changed if flat(torque) else f"angular momentum {point} is conserved"
+    why: Words = (f"No outside torque acts {point}: {why_none(members)}.",)
+    words = why if encounter.about and not any(encounter.gives(impulse) for impulse, _ in turns) else ()
+    if flat(before) or flat(after):
+        yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
 
 
-def why_none(members: list[Meeting]) -> str:
+Effort = tuple[Force | Couple, Formula]  # an impulse, and its part along a direction or its moment about a point
+
+
+def left_over(efforts: Sequence[Effort], encounter: Encounter) -> list[Formula] | None:
+    """What acts from outside: what the event gives, and None where a support, a surface or a string from outside gives a part, too.
+
+    What the parts of a group do to each other cancels, owner by owner.
+    """
+    given = [effort for impulse, effort in efforts if encounter.gives(impulse)]
+    by_owner: dict[str, list[Formula]] = {}
+    for impulse, effort in efforts:
+        if not encounter.gives(impulse) and effort != ZERO:
+            by_owner.setdefault(impulse.owner, []).append(effort)
+    return given if all(is_zero(total(parts)) for parts in by_owner.values()) else None
+
+
+def why_none(members: Sequence[Meeting]) -> str:
     """Why nothing from outside turns a group about its support: bodies that all turn on it already push it to no side."""
     if len(members) > 1 and all(item.body.motion.kind == "axis" for item in members):
         names = [spoken(item.body.name) for item in members]
@@ -225,38 +241,34 @@ def why_none(members: list[Meeting]) -> str:
     return "the blow at the support has no arm"
 
 
-def linear_momentum(
-    members: list[Meeting], outside: list[Force], section: str, names: tuple[str, ...]
-) -> Iterator[Equation]:
-    """Σ m v of a free group, along the one line of travel or right and up."""
+def linear_momentum(encounter: Encounter, section: str, names: tuple[str, ...]) -> Iterator[Equation]:
+    """Σ m v of a free group, along the one line of travel or right and up, where nothing that nobody knows holds it."""
+    members = encounter.meetings
     headings = {item.body.motion.heading for item in members}
     first = next(iter(headings))
     axes: tuple[Heading, ...] = (first,) if len(headings) == 1 and first is not None else (RIGHT, UP)
     for axis in axes:
+        guides = [item.body.motion.heading for item in members if item.guided]
+        outside = left_over([(blow, blow.vector.along(axis)) for item in members for blow in item.blows], encounter)
+        if outside is None or any(guide is None or (guide - axis).sin() != ZERO for guide in guides):
+            continue
         before = [item.body.mass * item.before.along(axis) for item in members]
         after = [item.body.mass * item.after.along(axis) for item in members]
-        blow = [force.vector.along(axis) for force in outside]
-        if flat(before) or flat(after) or flat(blow):
-            label = "momentum is conserved" if not flat(blow) else "impulse = change of momentum"
-            yield MOMENTUM.equation(*moved([*before, *blow], after), section, names, words=label)
+        if flat(before) or flat(after) or flat(outside):
+            label = "momentum is conserved" if not flat(outside) else "impulse = change of momentum"
+            yield MOMENTUM.equation(*moved([*before, *outside], after), section, names, words=label)
 
 
 def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:
-    """r × m v + I ω of one body about the common point, along a sense; a body on the axis has I about it."""
+    """r × m v + I ω of one body about the common point, r to what I is about; where the event holds it there, I about the point."""
     if after and item.held is not None:
         return [item.held * signed(item.spin_after, sense)]
     velocity, spin = (item.after, item.spin_after) if after else (item.before, item.spin_before)
     terms = [item.inertia * signed(spin, sense)]
-    if item.body.motion.kind != "axis" and item.place is not None:
-        terms.append(signed(multiplied_out(item.place.cross(velocity.scaled(item.body.mass))), sense))
+    place = tidy(item.place + item.body.about) if item.place is not None else NOWHERE
+    if place.parts:
+        terms.append(signed(multiplied_out(place.cross(velocity.scaled(item.body.mass))), sense))
     return [term for term in terms if term != ZERO]
-
-
-def arm_from_point(item: Meeting, blow: Force) -> Vector:
-    """Arm of a blow from the common point."""
-    if item.body.motion.kind == "axis" or item.place is None:
-        return blow.arm
-    return tidy(item.place + blow.arm - item.body.cm)
 
 
 def bodies_through_event(at: ThroughEvent) -> Iterator[Equation]:
@@ -264,11 +276,13 @@ def bodies_through_event(at: ThroughEvent) -> Iterator[Equation]:
     for item in at.encounter.meetings:
         body, sense = item.body, item.body.motion.sense
         for axis in body.axes:
+            if item.guided and axis != body.motion.heading:
+                continue  # whatever holds it on its line takes what acts across
             pushes = [blow.vector.along(axis) for blow in item.blows]
             before, after = (body.mass * velocity.along(axis) for velocity in (item.before, item.after))
             if flat([*pushes, before, after]):
                 yield BLOWS.equation(*moved([*pushes, before], [after]), at.section, (body.name,))
-        if body.motion.turns:
+        if body.motion.turns or item.spin_after != ZERO:
             pushes = [signed(body.torque_of(blow), sense) for blow in item.blows]
             pushes += [signed(twist.torque, sense) for twist in item.twists]
             before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))

@@ -177,7 +177,7 @@ LAWS = (
     Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
     Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),
-    Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:groups_through_event"),
+    Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:group_through_event"),
     Principle((BLOWS, TWISTS), (EVENT,), "momentum:bodies_through_event"),
     Principle((RESTITUTION,), (EVENT,), "momentum:restitution"),
 )

@@ -1,18 +1,25 @@
-"""Encounters: an event between two states, as the laws of momentum read it."""
+"""Encounters: an event between two states, as the laws of momentum read it: each body with all the impulses on it.
+
+What a connection does in an event follows from what it does at a moment: where it exerts an unknown force along a direction it gives an
+impulse along that, as large as it takes for its rule of speeds to hold afterwards. Weights, springs and forces of a known size give none.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import REACTION, BodyFacts, Facts, Force
+from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Facts, Force, Requirement, signed
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.passage import Encounter, Meeting
-from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Vector, unit
+from rotsolve.core.symbols import is_key, key_of, rub_key
+from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.language.bodies import PointRef
-from rotsolve.motion.freebody import free_body
+from rotsolve.motion.freebody import free_bodies, moment_of_inertia
 from rotsolve.motion.rigid import tidy
 
 if TYPE_CHECKING:
@@ -21,10 +28,14 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
     from rotsolve.motion.timeline import Interval
 
+PARTS = {"normal_force": "n", "friction_force": "f"}  # by kind of a force: the index of its impulse
+WAYS = {"x": ("right", "left"), "y": ("up", "down")}
+AS_NEEDED = ("force", "tension", *PARTS)  # kinds of the forces that are as large as it takes
+
 
 def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[Instant, Facts]) -> Encounter | None:
     """What an event does to the bodies that take part; None for one that changes no velocity (a string is cut)."""
-    event, (first, first_facts), (last, last_facts) = interval.event, before, after
+    event, (first, facts), (last, last_facts) = interval.event, before, after
     points = participants(interval, first.configuration)
     if event is None or not points:
         return None
@@ -32,20 +43,29 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     group = frozenset(
         name for ref in points for state in states for name in first.configuration.component(ref.owner, state)
     )
-    involved = [body for body in first_facts.bodies if body.name in group]
-    blows = {body.name: tuple(blows_on(body, event, points, first)) for body in involved}
+    modes = modes_afterwards(first, last)
+    if modes != first.modes:
+        first = replace(first, modes=modes)
+        facts = free_bodies(first)
+    involved = [body for body in facts.bodies if body.name in group]
     places = common_places(involved, points, event, first)
-    meetings = tuple(
-        replace(
-            meeting(body, first, last, blows[body.name], places.get(body.name)),
-            twists=event.twists(body.name, first),
-            held=held_after(body, last_facts) if event.adds() else None,
+    lasting = {item.name for item in last.configuration.connections(last.state)}
+    axes = any(body.motion.kind == "axis" for body in involved)
+    meetings = []
+    for body in involved:
+        meetings.append(
+            replace(
+                meeting(body, first, last, last_facts, places.get(body.name)),
+                blows=(*impulses_of(body, lasting, first), *blows_on(body, event, points, first)),
+                twists=(*angular_impulses_of(body, lasting, first), *event.twists(body.name, first)),
+                held=held_after(body, last_facts) if event.adds() and not axes else None,
+            )
         )
-        for body in involved
-    )
-    supports = {body.name: support(body, first) for body in involved if body.motion.kind == "axis"}
-    supports |= {first.host(ref.owner): held for ref in points if (held := event.holds(ref, first))}
-    return Encounter(interval.name, event.about, meetings, (group,), supports, event.bounce(first, last))
+    check_rails(meetings, event, first)
+    needs = tuple(impulsive_need(need, first) for need in facts.requirements if need.owner in lasting)
+    about = supports(involved, points, event, first)
+    needs = tuple(need for need in needs if need.left != ZERO)
+    return Encounter(interval.name, event.about, tuple(meetings), about, needs, event.bounce(first, last))
 
 
 def participants(interval: Interval, configuration: Configuration) -> tuple[PointRef, ...]:
@@ -53,10 +73,110 @@ def participants(interval: Interval, configuration: Configuration) -> tuple[Poin
     return interval.event.points(configuration.problem.connections) if interval.event is not None else ()
 
 
-def support(body: BodyFacts, instant: Instant) -> str:
-    """What the body's axis is called."""
-    held = (item for item in instant.configuration.connections(instant.state) if item.axial)
-    return "axle" if any(ref.owner == body.name for item in held for ref in item.fixed_points()) else "pivot"
+def modes_afterwards(first: Instant, last: Instant) -> dict[str, str]:
+    """How what rubs moves right after the event: as it does then it rubs in it."""
+    configuration, modes = first.configuration, dict(first.modes)
+    start, end = (configuration.phase_start(instant.state) for instant in (first, last))
+    for item in configuration.connections(first.state):
+        if item.rubs():
+            modes[rub_key(item.name, start)] = last.modes.get(rub_key(item.name, end), "sticks")
+    return modes
+
+
+# impulses of connections
+
+
+def impulses_of(body: BodyFacts, owners: Container[str], instant: Instant) -> Iterator[Force]:
+    """The impulses of the forces of connections on a body, as forces with an impulse for size."""
+    for force in body.forces:
+        letters = letters_of(force, instant) if force.owner in owners else {}
+        if letters:
+            yield replace(force, size=force.size.substitute(letters), noun="blow")
+
+
+def angular_impulses_of(body: BodyFacts, owners: Container[str], instant: Instant) -> Iterator[Couple]:
+    """The angular impulses of belts and gears, and of whatever makes a given motion true."""
+    for couple in body.couples:
+        item = instant.configuration.connection(couple.owner, instant.state)
+        letters = letters_of(couple, instant) if couple.owner in owners else {}
+        if letters:
+            size, torque = couple.size.substitute(letters), couple.torque.substitute(letters)
+            yield replace(couple, size=size, torque=torque, noun="blow")
+        elif item is not None and any(item.prescribes()):
+            size = instant.ask("angular_impulse", couple.owner, words=instant.turn_words(body.name))
+            yield replace(couple, size=size, torque=signed(size, body.motion.sense), noun="blow")
+
+
+def letters_of(item: Force | Couple, instant: Instant) -> dict[str, Formula]:
+    """By letter of a force that is as large as it takes, even in an event: that of its impulse."""
+    connection = instant.configuration.connection(item.owner, instant.state)
+    return jolts(item.size, instant) if connection is not None and connection.jolts() else {}
+
+
+def jolts(size: Formula, instant: Instant) -> dict[str, Formula]:
+    """By letter of a force that is as large as it takes: that of its impulse."""
+    keys = {name: key_of(name) for name in size.symbols() if is_key(name)}
+    return {
+        name: instant.ask(
+            "impulse", key.owner, component=PARTS.get(key.kind, key.component), words=WAYS.get(key.component, ("", ""))
+        )
+        for name, key in keys.items()
+        if key.kind in AS_NEEDED
+    }
+
+
+def impulsive_need(need: Requirement, instant: Instant) -> Requirement:
+    """A string does not push and a surface does not pull in an event either."""
+    return replace(
+        need,
+        left=need.left.substitute(jolts(need.left, instant)),
+        right=need.right.substitute(jolts(need.right, instant)),
+    )
+
+
+def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instant: Instant) -> Iterator[Force]:
+    """The blows of the event itself on one body."""
+    for ref in points:
+        if instant.host(ref.owner) == body.name:
+            yield from event.blows(ref, body, instant)
+
+
+# each body
+
+
+def meeting(body: BodyFacts, first: Instant, last: Instant, after: Facts, place: Vector | None) -> Meeting:
+    """One body before and after; afterwards it may be part of another, and no body of its own."""
+    motion = last.motion(last.host(body.name))
+    own = PointRef(body.name, "cm")
+    shift = tidy(last.point(own) - first.point(own))  # of its place from the reference, which may be another afterwards
+    centre = motion.velocity_of(body.cm + shift)
+    if body.inertia is not None:
+        inertia = body.inertia.letter
+    elif motion.turns:  # what did not turn before may after
+        inertia = moment_of_inertia(first.body(body.name), first, first.frame(body.name)).formula
+    else:
+        inertia = ZERO
+    lines = body.motion.kind == motion.kind == "line" and body.motion.heading == motion.heading
+    later = after.body(body.name)
+    guided = lines and later is not None and not body.pressed and not later.pressed
+    return Meeting(body, inertia, body.centre_velocity, centre, body.motion.spin, motion.spin, place, (), guided=guided)
+
+
+def check_rails(meetings: Sequence[Meeting], event: Event, instant: Instant) -> None:
+    """What `moves` along a level line may be pushed to its side by what falls on it, since the ground bears it; else it is free."""
+    upright = instant.configuration.problem.plane == "vertical"
+    for item in meetings:
+        heading, name = item.body.motion.heading, item.body.name
+        if not item.guided or heading is None or (upright and heading.sin() == ZERO):
+            continue
+        across = heading.turned(90)
+        pushed = any(blow.role is CONTACT and blow.direction.along(across) != ZERO for blow in item.blows)
+        met = [other for other in meetings if any(blow.role is CONTACT for blow in other.blows)]
+        if pushed and any(rate.along(across) != ZERO for other in met for rate in (other.before, other.after)):
+            help = f"leave out `moves` of `{name}`, and give its velocity as [vx, vy]"
+            message = f"`{event.name}` pushes `{name}` to the side of the line along which it `moves`"
+            problem, span = instant.configuration.problem, instant.body(name).span
+            raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
 def held_after(body: BodyFacts, after: Facts) -> Formula | None:
@@ -65,47 +185,43 @@ def held_after(body: BodyFacts, after: Facts) -> Formula | None:
     return own.inertia.letter if own is not None and own.motion.kind == "axis" and own.inertia is not None else None
 
 
-def meeting(body: BodyFacts, first: Instant, last: Instant, blows: tuple[Force, ...], place: Vector | None) -> Meeting:
-    """One body before and after; afterwards it may be part of another."""
-    motion, own = last.motion(last.host(body.name)), PointRef(body.name, "cm")
-    shift = tidy(last.point(own) - first.point(own))  # of its place from the reference, which may be another afterwards
-    centre = motion.velocity_of(body.cm + shift)
-    inertia = (
-        body.inertia or free_body(first.body(body.name), first, (), ()).inertia
-    )  # what did not turn before may after
-    letter: Formula = inertia.letter if inertia is not None else ZERO
-    return Meeting(body, letter, body.centre_velocity, centre, body.motion.spin, motion.spin, place, blows)
+# where they are
+
+
+def supports(bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event, instant: Instant) -> str:
+    """What the point is called about which the group turns: a support, or what the event holds; '' where they are free."""
+    first = next((body for body in bodies if body.motion.kind == "axis"), None)
+    if first is None:
+        return next(filter(None, (event.holds(ref, instant) for ref in points)), "")
+    axles = (item for item in instant.configuration.connections(instant.state) if item.axial)
+    return "axle" if any(ref.owner == first.name for item in axles for ref in item.fixed_points()) else "pivot"
 
 
 def common_places(
     bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event, instant: Instant
 ) -> dict[str, Vector]:
-    """Centre of mass of each body from one common point: the axis of the one that is held, else where they meet."""
-    held = next((body for body in bodies if body.motion.kind == "axis"), None)
-    if held is not None:
-        where = next((ref for ref in points if instant.host(ref.owner) == held.name), None)
-        places = {body.name: NOWHERE for body in bodies if body.motion.kind == "axis"}
-        if where is None:
-            return places
-        contact = instant.point(where)
-    else:
-        places, contact = {}, NOWHERE
-    for ref in points:
-        name = instant.host(ref.owner)
-        body = next((body for body in bodies if body.name == name), None)
-        if body is not None and name not in places:
-            places[name] = contact - (event.spot(ref, instant) - body.cm)
-    return places
-
-
-def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instant: Instant) -> Iterator[Force]:
-    """The blows on one body: at its support, and from the event itself."""
-    for force in body.forces:
-        if force.role.holds:
-            axis, words = ("x", ("right", "left")) if force.direction == unit(RIGHT) else ("y", ("up", "down"))
-            size = instant.ask("impulse", force.owner, component=axis, words=words)
-            push, arm = force.direction, force.arm
-            yield Force(force.owner, REACTION, body.name, size, push, arm, "blow", internal=True)
-    for ref in points:
-        if instant.host(ref.owner) == body.name:
-            yield from event.blows(ref, body, instant)
+    """Reference of each body from one common point: the axis of one that is held, else where they meet; of those whose place that tells."""
+    names = {body.name for body in bodies}
+    spots = [(instant.host(ref.owner), event.spot(ref, instant)) for ref in points]
+    held = next((body.name for body in bodies if body.motion.kind == "axis"), None)
+    found: dict[str, Vector] = {held: NOWHERE} if held else {name: tidy(-spot) for name, spot in spots[:1]}
+    pairs = [*pairwise(spots)]
+    for item in instant.configuration.connections(instant.state):
+        shared = [
+            ref
+            for ref in dict.fromkeys((*item.joint(), *item.fixed_points()))
+            if ref.owner in instant.configuration.bodies
+        ]
+        pairs += pairwise((instant.host(ref.owner), instant.point(ref)) for ref in shared)
+    pairs = [pair for pair in pairs if {pair[0][0], pair[1][0]} <= names]
+    while True:
+        told = [
+            (one, other)
+            for pair in pairs
+            for one, other in (pair, pair[::-1])
+            if one[0] in found and other[0] not in found
+        ]
+        if not told:
+            return found
+        (known, arm), (name, own) = told[0]
+        found[name] = tidy(found[known] + arm - own)

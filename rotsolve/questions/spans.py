@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol, add, negate, sqrt, total
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, add, negate, sqrt, total
 from rotsolve.algebra.units.dimension import ENERGY, LENGTH
-from rotsolve.core.facts import BodyFacts, signed
+from rotsolve.core.facts import BodyFacts, Force, signed
 from rotsolve.core.passage import Meeting, Passage
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.symbols import key_of, running
+from rotsolve.core.symbols import of_kinds, running
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import is_negative
 from rotsolve.equations.scene_equations import SceneEquations
@@ -32,13 +32,21 @@ def impulse(path: Path, interval: str, scene: SceneEquations) -> Formula:
         raise NotYet("an impulse is asked of an event or a phase")
     if path.quantity == "angular_impulse":
         return twist_of(path.owner, interval, scene)
-    blows = (blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner)
-    every = list(dict.fromkeys(blow.size for blow in blows))
-    along = [size for size in every if isinstance(size, Symbol) and key_of(size.name).component == path.component]
-    sizes = every if path.component is None else along
+    hit = meeting_of_last(path.owner, interval, scene)
+    if path.component is not None and hit is not None:
+        heading = RIGHT if path.component == "x" else UP
+        return Vector(tuple(part for item in own_blows(path, hit) for part in item.vector.parts)).along(heading)
+    acting = hit.impulses if hit is not None else ()
+    own = [item.size for item in acting if item.owner == path.owner and of_kinds(item.size.symbols(), ("impulse",))]
+    sizes = list(dict.fromkeys(own or [item.size for item in own_blows(path, hit)]))
     if not sizes:
         raise NotYet(f"`{path.owner}` gives no impulse in `{interval}`")
     return sizes[0] if len(sizes) == 1 else sqrt(total([size**2 for size in sizes]))
+
+
+def own_blows(path: Path, hit: Meeting | None) -> list[Force]:
+    """The blows on a body of what a path names."""
+    return [item for item in (hit.blows if hit is not None else ()) if item.owner == path.owner]
 
 
 def blow(path: Path, interval: str, scene: SceneEquations) -> Vector | None:
@@ -65,9 +73,9 @@ def blows_on_last(path: Path, interval: str, scene: SceneEquations) -> list[tupl
     encounter = scene.encounters.get(interval)
     if encounter is None or path.component is not None:
         return []
-    chosen = meeting_of_last(path.owner, interval, scene)
-    blows = chosen.blows if chosen is not None else ()
-    return [part for item in blows if item.owner == path.owner for part in item.vector.parts]
+    return [
+        part for item in own_blows(path, meeting_of_last(path.owner, interval, scene)) for part in item.vector.parts
+    ]
 
 
 def meeting_of_last(owner: str, interval: str, scene: SceneEquations) -> Meeting | None:

@@ -27,6 +27,10 @@ class Rubbing(Connection, frozen=True):
     def rubs(self) -> bool:
         return True
 
+    def jolts(self) -> bool:
+        """Friction of a size that is known gives no impulse: they slip."""
+        return not self.rubs()
+
     def slider(self) -> PointRef:
         return self.touches()[1]
 

@@ -133,11 +133,13 @@ class Hinge(Driven, frozen=True):
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         yield from self.couples(instant)
-        yield from reaction(self.name, REACTION, self.hinge[-1], instant)
+        carrier, body = self.hinge[0], self.hinge[-1]
+        yield from reaction(self.name, REACTION, body, instant)
         if not self.fixed_points():
-            carrier, body = self.hinge
             yield from reaction(self.name, REACTION, carrier, instant, opposite=body)
             yield from joint(self.name, carrier, body, instant)
+        elif instant.motion(body.owner).kind != "axis" or instant.point(body).parts:  # it turns about another point
+            yield from joint(self.name, PointRef("ground"), body, instant)
 
 
 class Axle(Driven, frozen=True):
@@ -305,7 +307,9 @@ def reaction(
 def joint(owner: str, carrier: PointRef, body: PointRef, instant: Moment) -> Iterator[Rule]:
     """The joined points of two bodies move together, right and up."""
     for word, direction in (("right", RIGHT), ("up", UP)):
-        label, bodies = f"the joint moves as one point ({word})", (carrier.owner, body.owner)
+        bodies = tuple(ref.owner for ref in (carrier, body) if ref.owner in instant.configuration.bodies)
+        moves = "moves as one point" if len(bodies) > 1 else "stays where it is"
+        label = f"the joint {moves} ({word})"
         velocity = (instant.velocity(body).along(direction), instant.velocity(carrier).along(direction))
         acceleration = (instant.acceleration(body).along(direction), instant.acceleration(carrier).along(direction))
         yield Rule(owner, label, bodies, velocity, acceleration, linear=False)

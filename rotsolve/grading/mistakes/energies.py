@@ -166,23 +166,23 @@ def kinetic_terms(meeting: Meeting, *, after: bool) -> list[Formula]:
 def momentum_through_support(scene: Scene) -> Made:
     """Σ m v₁ = Σ m v₂ though a support pushes as well."""
     for encounter in scene.equations.encounters.values():
-        if encounter.pivot:
+        if encounter.about:
             words = f"momentum was taken as conserved in the {spoken(encounter.name)}, though the support pushes too"
             yield words, Change(altered=Alteration(event=in_event(encounter.name, unsupported_momenta)))
 
 
 def unsupported_momenta(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The momenta of an event without the impulse of the support."""
-    for group in encounter.groups:
-        members = [meeting for meeting in encounter.meetings if meeting.body.name in group]
-        momenta = momentum.linear_momentum(members, blows_from_outside(encounter), section, tuple(sorted(group)))
-        yield from (momentum for momentum in momenta if ZERO not in (momentum.left, momentum.right))
+    free = [replace(item, blows=tuple(filter(encounter.gives, item.blows))) for item in encounter.meetings]
+    names = tuple(sorted(item.body.name for item in free))
+    momenta = momentum.linear_momentum(replace(encounter, meetings=tuple(free)), section, names)
+    yield from (momentum for momentum in momenta if ZERO not in (momentum.left, momentum.right))
     yield from momentum.restitution(ThroughEvent(encounter, section))
 
 
 def blows_from_outside(encounter: Encounter) -> list[Force]:
     """The blows that are no part of the meeting itself, nor of a support."""
-    return [blow for meeting in encounter.meetings for blow in meeting.blows if not blow.internal]
+    return [blow for meeting in encounter.meetings for blow in meeting.blows if encounter.gives(blow)]
 
 
 def in_event(name: str, laws: Laws) -> Laws:
