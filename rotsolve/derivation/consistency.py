@@ -21,6 +21,7 @@ from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
+DIGITS = 60  # of what has no closed form
 BITS = 256  # working precision: what is lost where large numbers nearly cancel leaves enough of it
 NOTHING = 2.0 ** (-BITS // 2)  # share of its terms below which a sum counts as 0
 ROUNDS = 8
@@ -157,6 +158,8 @@ class KnownBalls(Struct, frozen=True):
         numbers = KnownBalls({}, {**free, **search.values}, frozenset(free))
         sizes = {name: numbers.size(value) for name, value in letters.items()}
         numbers.found.update((name, size) for name, size in sizes.items() if size is not None)
+        together = [(name, found.number) for name, found in solver.solved.items() if found.number is not None]
+        numbers.found.update((name, number.refine(DIGITS)) for name, number in together)
         return numbers
 
     def open_letters(self, equation: Equation) -> list[str]:

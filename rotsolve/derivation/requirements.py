@@ -42,7 +42,8 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
             if key in told or not concerns(need, search):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))
-            sign = search.signs.taken(gap) if gap is not None else None
+            number = search.apart().certified(need.left - need.right) if gap is None else None
+            sign = search.signs.taken(gap) if gap is not None else number.sign if number is not None else None
             if sign is None:
                 continue
             told.add(key)
@@ -87,8 +88,8 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
     configuration = search.scene.configuration
     for name, encounter in search.scene.encounters.items():
         for need in encounter.requirements:
-            gap = margin_of(need, search, families_for(None))[1] if concerns(need, search) else None
-            if gap is not None and search.signs.by_numbers(gap) == -1:
+            margin = search.apart().certified(need.left - need.right) if concerns(need, search) else None
+            if margin is not None and margin.sign == -1:
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
                 help = f"leave out `{need.owner}` where it does not hold through `{name}`"

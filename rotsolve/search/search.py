@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct, field
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
@@ -313,6 +314,7 @@ class Search(Struct, dict=True):
         for equation, ref in self.solver.derived:
             self.refs[self.planner.extend(equation)] = ref
         self.solver.derived.clear()
+        self.known |= {name for name, found in self.solver.solved.items() if found.number is not None}
 
     def number(self, value: Formula) -> float | None:
         """A rough value; None where it is not real or a given has no number."""
@@ -329,8 +331,18 @@ class Search(Struct, dict=True):
         """A search by all laws that knows the answers of this one and leaves no trace in it."""
         other = self.another(families_for(None))
         other.solver.solved.update(self.solver.solved)
-        other.known |= {name for name, found in self.solver.solved.items() if found.formula is not None}
+        other.known |= self.solver.solved.keys()
         return other
+
+    def certified(self, value: Formula) -> Certified | None:
+        """The number of a formula with every letter of the laws worked out, without a derivation; None where one is not settled."""
+        try:
+            found = {name: self.answer(asked_letter(name)).found for name in sorted(value.symbols()) if is_key(name)}
+            closed = {name: one.formula for name, one in found.items() if one.formula is not None}
+            numbers = {name: one.number for name, one in self.solver.solved.items() if one.number is not None}
+            return evaluate(value.substitute(closed), self.values, roots=numbers)
+        except (NoAnswer, Undefined):
+            return None
 
     def settled(self, value: Formula) -> Formula | None:
         """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""

@@ -18,7 +18,7 @@ from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
 from rotsolve.core.symbols import ACCELERATIONS, key_of
 from rotsolve.plan import Plan
-from rotsolve.solver.isolation import Isolation
+from rotsolve.solver.isolation import LONGEST, TOO_LONG, Isolation
 from rotsolve.solver.steps import (
     Contradiction,
     Found,
@@ -27,6 +27,7 @@ from rotsolve.solver.steps import (
     Redundant,
     Ref,
     Step,
+    TooLong,
     elimination_kind,
     inner,
     isolated,
@@ -43,6 +44,7 @@ FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
 NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
 SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
+MOST_IN_LETTERS = 30  # equations: of more than that no page can hold what is put in letters
 ENTANGLED = "no unknown can be told from the others"
 
 # equation, unknown, its value, and why it is this root; None where the elimination needs no line of its own
@@ -57,13 +59,14 @@ class Solver(Isolation, kw_only=True):
     running: frozenset[str] = frozenset(("time",))  # letters that run during a phase
     steps: list[Step] = field(default_factory=list)
     derived: list[tuple[Equation, Ref]] = field(default_factory=list)
+    long: set[tuple[int, ...]] = field(default_factory=set)  # plans whose closed forms no page can hold
     told: dict[str, Formula] = field(default_factory=dict)  # what was eliminated on the way to the answers
 
     def solve(self, plan: Plan) -> Found:
         """Carry a plan out; the steps are kept only when it succeeds."""
         kept, derived, told = len(self.steps), len(self.derived), dict(self.told)
         try:
-            found = self._solve(plan)
+            found = self._in_letters_or_together(plan)
         except (Redundant, Contradiction, NoClosedForm, Undefined, ZeroDivisionError) as error:
             del self.steps[kept:], self.derived[derived:]
             self.told = told
@@ -72,6 +75,39 @@ class Solver(Isolation, kw_only=True):
             raise
         self.solved[plan.asked] = found
         return found
+
+    def _in_letters_or_together(self, plan: Plan) -> Found:
+        """In letters as far as a page can hold them; else all equations at once, with numbers."""
+        kept, told = len(self.steps), dict(self.told)
+        try:
+            if plan.equations not in self.long and len(plan.equations) <= MOST_IN_LETTERS:
+                return self._solve(plan)
+        except TooLong:
+            self.long.add(plan.equations)
+        del self.steps[kept:]
+        self.told = told
+        return self._by_numbers(plan)
+
+    def _by_numbers(self, plan: Plan) -> Found:
+        """All unknowns of a plan with the numbers of the scene, each to be asked for afterwards."""
+        from rotsolve.solver.together import Together, lacking, staged
+
+        stages = staged({index: self.pool[index] for index in plan.equations}, plan.unknowns)
+        closed = {name: found.formula for name, found in self.solved.items() if found.formula is not None}
+        known = {name: found.number for name, found in self.solved.items() if found.number is not None}
+        missing = lacking(stages, (*closed, *known, *self.signs.values))
+        if missing:
+            raise NoClosedForm(f"{TOO_LONG}: give a number to {', '.join(f'`{name}`' for name in missing[:3])}")
+        numbers = Together(stages, {**self.signs.values, **closed}, known).numbers()
+        found = {name: Found(name, None, number) for name, number in numbers.items()}
+        refs = [self.refs.get(index, ("law", index)) for index in plan.equations]
+        last = self.pool[plan.equations[-1]]
+        item = Item(refs[-1], plan.equations[-1], last.left, last.right, last.section, list(refs[:-1]))
+        self._keep(
+            item, [Equality(item.left, item.right)], plan.asked, (f"{TOO_LONG}: solved together with the numbers",)
+        )
+        self.solved.update(found)
+        return found[plan.asked]
 
     def with_found(self, value: Formula) -> Formula:
         """Answers put in, and what was eliminated on the way to them."""
@@ -221,9 +257,10 @@ class Solver(Isolation, kw_only=True):
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         """Put values into an equation, and remember where they come from."""
-        item.left, item.right = (
-            self.tidied(quarters_turned(side.substitute(values))) for side in (item.left, item.right)
-        )
+        sides = [side.substitute(values) for side in (item.left, item.right)]
+        if sum(map(length, sides)) > LONGEST:
+            raise TooLong(TOO_LONG)
+        item.left, item.right = (self.tidied(quarters_turned(side)) for side in sides)
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:

@@ -8,7 +8,8 @@ from fractions import Fraction
 from rotsolve.algebra.calculus.derivative import period_of
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.exact.linear import solve_linear
-from rotsolve.algebra.exact.normal import coefficients, degree, is_zero
+from rotsolve.algebra.exact.normal import coefficients, degree, is_zero, monomials
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_unwrapped
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, total
 from rotsolve.core.derivation import Equality, Words
@@ -19,6 +20,7 @@ from rotsolve.solver.steps import (
     NoClosedForm,
     PickedRoot,
     Redundant,
+    TooLong,
     holds_square,
     inner,
     isolated,
@@ -26,6 +28,9 @@ from rotsolve.solver.steps import (
 from rotsolve.solver.textbook import Textbook
 
 INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp"}
+LONGEST = 400  # nodes of an equation beyond which nothing is solved in letters
+MOST_TERMS = 60  # terms of a closed form beyond which it is left out
+TOO_LONG = "too long to print in letters"
 REACHES = (10, 1000, 10**6)  # how far from zero roots are looked for, one after the other
 
 
@@ -44,12 +49,18 @@ class Isolation(Textbook, kw_only=True):
         gap = item.left - item.right
         if name not in inner(item):
             gap = self.carried_out(item.left) - self.carried_out(item.right)
+        self.check_length(gap, name)
         value = solve_linear(gap, name, order=self.order, positive=self.positive)
         if value is not None and self.hollow(gap, name):
             raise Redundant(item.index)
         if value is None and alone:
             return self.one_root(name, solve_polynomial(gap, name, order=self.order, positive=self.positive), gap)
         return None if value is None else (value, ())
+
+    def check_length(self, gap: Formula, name: str) -> None:
+        """Refuses what no page can hold once it is solved for a letter, before it is written."""
+        if length(gap) > LONGEST or monomials(gap, name, order=self.order, positive=self.positive) > MOST_TERMS:
+            raise TooLong(TOO_LONG)
 
     def value_within(self, item: Item, name: str) -> tuple[Formula, Words] | None:
         """The value of an unknown that stands within a function: sin n t = 0, log(u) = 3."""
@@ -67,6 +78,7 @@ class Isolation(Textbook, kw_only=True):
         written = isolated(item, asked)
         if written is not None:
             return [self.shortest(self.carried_out(written))], []
+        self.check_length(gap, asked)
         power = degree(gap, asked, order=self.order, positive=self.positive)
         if power == 0:
             raise (

@@ -72,6 +72,10 @@ class NoClosedForm(ValueError):
     """No unknown can be isolated."""
 
 
+class TooLong(ValueError):
+    """A closed form would be longer than what a page can hold."""
+
+
 class Step(Struct, frozen=True):
     """One line of algebra: what is put into what, the chain of equalities, the unknown that it isolates."""
 

@@ -153,6 +153,12 @@ def degree(f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Col
     return None if parts is None else len(parts) - 1
 
 
+def monomials(f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> int:
+    """How many terms the numerator of f has, multiplied out: how long what is solved for the unknown gets is told before it is written."""
+    parts = expanded(f, unknown, *concerning(f, order, positive, unknown))[1]
+    return sum(map(len, parts or ()))
+
+
 @lru_cache(LATELY)
 def expanded(
     f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]

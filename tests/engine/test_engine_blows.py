@@ -1,0 +1,127 @@
+"""Blows on bodies that are connected, against M Δv = Jᵀ Λ of all bodies at once, written here from places alone."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from rotsolve import solve
+
+Array = NDArray[np.float64]
+
+
+class Bodies:
+    """Bodies by name with mass, moment about and place of the centre of mass; constraints as rows of J, with the names of their impulses."""
+
+    def __init__(self) -> None:
+        self.names: list[str] = []
+        self.masses: list[float] = []
+        self.inertias: list[float] = []
+        self.places: list[Array] = []
+        self.rows: list[tuple[str, list[tuple[str, Array, Array]]]] = []
+
+    def add(self, name: str, mass: float, inertia: float, place: Sequence[float]) -> None:
+        self.names.append(name)
+        self.masses.append(mass)
+        self.inertias.append(inertia)
+        self.places.append(np.array(place, dtype=float))
+
+    def row(self, parts: Sequence[tuple[str, Array, Array]]) -> Array:
+        """How fast points move along directions, added up, in terms of (x, y, θ) of all bodies."""
+        result = np.zeros(3 * len(self.names))
+        for name, point, way in parts:
+            k = self.names.index(name)
+            arm = point - self.places[k]
+            result[3 * k : 3 * k + 3] += way[0], way[1], arm[0] * way[1] - arm[1] * way[0]
+        return result
+
+    def pin(self, joint: str, point: Array, last: str, first: str = "") -> None:
+        """Two points, or one and the ground, move together; its impulse is that on the last body."""
+        for axis, way in (("x", np.array([1.0, 0.0])), ("y", np.array([0.0, 1.0]))):
+            other = [(first, point, -way)] if first else []
+            self.rows.append((f"{joint}.{axis}", [(last, point, way), *other]))
+
+    def struck(self, before: Array, pushes: Sequence[tuple[str, Array, Array]]) -> tuple[Array, dict[str, float]]:
+        """Speeds after, and the impulses of the constraints: M v − Jᵀ Λ = M v₀ + P, J v = 0."""
+        mass = np.diag([x for m, i in zip(self.masses, self.inertias, strict=True) for x in (m, m, i)])
+        jacobian = np.array([self.row(parts) for _, parts in self.rows]).reshape(-1, len(mass))
+        count = len(jacobian)
+        matrix = np.block([[mass, -jacobian.T], [jacobian, np.zeros((count, count))]])
+        given = mass @ before + sum((self.row([push]) for push in pushes), np.zeros(len(mass)))
+        found = np.linalg.solve(matrix, np.concatenate([given, np.zeros(count)]))
+        names = [name for name, _ in self.rows]
+        return found[: len(mass)], dict(zip(names, found[len(mass) :], strict=True))
+
+
+def direction(angle: float) -> Array:
+    return np.array([np.cos(angle), np.sin(angle)])
+
+
+def chain(seed: int, count: int, held: str) -> tuple[str, dict[str, float]]:
+    """A random chain of rods, free on ice, hanging from a hinge or from a cart, struck anywhere in any direction: the scene, and its truth."""
+    dice = random.Random(seed)
+    bodies, truth = Bodies(), dict[str, float]()
+    lines, joints, at_rest, asked = [], [], [], []
+    end = np.zeros(2)
+    if held == "cart":
+        bodies.add("cart", 3.0, 1.0, (0, 0))
+        bodies.rows += [("base.y", [("cart", end, direction(np.pi / 2))]), ("cart.turn", [("cart", np.array([1.0, 0.0]), direction(np.pi / 2))])]
+        lines.append("  cart: {mass: 3 kg, moves: right}")
+        joints += ["  base: {contact: [cart, floor]}", "  pin0: {hinge: [cart, r0.start]}"]
+    elif held == "hinge":
+        joints.append("  pin0: {hinge: r0.start}")
+    spots = []
+    for k in range(count):
+        mass, length, angle = dice.randint(1, 5), dice.randint(3, 9) / 10, dice.randrange(0, 360, 5)
+        way = direction(np.radians(angle))
+        lump = dice.random() < 0.3
+        extra, place = (dice.randint(1, 3), dice.randint(1, 9) * length / 10) if lump else (0, 0.0)
+        centre = (mass * length / 2 + extra * place) / (mass + extra)
+        inertia = mass * length**2 / 12 + mass * (centre - length / 2) ** 2 + extra * (centre - place) ** 2
+        bodies.add(f"r{k}", mass + extra, inertia, end + centre * way)
+        lines.append(f"  r{k}: {{shape: rod, mass: {mass} kg, length: {length} m}}")
+        if lump:
+            lines.append(f"  lump{k}: {{mass: {extra} kg}}")
+            joints.append(f"  fast{k}: {{weld: [r{k}.at({place} m), lump{k}]}}")
+        if k:
+            joints.append(f"  pin{k}: {{hinge: [r{k - 1}.end, r{k}.start]}}")
+            bodies.pin(f"pin{k}", end, f"r{k}", f"r{k - 1}")
+        elif held != "free":
+            bodies.pin("pin0", end, "r0", "cart" if held == "cart" else "")
+        at_rest.append(f"r{k}.angle: {angle} deg")
+        spots.append((end, way, length))
+        end = end + length * way
+    hit, aim = dice.randrange(count), dice.randrange(0, 360, 7)
+    start, way, length = spots[hit]
+    where = dice.randint(0, 10) * length / 10
+    after, impulses = bodies.struck(np.zeros(3 * len(bodies.names)), [(f"r{hit}", start + where * way, 4 * direction(np.radians(aim)))])
+    if held == "cart":
+        truth["v"] = after[0]
+        asked.append("  v: cart.velocity at after")
+    for k in range(count):
+        truth[f"w{k}"] = after[3 * bodies.names.index(f"r{k}") + 2]
+        asked.append(f"  w{k}: r{k}.angular_velocity at after")
+    for name, value in impulses.items():
+        if name.startswith("pin"):
+            joint, axis = name.split(".")
+            truth[f"J_{joint}_{axis}"] = value
+            asked.append(f"  J_{joint}_{axis}: {joint}.impulse.{axis} during blow")
+    newline = "\n"
+    return f"""title: Rods struck
+{"" if held == "cart" else "plane: horizontal"}
+surfaces: {{floor: level}}
+bodies:
+{newline.join(lines)}
+connections:
+{newline.join(joints) or "  {}"}
+states:
+  before: {{at rest: all, {", ".join(at_rest)}}}
+  after: {{}}
+events: {{blow: {{impulse: 4 N s, on: r{hit}.at({where} m), direction: {aim} deg, from: before, to: after}}}}
+find:
+{newline.join(asked)}
+""", truth
