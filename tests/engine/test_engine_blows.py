@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rotsolve import solve
+from rotsolve import Unsolvable, solve
 
 Array = NDArray[np.float64]
 
 
 class Bodies:
-    """Bodies by name with mass, moment about and place of the centre of mass; constraints as rows of J, with the names of their impulses."""
+    """Bodies by name with mass, moment about and place of the centre of mass; rows of J with the names of their impulses."""
 
     def __init__(self) -> None:
         self.names: list[str] = []
@@ -62,14 +62,17 @@ def direction(angle: float) -> Array:
 
 
 def chain(seed: int, count: int, held: str) -> tuple[str, dict[str, float]]:
-    """A random chain of rods, free on ice, hanging from a hinge or from a cart, struck anywhere in any direction: the scene, and its truth."""
+    """A random chain of rods, free on ice, hanging from a hinge or a cart, struck anywhere in any direction: scene and truth."""
     dice = random.Random(seed)
     bodies, truth = Bodies(), dict[str, float]()
     lines, joints, at_rest, asked = [], [], [], []
     end = np.zeros(2)
     if held == "cart":
         bodies.add("cart", 3.0, 1.0, (0, 0))
-        bodies.rows += [("base.y", [("cart", end, direction(np.pi / 2))]), ("cart.turn", [("cart", np.array([1.0, 0.0]), direction(np.pi / 2))])]
+        bodies.rows += [
+            ("base.y", [("cart", end, direction(np.pi / 2))]),
+            ("cart.turn", [("cart", direction(0), direction(np.pi / 2))]),
+        ]
         lines.append("  cart: {mass: 3 kg, moves: right}")
         joints += ["  base: {contact: [cart, floor]}", "  pin0: {hinge: [cart, r0.start]}"]
     elif held == "hinge":
@@ -98,8 +101,10 @@ def chain(seed: int, count: int, held: str) -> tuple[str, dict[str, float]]:
     hit, aim = dice.randrange(count), dice.randrange(0, 360, 7)
     start, way, length = spots[hit]
     where = dice.randint(0, 10) * length / 10
-    after, impulses = bodies.struck(np.zeros(3 * len(bodies.names)), [(f"r{hit}", start + where * way, 4 * direction(np.radians(aim)))])
+    push = (f"r{hit}", start + where * way, 4 * direction(np.radians(aim)))
+    after, impulses = bodies.struck(np.zeros(3 * len(bodies.names)), [push])
     if held == "cart":
+        truth["N"] = impulses["base.y"] + impulses["cart.turn"]
         truth["v"] = after[0]
         asked.append("  v: cart.velocity at after")
     for k in range(count):
@@ -111,7 +116,8 @@ def chain(seed: int, count: int, held: str) -> tuple[str, dict[str, float]]:
             truth[f"J_{joint}_{axis}"] = value
             asked.append(f"  J_{joint}_{axis}: {joint}.impulse.{axis} during blow")
     newline = "\n"
-    return f"""title: Rods struck
+    return (
+        f"""title: Rods struck
 {"" if held == "cart" else "plane: horizontal"}
 surfaces: {{floor: level}}
 bodies:
@@ -124,4 +130,20 @@ states:
 events: {{blow: {{impulse: 4 N s, on: r{hit}.at({where} m), direction: {aim} deg, from: before, to: after}}}}
 find:
 {newline.join(asked)}
-""", truth
+""",
+        truth,
+    )
+
+
+@pytest.mark.parametrize("held", ["free", "hinge", "cart"])
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 10])
+@pytest.mark.parametrize("seed", range(4))
+def test_rods_struck_anywhere_in_any_direction(seed: int, count: int, held: str) -> None:
+    """All angular velocities, and both components of every joint's impulse; a cart that would have to be pulled down leaves the floor."""
+    scene, truth = chain(100 * count + seed, count, held)
+    if truth.pop("N", 1) < 0:
+        with pytest.raises(Unsolvable, match="in `blow` cart leaves the surface"):
+            solve(scene)
+        return
+    answers = solve(scene).answers
+    assert {name: answers[name].float for name in truth} == pytest.approx(truth, rel=1e-9, abs=1e-9)

@@ -16,6 +16,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
 REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before
 WRITTEN = "written"  # under this name a formula in textbook form keeps the order of letters and the signs that it is written for
+LONGER, FEW_TERMS = 3, 30  # a way of writing with so many times the terms, and so many more, is none of the shortest
 LATELY = 64  # formulas of which the polynomials are kept: an equation is asked for its degree, then for its roots
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
 
@@ -58,9 +59,10 @@ class Fractions:
         ring = self.field
         best: Formula | None = None
         seen: list[Ratio] = []
+        most = LONGER * sum(map(len, ratio)) + FEW_TERMS
         for candidate in self._variants(ratio):
             reduced = ring.cancel(candidate)
-            if reduced not in seen:
+            if reduced not in seen and (best is None or sum(map(len, reduced)) <= most):
                 seen.append(reduced)
                 shown = self.shaper.ratio(reduced)
                 if best is None or length(shown) < length(best):
