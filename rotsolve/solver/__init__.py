@@ -27,7 +27,7 @@ from rotsolve.solver.steps import (
     Redundant,
     Ref,
     Step,
-    TooLong,
+    Unprintable,
     elimination_kind,
     inner,
     isolated,
@@ -82,7 +82,7 @@ class Solver(Isolation, kw_only=True):
         try:
             if plan.equations not in self.long and len(plan.equations) <= MOST_IN_LETTERS:
                 return self._solve(plan)
-        except TooLong:
+        except Unprintable:
             self.long.add(plan.equations)
         del self.steps[kept:]
         self.told = told
@@ -259,7 +259,7 @@ class Solver(Isolation, kw_only=True):
         """Put values into an equation, and remember where they come from."""
         sides = [side.substitute(values) for side in (item.left, item.right)]
         if sum(map(length, sides)) > LONGEST:
-            raise TooLong(TOO_LONG)
+            raise Unprintable(TOO_LONG)
         item.left, item.right = (self.tidied(quarters_turned(side)) for side in sides)
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 

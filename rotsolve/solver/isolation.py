@@ -20,7 +20,7 @@ from rotsolve.solver.steps import (
     NoClosedForm,
     PickedRoot,
     Redundant,
-    TooLong,
+    Unprintable,
     holds_square,
     inner,
     isolated,
@@ -60,7 +60,7 @@ class Isolation(Textbook, kw_only=True):
     def check_length(self, gap: Formula, name: str) -> None:
         """Refuses what no page can hold once it is solved for a letter, before it is written."""
         if length(gap) > LONGEST or monomials(gap, name, order=self.order, positive=self.positive) > MOST_TERMS:
-            raise TooLong(TOO_LONG)
+            raise Unprintable(TOO_LONG)
 
     def value_within(self, item: Item, name: str) -> tuple[Formula, Words] | None:
         """The value of an unknown that stands within a function: sin n t = 0, log(u) = 3."""

@@ -72,7 +72,7 @@ class NoClosedForm(ValueError):
     """No unknown can be isolated."""
 
 
-class TooLong(ValueError):
+class Unprintable(ValueError):
     """A closed form would be longer than what a page can hold."""
 
 
