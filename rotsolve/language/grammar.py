@@ -120,6 +120,12 @@ DEDUCT: dict[str, Key] = {
 }
 
 CLAUSES = ("on", "about", "along", "by", "across", "relative", "at", "during", "from", "to", "where", "in")
+SPREAD = ("inertia", "gyration", "inertia_tensor")
+SAID_OF = {  # the quantities of which a clause says something
+    "about": (*SPREAD, "cm", "angular_momentum", "torque"),
+    "along": ("inertia", "gyration"),
+    "by": (*SPREAD, "cm", "mass"),
+}
 RESERVED_WORDS = (*CLAUSES, "is", "of", "unknown", "number")
 SWINGS = {"period of": "swing_period", "frequency of": "frequency", "angular_frequency of": "angular_frequency"}
 WHICH, IS = "which of", "is"  # of several options: `{which of: {a: PHRASE, b: PHRASE}, is: largest}`

@@ -89,7 +89,6 @@ class Term(Struct, frozen=True):
     during: str | None = None
     start: str | None = None
     end: str | None = None
-    on: str | None = None
     about: PointRef | None = None
     along: Formula | str | None = None
     by: str | None = None

@@ -19,7 +19,7 @@ from rotsolve.core.quantity import POINT, QUANTITIES
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import Path, Term
+from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.motion.rigid import tidy
 
 if TYPE_CHECKING:
@@ -100,10 +100,15 @@ def label_of(path: Path, term: Term | None) -> str:
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
     of_point = path.point is not None and POINT in QUANTITIES[path.quantity].owners
     owner = spoken_point(path) if of_point else spoken(path.owner)
-    about = f" about {term.about.owner}" if term is not None and term.about is not None and not term.about.point else ""
+    about = f" about {spoken_about(term.about)}" if term is not None and term.about is not None else ""
     if named and owner:
         return f"{word} {named} on {owner}{about}"
     return f"{word} of {owner}{about}" if owner else word
+
+
+def spoken_about(ref: PointRef) -> str:
+    """A point about which something is asked, in words; a connection by its name."""
+    return spoken_point(Path(ref.owner, "", ref.point, ref.argument)) if ref.point else ref.owner
 
 
 def path_text(path: Path) -> str:

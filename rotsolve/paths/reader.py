@@ -19,7 +19,17 @@ from rotsolve.laws.energy import kinetic
 from rotsolve.laws.newton import torque_about
 from rotsolve.motion.rigid import tidy
 from rotsolve.paths.bodies import OfBodies
-from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, label_of, vector_size
+from rotsolve.paths.meaning import (
+    NATURAL,
+    AtInstant,
+    Meaning,
+    Meant,
+    NotYet,
+    about_centre,
+    label_of,
+    path_text,
+    vector_size,
+)
 from rotsolve.paths.points import OF_POINTS, OfPoints
 from rotsolve.paths.shares import place_about, share_of
 
@@ -40,6 +50,8 @@ class OfElements(AtInstant, frozen=True):
 
     def of_element(self, path: Path, term: Term | None = None) -> Meant:
         """A force, tension, torque or power of a connection or action, or how far it is stretched or turned."""
+        if path.component == "gravity":
+            raise NotYet(f"`{path_text(path)}`: weight acts on bodies", path.span, "ask for that of a body")
         bodies = self.facts().bodies
         forces = [(body, force) for body in bodies for force in body.forces if force.owner == path.owner]
         couples = [(body, couple) for body in bodies for couple in body.couples if couple.owner == path.owner]
@@ -219,6 +231,9 @@ def _plain(part: Formula) -> Formula:
     return part
 
 
+AXIAL = ("angular_velocity", "angular_acceleration", "torque")  # along z, the others in the plane
+POLAR = ("velocity", "acceleration", "displacement", "position", "force", "impulse", "momentum")
+OUT_OF_PLANE = {**dict.fromkeys(AXIAL, ("x", "y")), **dict.fromkeys(POLAR, ("z",))}
 BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
 
 
@@ -238,6 +253,7 @@ class PathReader(AtInstant, frozen=True):
             found = self.of_scene(path, term)
         else:
             found = OfElements(self.instant, self.facts).of_element(path, term)
+        found = self._in_the_plane(path, found)
         kind = QUANTITIES[path.quantity]
         if term is not None and term.by is not None and path.quantity not in BY_INTEGRATION:
             raise NotYet(
@@ -247,6 +263,20 @@ class PathReader(AtInstant, frozen=True):
         words = meaning.words if any(meaning.words) else self._words(path)
         law = KINETIC_ENERGY if path.quantity == "kinetic_energy" else meaning.law
         return replace(meaning, label=meaning.label or label_of(path, term), law=law, words=words)
+
+    def _in_the_plane(self, path: Path, found: Meant) -> Meant:
+        """What is found, where it has the component that is asked: turns go about z, counterclockwise; all else lies in x and y."""
+        if path.component not in OUT_OF_PLANE.get(path.quantity, ()):
+            if path.component != "z" or path.quantity not in AXIAL:
+                return found
+            name = path.owner if path.owner in self.instant.configuration.bodies else self._turned_by(path.owner)
+            formula = found.formula if isinstance(found, Meaning) else found
+            return signed(formula, self.instant.sense(self.instant.host(name))) if name else formula
+        raise NotYet(
+            f"`{path_text(path)}`: bodies move in the plane of x and y, and turn about z",
+            path.span,
+            "motion in space is not solved yet",
+        )
 
     def is_flat(self, name: str, term: Term) -> bool:
         """Whether all parts of a body lie at the height of the point about which is asked."""

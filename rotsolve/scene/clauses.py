@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from msgspec.structs import replace
@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.quantities import UnitError, parse_unit
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.language.grammar import CLAUSES
+from rotsolve.language.grammar import CLAUSES, SAID_OF
 from rotsolve.language.problem import ANY_TIME, Condition, PointRef, Term
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.literals import Lexeme, Want
@@ -32,6 +32,7 @@ class Clauses:
         self.outer = outer
         self.condition = condition
         self.words: dict[str, Any] = {}
+        self.places: dict[str, Text] = {}
         self.where: Condition | None = None
         self.unit: Unit | None = None
 
@@ -57,13 +58,14 @@ class Clauses:
         key = {"from": "start", "to": "end"}.get(word.text, word.text)
         if not rest:
             self.scope.fault(span, f"nothing follows `{word.text}`", "", "find")
-        elif word.text in ("across", "relative"):
+        elif word.text in ("across", "relative", "on"):
             self.scope.later(span, word.text)
         elif not self.outer and word.text in ("where", "in"):
             self.scope.fault(span, f"`{word.text}` can't stand in brackets", "put it at the end", "find")
         elif key in self.words:
             self.scope.fault(span, f"`{word.text}` stands twice", "", "find")
         else:
+            self.places[key] = self.node.cut(word.start, rest[-1].end)
             self.words[key] = getattr(self, f"read_{key}")(self.node.cut(rest[0].start, rest[-1].end))
 
     def state(self, part: Text) -> str | None:
@@ -90,9 +92,6 @@ class Clauses:
 
     def read_during(self, part: Text) -> str | None:
         return self.named(part, "phases and events", "phase", "event")
-
-    def read_on(self, part: Text) -> str | None:
-        return self.named(part, "bodies", "body")
 
     def read_about(self, part: Text) -> PointRef | None:
         return read_point(self.scope, part, "about", "about", ("body", "connection"))
@@ -122,9 +121,18 @@ class Clauses:
             self.scope.fault(part, error.message, help, "unit")
         return self.unit
 
+    def check(self, terms: Sequence[Term]) -> None:
+        """A clause says something of one of the quantities before it."""
+        for word, quantities in SAID_OF.items():
+            asked = list(dict.fromkeys(term.path.quantity for term in terms))
+            if self.words.get(word) is not None and not set(asked) & set(quantities):
+                said = " and ".join(f"`{quantity}`" for quantity in asked)
+                message = f"`{self.places[word].value}` says nothing of {said or 'what is asked'}"
+                self.scope.fault(self.places[word], message, f"`{word}` is for {', '.join(quantities)}", "idle")
+
     def applied(self, term: Term) -> Term:
         """The term with the clauses that it has not got of its own."""
-        names = ("at", "during", "start", "end", "on", "about", "along", "by")
+        names = ("at", "during", "start", "end", "about", "along", "by")
         changes = {
             name: self.words[name] for name in names if self.words.get(name) is not None and getattr(term, name) is None
         }

@@ -127,6 +127,7 @@ class PhraseReader:
             return None
         self.phrase.where = clauses.where or self.phrase.where
         self.phrase.unit = clauses.unit or self.phrase.unit
+        clauses.check(self.phrase.terms[first:])
         self.phrase.terms[first:] = map(clauses.applied, self.phrase.terms[first:])
         return self.modified(formula, modifier, first, outer, words[0])
 
