@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.ball import witnessed
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import Contradicted, Unsolvable
+from rotsolve.core.faults import Contradicted, SceneError, Unsolvable
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.consistency import KnownBalls, contradiction, turned_back
@@ -25,6 +25,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
+from rotsolve.scene.idle import idle_words, noted
 from rotsolve.scene.read import read_source
 from rotsolve.search.answering import answered, needed_for
 from rotsolve.search.answers import NoAnswer, unsolvable
@@ -98,6 +99,7 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
         solution = solved_by_cases(problem, configuration, law, digits, at)
     else:
         solution = solved(problem, configuration, law, digits, at)
+        refuse_idle([solution], problem)
 
     def case(values: Mapping[str, Formula]) -> tuple[Solution, Mapping[Formula, int]]:
         return case_of(problem, values, law, digits, at)
@@ -140,6 +142,7 @@ def solved_by_cases(
     if not solutions:
         assert cases[0].fault is not None
         raise cases[0].fault
+    refuse_idle(solutions, problem)
     if len(cases) == 1 and not cases[0].conditions and not space.assumed:
         return solutions[0]
     from rotsolve.derivation.cases import with_cases
@@ -149,6 +152,7 @@ def solved_by_cases(
 
 def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:
     """The solution of a scene by one choice of laws."""
+    configuration = Configuration(noted(configuration.problem), configuration.alteration)
     try:
         with stage("friction", whole=True):
             decision = decided(configuration)
@@ -166,6 +170,13 @@ def solved(problem: Problem, configuration: Configuration, law: str | None, digi
         if law is not None:
             check_law(search, law)
     return composed(problem, search, balls, decision, digits, at)
+
+
+def refuse_idle(solutions: Sequence[Solution], problem: Problem) -> None:
+    """Refuse what the scene says and nothing has read in any of its cases, all at once."""
+    idle = set.intersection(*(set(solution.trace.idle) for solution in solutions))
+    if idle:
+        raise SceneError(idle, problem.lines, problem.file)
 
 
 def decided(configuration: Configuration) -> Decision | None:
@@ -190,6 +201,7 @@ def composed(
         composer = DerivationComposer(search, first, evaluation_time(at))
     with stage("verify", whole=True):
         held = checks(search, composer.letters, balls)
+        idle = idle_words(search.scene)  # what is read from here on is none of the solution
     with stage("compose", whole=True):
         trials = () if decision is None else decision.trials
         derivation = with_missing_told(composer.derivation(held, before, trials), composer.problem)
@@ -203,6 +215,7 @@ def composed(
         lambda: stages_before().plan_text(search, composer.letters),
         lambda: validity_of(search),
         lambda: meanings_of(composer),
+        idle=idle,
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from rotsolve.core.derivation import Answer, Check, Derivation, Section
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
 
@@ -32,6 +32,7 @@ class Trace(Struct, frozen=True):
     meanings: Callable[[], Meanings] | None = None  # what the letters of the scene stand for
     # the solution in letters of the case that some numbers are of, and the signs that it took
     case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
+    idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
 
 
 class AnswerView(Struct, frozen=True):

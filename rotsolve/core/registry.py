@@ -43,18 +43,20 @@ class SceneQuantity(Struct, frozen=True):
 
 
 class Registry(Struct):
-    """All quantities that were spoken of, by key, and the values that states fix.
+    """All quantities by key, the values that states fix, and which of them someone has asked for.
 
     The only mutable thing of a run: elements and laws ask for letters here while they write.
     """
 
     quantities: dict[str, SceneQuantity] = field(default_factory=dict)
     known: dict[str, Formula] = field(default_factory=dict)
+    spoken_of: set[str] = field(default_factory=set)
 
     def ask(self, quantity: SceneQuantity) -> Formula:
         """The symbol of a quantity, or its value where the scene fixes it."""
         key = quantity.key
         self.quantities.setdefault(key, quantity)
+        self.spoken_of.add(key)
         return self.known.get(key, Symbol(key))
 
     def fix(self, quantity: SceneQuantity, value: Formula) -> None:

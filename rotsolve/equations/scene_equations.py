@@ -55,6 +55,7 @@ class SceneEquations(Struct, dict=True):
     modes: Mapping[str, str] = field(default_factory=dict)
     registry: Registry = field(default_factory=Registry)
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
+    told: list[tuple[str, Condition]] = field(default_factory=list)  # the quantities that lines of states fix, by key
     _instants: dict[tuple[str, bool, bool], Instant] = field(default_factory=dict)
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
     _moments: dict[object, list[Equation]] | None = None  # what is said of single states, by the modes there
@@ -62,7 +63,9 @@ class SceneEquations(Struct, dict=True):
     def __post_init__(self) -> None:
         if self._moments is None:
             self._moments = {}
-            self.stated += Statements(Fixed(self.configuration, self.registry, self.modes)).take()
+            statements = Statements(Fixed(self.configuration, self.registry, self.modes))
+            self.stated += statements.take()
+            self.told += statements.told
 
     def where(self, modes: Mapping[str, str]) -> SceneEquations:
         """The same scene with contacts in other modes: it shares all moments at which none of them acts, and what the laws say there.
@@ -73,7 +76,7 @@ class SceneEquations(Struct, dict=True):
         states = self.configuration.timeline.states
         if any(line.path is not None and line.path.owner in rubbing for state in states for line in state.conditions):
             return SceneEquations(self.configuration, modes)
-        other = SceneEquations(self.configuration, modes, self.registry, self.stated, _moments=self._moments)
+        other = SceneEquations(self.configuration, modes, self.registry, self.stated, self.told, _moments=self._moments)
         same = {state.name for state in states if self.modes_at(state.name) == other.modes_at(state.name)}
         other._instants.update((key, instant) for key, instant in self._instants.items() if key[0] in same)
         other._facts.update((key, facts) for key, facts in self._facts.items() if key[0] in same)

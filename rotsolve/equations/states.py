@@ -181,6 +181,7 @@ class Statements(Struct):
 
     fixed: Fixed
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
+    told: list[tuple[str, Condition]] = field(default_factory=list)  # the quantities that lines fix, by key
 
     @property
     def configuration(self) -> Configuration:
@@ -249,7 +250,12 @@ class Statements(Struct):
         elif value is not None and path.quantity != "time":
             if path.quantity == "turns":
                 path, value = replace(path, quantity="rotation"), simplify(2 * PI * value)
-            self._claim(self._letter(state.name, path), value, state.name, condition)
+            before = set(self.fixed.registry.spoken_of)
+            letter = self._letter(state.name, path)
+            self._claim(letter, value, state.name, condition)
+            if is_quantity(letter):  # to speak of it here is no use of it
+                self.told.append((letter.name, condition))
+                self.fixed.registry.spoken_of.difference_update({letter.name} - before)
 
     def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
         """Fix a letter that is free; what is known otherwise becomes an equation."""

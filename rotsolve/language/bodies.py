@@ -8,6 +8,7 @@ from msgspec import Struct
 
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading
 from rotsolve.language.keys import Element
+from rotsolve.language.noted import Noted
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -28,7 +29,7 @@ class PointRef(Struct, frozen=True):
     span: Span | None = None
 
 
-class Body(Struct, frozen=True):
+class Body(Noted, frozen=True):
     """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later).
 
     `moved` is a motion that is prescribed: words such as `velocity`, their component ('' for a turn), formulas of `time`.

@@ -8,6 +8,7 @@ from typing import Any, ClassVar, dataclass_transform
 from msgspec import Struct, StructMeta
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.language.noted import Noted
 
 
 class Key(Struct, frozen=True):
@@ -67,7 +68,7 @@ class Declared(StructMeta):
         return super().__new__(cls, name, bases, body, **options)
 
 
-class Element(Struct, metaclass=Declared, frozen=True):
+class Element(Noted, metaclass=Declared, frozen=True):
     """Base of all that a scene is built of: a record whose fields declare YAML keys."""
 
     declared: ClassVar[dict[str, Key]]  # by the name of the field

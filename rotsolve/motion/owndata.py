@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.language.noted import read_all
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -53,7 +54,7 @@ def wound_up(roll: Body, whole: Body, line: Condition) -> Body:
     if line.path is None or line.path.quantity != "radius" or radius is None or first is None or whole.mass is None:
         message = f"of `{whole.name}`, which unrolls, a state can only give the `radius`"
         raise Unsolvable(message, span=line.span, help="its mass is as the square of that")
-    return replace(roll, mass=simplify(whole.mass * (radius / first) ** 2))
+    return replace(read_all(roll), mass=simplify(whole.mass * (radius / first) ** 2))
 
 
 def is_own(line: Condition, bodies: Container[str]) -> bool:
@@ -71,14 +72,14 @@ def with_data(body: Body, word: str, value: Formula, line: Condition) -> Body:
         help = "give it as one body with its `inertia` at each state"
         raise Unsolvable(f"`{body.name}` has parts, whose data can't differ between states", span=line.span, help=help)
     if word == "mass" and body.mass is not None:
-        return replace(body, mass=value)
+        return replace(read_all(body), mass=value)
     if word == "inertia":
-        return replace(body, inertia=value, gyration=None, inertia_about=None)
+        return replace(read_all(body), inertia=value, gyration=None, inertia_about=None)
     if word == "gyration":
-        return replace(body, gyration=value, inertia=None, inertia_about=None)
+        return replace(read_all(body), gyration=value, inertia=None, inertia_about=None)
     if word in ("radius", "length") and getattr(shape, word, None) is not None:
-        return replace(body, shape=replace(shape, **{word: value}))
+        return replace(read_all(body), shape=replace(read_all(shape), **{word: value}))
     if word == "radius" and body.radius is not None:
-        return replace(body, radius=value)
+        return replace(read_all(body), radius=value)
     help = "say its `inertia` at each state"
     raise Unsolvable(f"`{body.name}` has no {word} that could differ between states", span=line.span, help=help)

@@ -266,8 +266,9 @@ class Standing(Struct, frozen=True, dict=True):
     def line_of(self, name: str) -> tuple[Heading, str] | None:
         """The line along which a body travels, also as part of another, in its own positive sense where it says one."""
         host = self.host(name)
-        line, moves = self.line(host), self.body(name).moves
-        if line is None or host == name or not moves:
+        line = self.line(host)
+        moves = self.body(name).moves if line is not None and host != name else None
+        if line is None or moves is None:
             return line
         question = f"which way along its line `{name}` counts as positive"
         ahead = (line[0] - WORDS[moves]).cos()

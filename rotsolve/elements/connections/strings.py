@@ -53,7 +53,9 @@ class Routing(Struct, frozen=True, dict=True):
         return tuple(Leg(*pair, way, arms) for pair, way, arms in zip(pairs, along, ends, strict=True))
 
     def direction(self, index: int) -> Vector:
-        """Unit vector of a leg from its first to its second body, by whichever end settles it."""
+        """Unit vector of a leg from its first to its second body, by whichever end settles it, first by what the scene says."""
+        if self.points[index].owner not in self.pulls and self.points[index + 1].owner in self.pulls:
+            return -unit(WORDS[self.pulls[self.points[index + 1].owner]])
         leaving = self.leaving(index, index + 1)
         if leaving is not None:
             return leaving
@@ -107,15 +109,26 @@ class Routing(Struct, frozen=True, dict=True):
             return unit(RIGHT if other > index else LEFT)
         if self.wraps(index):
             if index in (0, len(self.points) - 1):
-                return None if neighbour.owner == "ceiling" else unit(UP)
+                return None if neighbour.owner == "ceiling" else unit(DOWN if self.hangs_down(other) else UP)
             return unit(UP if ref.owner in self.under else DOWN)
         lower = other > index and neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
         return unit(DOWN if lower else UP)
 
+    def hangs_down(self, index: int) -> bool:
+        """Whether a neighbour is a block that travels up and down, which a string pulls up."""
+        line = (
+            self.instant.configuration.line(self.points[index].owner, self.instant.state)
+            if self.same_line(index)
+            else None
+        )
+        return line is not None and line[0].cos() == ZERO
+
     def same_line(self, index: int) -> bool:
         """Whether a neighbour hangs below: it travels too and the string does not go round it."""
         owner = self.points[index].owner
-        return self.instant.configuration.line(owner, self.instant.state) is not None and not self.wraps(index)
+        if owner not in self.instant.configuration.bodies or self.wraps(index):
+            return False
+        return self.instant.configuration.line(owner, self.instant.state) is not None
 
     def wraps(self, index: int) -> bool:
         """Whether the string runs on a rim there: a round body named alone, by `rim`, or by one of its radii."""
@@ -235,7 +248,13 @@ class String(Connection, frozen=True):
     repeats = True
 
     def check(self, scene: Surroundings) -> None:
-        """It leaves a wheel on a tangent of its rim."""
+        """It leaves a wheel on a tangent of its rim, and pulls what it is tied to one way."""
+        ends = (self.string[0].owner, self.string[-1].owner)
+        for name, way in self.pulls:
+            if name not in ends:
+                help = f"say it of {' or '.join(f'`{end}`' for end in ends if end)}"
+                message = f"`pulls: {{{name}: {way}}}`: `{self.name}` does not end at `{name}`"
+                raise Unsolvable(message, span=self.string[0].span, help=help)
         for ref in self.string:
             if ref.point in ("top", "bottom") and ref.owner in scene.bodies:
                 help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
