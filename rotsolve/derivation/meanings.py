@@ -10,7 +10,7 @@ from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Equality
-from rotsolve.core.symbols import TIME, is_key
+from rotsolve.core.symbols import TIME, is_key, key_of
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.letters import in_printed_letters
 from rotsolve.derivation.stages import all_names
@@ -80,6 +80,30 @@ class Meanings(Struct, frozen=True, dict=True):
         quantity = self.search.scene.registry.quantities.get(item.asked.letter)
         said = any(item.asked.words) or (quantity is not None and any((quantity.positive, quantity.negative)))
         return said or item.asked.vector is not None
+
+    def letter(self, name: str) -> str:
+        """The letter of a printed quantity without owner and state; its name where it has none."""
+        quantity = self.search.scene.registry.quantities.get(self.keys[name])
+        return name if quantity is None else quantity.letter
+
+    def at_other_states(self, name: str) -> tuple[str, ...]:
+        """The printed names of the same quantity at other states, and those of which `name` is the letter without the state."""
+        key = key_of(self.keys[name]) if name in self.keys else None
+        found = []
+        for other, text in self.keys.items():
+            one = key_of(text)
+            alike = key is not None and (one.kind, one.owner, one.component) == (key.kind, key.owner, key.component)
+            if other != name and not one.marked and (alike or (key is None and self.letter(other) == name)):
+                found.append(other)
+        return tuple(found)
+
+    def sense(self, name: str) -> str:
+        """What a letter shares its positive direction with: the travel or the turn of one owner; '' where it has no direction."""
+        quantity = self.search.scene.registry.quantities.get(self.keys.get(name, ""))
+        if quantity is None or quantity.kind == "angle" or not (quantity.positive or quantity.negative):
+            return ""
+        turns = quantity.kind == "rotation" or key_of(quantity.key).turns
+        return f"{quantity.owner} {'turn' if turns else quantity.component or 'travel'}"
 
     @cached_property
     def laws(self) -> tuple[Equality, ...]:

@@ -10,7 +10,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 
-RIGHT, WRONG, UNDECIDED = "right", "wrong", "can't decide"
+RIGHT, PARTLY, WRONG, UNDECIDED = "right", "partly right", "wrong", "can't decide"
 
 
 class Remark(Struct, frozen=True):
@@ -26,7 +26,8 @@ class Remark(Struct, frozen=True):
 
 
 class Verdict(Struct, frozen=True):
-    """Right, wrong or undecided, never one for another; how the answer was read ('' where that is plain); and what is to be said."""
+    """Right, partly right (some marks are left), wrong or undecided, never one for another; how the answer was read ('' where that is
+    plain); and what is to be said."""
 
     outcome: str
     read_as: str = ""

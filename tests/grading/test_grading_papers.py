@@ -69,5 +69,5 @@ def test_where_there_is_no_closed_form() -> None:
     assert [said_of_part(part) for part in marked.parts] == ["right 1", "right 1"]
     assert [said_of_line(line) for line in marked.lines] == ["right", "right", "right", "wrong first", "wrong"]
     late = own.mark(Paper("two", {"t": "1.239 s", "omega": "26.57 rad/s"}))
-    assert [said_of_part(part) for part in late.parts] == ["wrong 0", "wrong 3/4 followed"]
+    assert [said_of_part(part) for part in late.parts] == ["wrong 0", "partly right 3/4 followed"]
     assert said_of_part(own.mark(Paper("three", {"t": "q/b"})).parts[0]) == "wrong 0"

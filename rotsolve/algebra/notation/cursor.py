@@ -24,16 +24,14 @@ STARTS = frozenset(("number", "fraction", "name", "symbol", "constant", "functio
 class Vocabulary(Struct, frozen=True):
     """What a text may hold: its letters (None: any), dotted paths such as `rod.end.speed`, and how functions are called.
 
-    `strict` refuses `a/b c`; `euler` is the letter whose powers are those of e, '' for none; `reciprocals` are functions such as
-    cot x = 1/tan x, `inverses` those whose power of −1 may be the inverse, and `powered` those whose argument without brackets takes a
-    power: √x².
+    `strict` refuses `a/b c`; `euler` is the letter whose powers are those of e, '' for none; `inverses` are functions whose power
+    of −1 may be the inverse, and `powered` those whose argument without brackets takes a power: √x².
     """
 
     names: Collection[str] | None = None
     paths: bool = False
     strict: bool = False
     euler: str = ""
-    reciprocals: Mapping[str, str] = {}
     inverses: Mapping[str, str] = {}
     powered: Collection[str] = ()
 

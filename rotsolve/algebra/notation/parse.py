@@ -39,6 +39,7 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 from rotsolve.algebra.notation.cursor import CLOSERS, STARTS, Cursor, Vocabulary
+from rotsolve.algebra.notation.derived import DERIVED
 from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript
 from rotsolve.algebra.notation.limits import check_depth, check_power, rational
 from rotsolve.algebra.notation.text import to_text
@@ -269,8 +270,8 @@ class Parser(Cursor):
             arguments = (self.bare_argument(token),)
         else:
             raise FormulaError(f"`{name}` needs brackets: {name}(y, x)", token.start, token.end)
-        known = self.vocabulary.reciprocals.get(name)
-        result: Formula = Quotient(ONE, Call(known, arguments)) if known else Call(name, arguments)
+        derived = DERIVED.get(name)
+        result = derived(*arguments) if derived is not None else Call(name, arguments)
         if power is None:
             return result
         if self.token.kind in ("^", "raised"):
@@ -372,7 +373,8 @@ class Parser(Cursor):
         self.close_bracket()
         if len(found) != count:
             end = self.tokens[self.index - 1].end
-            message = f"`{function.text}` takes {count} argument{'s' * (count > 1)}, not {len(found)}"
+            cure = "; a decimal number takes a point" if count == 1 else ""
+            message = f"`{function.text}` takes {count} argument{'s' * (count > 1)}, not {len(found)}{cure}"
             raise FormulaError(message, function.start, end)
         return tuple(found)
 

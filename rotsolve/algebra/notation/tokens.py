@@ -11,6 +11,7 @@ from typing import ClassVar
 from msgspec import Struct
 
 from rotsolve.algebra.formula import FUNCTIONS, Number
+from rotsolve.algebra.notation.derived import DERIVED_NAMES
 from rotsolve.algebra.notation.letters import FRACTIONS, RUN, SEGMENT, spellings
 
 MAX_LENGTH = 2000
@@ -20,7 +21,8 @@ MAX_LITERAL_EXPONENT = 400
 REMEMBERED = 4096  # numbers: the same few are met over and over
 
 ALIASES = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
-FUNCTION_NAMES = {name: name for name in (*FUNCTIONS, "integral")} | ALIASES
+FUNCTION_NAMES = {name: name for name in (*FUNCTIONS, "integral")} | ALIASES | DERIVED_NAMES
+SHORTEST = 3  # letters of a function that may stand within a run: `mlg` is m l g, and so is `lg` where both are letters
 SAME_MARK = dict.fromkeys("−–", "-") | dict.fromkeys("·×⋅∙", "*") | dict.fromkeys("÷∕", "/") | {"**": "^"}
 NUMBER = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+\-−]?[0-9]+)?"
 RAISED = r"(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
@@ -160,8 +162,9 @@ def one_name(token: Token, names: Collection[str] | None, bound: Collection[str]
         raise FormulaError(f"`{raw}` can be read in two ways: write {choice}", token.start, token.end)
     if known:
         return Token("symbol", known[0], token.start, token.end)
-    if raw in FUNCTION_NAMES:
-        return Token("function", FUNCTION_NAMES[raw], token.start, token.end)
+    function = next((FUNCTION_NAMES[name] for name in candidates if name in FUNCTION_NAMES), None)
+    if function is not None and not (len(raw) < SHORTEST and names is not None and all(char in names for char in raw)):
+        return Token("function", function, token.start, token.end)
     return Token("constant", "pi", token.start, token.end) if candidates[0] == "pi" else None
 
 
@@ -181,7 +184,8 @@ def side_by_side(token: Token, names: Collection[str], bound: Collection[str]) -
                 continue
             piece = one_name(Token("name", raw[start:end], token.start + start, token.start + end), names, bound)
             # A function comes last, before its argument, or in front of a Greek letter: `mgsin`, `cosθ`.
-            if piece is not None and (piece.kind != "function" or not rest or not raw[end].isascii()):
+            called = piece is not None and piece.kind == "function"
+            if piece is not None and (not called or (end - start >= SHORTEST and (not rest or not raw[end].isascii()))):
                 parts[start] = [piece, *rest]
                 break
     return parts[0] or []

@@ -245,14 +245,15 @@ def value_at(formula: Formula, point: Point) -> Ball | None:
 def same_everywhere(left: Formula, right: Formula, domain: SampledRegion) -> bool | None:
     """Whether both formulas are equal wherever both are defined; None where neither that nor a difference could be proved.
 
-    `right` is the reference. A point at which one side is undefined is no difference, unless the left side is so at all of them.
+    `right` is the reference. A point at which one side is undefined is no difference; where the left side is so at all of them, nothing
+    is proved.
     """
     if left == right:
         return True
     reference = domain.reference(right)
     if left.holds(Integral):
         return reference.is_exactly(left)  # its values could take seconds
-    tried = undefined = met = 0
+    tried = met = 0
     for index, point in enumerate(reference.points):
         value = reference.value(index)
         if value is None or not left.symbols() <= point.keys():
@@ -261,7 +262,6 @@ def same_everywhere(left: Formula, right: Formula, domain: SampledRegion) -> boo
         try:
             other = value_at(left, point)
         except Undefined:
-            undefined += 1
             continue
         if other is None:
             continue
@@ -271,8 +271,6 @@ def same_everywhere(left: Formula, right: Formula, domain: SampledRegion) -> boo
         exact = reference.is_exactly(left) if met == 1 else None
         if exact is not None:
             return exact
-    if undefined and undefined == tried:
-        return False
     return reference.is_exactly(left) if not tried else None
 
 

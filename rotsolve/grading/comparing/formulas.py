@@ -15,7 +15,8 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
 from rotsolve.algebra.units.dimension import DimensionError, describe, dimension_of
 from rotsolve.grading.comparing.numbers import Typed, certified_number
-from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, right_but_for_sign, value_judged
+from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, right_but_for_sign, turns_round, value_judged
+from rotsolve.grading.comparing.signs import points_other_way
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, found, listed_letters
 from rotsolve.language import marks
 
@@ -110,8 +111,25 @@ def letter_for(put: Mapping[Fraction, Symbol], node: Formula) -> Formula:
     return Negative(letter) if node.value < 0 else letter
 
 
-def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -> Finding:
-    """The finding for a formula; `measured` says that units in it tell what it measures, and that this is what is asked for."""
+def formula_judged(formula: Formula, direction: str, asked: Scalar, *, measured: bool = False) -> Finding:
+    """The finding for a formula with the direction that words behind it tell; `measured` says that units in it tell what it measures, and
+    that this is what is asked for."""
+    if not (direction and asked.direction):
+        return undirected_judged(formula, asked, measured)
+    turned = points_other_way(direction, asked.direction)
+    if turned is None:
+        return found(WRONG, "direction", f"it points another way: {asked.direction}")
+    number = certified_number(formula, asked.values)
+    if number is not None and asked.value is not None and turns_round(number.float < 0, asked.value, turned):
+        formula = -formula
+    finding = undirected_judged(formula, asked, measured)
+    if turned and any(remark.kind == "sign" for remark in finding.remarks):
+        return found(WRONG, "direction", f"it points the other way: {asked.direction}")
+    return finding
+
+
+def undirected_judged(formula: Formula, asked: Scalar, measured: bool) -> Finding:
+    """The finding for a formula by itself."""
     if asked.closed is None:
         return worked_out(formula, asked)
     holds = asked.same(formula, asked.closed)
@@ -119,6 +137,8 @@ def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -
         if asked.marking.form == marks.NUMBER and asked.value is not None:
             return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
         return Finding(RIGHT)
+    if holds is None and certified_number(formula, asked.values) is None and asked.value is not None:
+        return found(UNDECIDED, "equality", "it has no value for the numbers of the scene")
     if holds is None:
         return found(UNDECIDED, "equality", "it agrees wherever it was tried, but that is no proof")
     misfit = "" if measured else of_other_dimension(formula, asked)

@@ -27,7 +27,7 @@ def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
         meant = None if reading.unit is None else measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns)
         if isinstance(meant, Remark):
             return Finding(WRONG, (meant,))
-        return formula_judged(reading.formula, asked, measured=meant is not None)
+        return formula_judged(reading.formula, reading.direction, asked, measured=meant is not None)
     return found(WRONG, "form", f"{'a formula' if asked.value is None else 'a number or a formula'} is asked for")
 
 

@@ -150,9 +150,14 @@ def right_but_for_sign(asked: Scalar) -> Finding:
 def oriented(typed: Typed, value: Certified, turned: bool) -> Typed:
     """The number that a size, or a signed number, with a direction stands for: `−8.8 m/s, left` and `8.8 m/s, left` are both −8.8 m/s
     where right is positive, and so is `−8.8 m/s, right`."""
-    minus, wanted = (typed.rational or 0) < 0, (value.sign or 1) < 0
+    return typed.times(Fraction(-1)) if turns_round((typed.rational or 0) < 0, value, turned) else typed
+
+
+def turns_round(minus: bool, value: Certified, turned: bool) -> bool:
+    """Whether what is written with a direction stands for its negative, `turned` where that direction is not the one sought."""
+    wanted = (value.sign or 1) < 0
     agrees = minus if turned else not minus or wanted
-    return typed if minus == (wanted == agrees) else typed.times(Fraction(-1))
+    return minus != (wanted == agrees)
 
 
 def form_judged(typed: Typed, value: Certified, asked: Scalar) -> Finding:

@@ -1,34 +1,35 @@
 """Following: whether an answer is right given the student's own earlier ones.
 
-Two kinds of relations between answers are tried: the laws of the scene, with the student's values for the answers in them; and what an
-answer is when a given is eliminated by an earlier one: a = 2 m g/(2 m + M) and T = m M g/(2 m + M) make T = ½ M a.
+The laws of the scene are solved for the answer, and the student's values put in: what is followed through can be printed with its numbers,
+√(2·6.3·0.8) = 3.17, and is never found by fitting.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
+from fractions import Fraction
 from functools import cached_property
 from itertools import combinations, islice, product
 from math import floor, log10
 
 from msgspec import Struct
+from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.balls import RealBalls, Undefined
 from rotsolve.algebra.exact.linear import solve_linear
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import Formula, Integral, Symbol
+from rotsolve.algebra.formula import Formula, Integral, Number, Symbol, sqrt
 from rotsolve.core.derivation import Equality
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.numbers import HALF, Typed, certified_number
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.target import SceneLetters
+from rotsolve.grading.verdict import listed_letters
 from rotsolve.language.marks import Tolerance
 
-LONGEST = 32  # nodes of a closed form in which a given is eliminated
+SHOWN = 3  # figures of the numbers with which a derivation is printed
 MOST_FORMS = 4  # ways in which a letter is told by others
-MOST_EARLIER = 4  # answers of which two together are put in
 LEAST = 2  # figures of an earlier number whose rounding is allowed for
 
 
@@ -49,35 +50,46 @@ def own_number(typed: Typed, factor: Formula) -> Own:
     return Own(typed.value * factor, None if half is None else half * factor)
 
 
+class Derivation(Struct, frozen=True):
+    """How an answer follows from the student's own earlier ones: a formula that a law gives, and these."""
+
+    form: Formula
+    own: Mapping[str, Own]
+
+
 class Following:
-    """The relations between the answers of a scene, each found when it is first needed."""
+    """The derivations between the answers of a scene, each found when it is first needed."""
 
     def __init__(self, letters: SceneLetters, same: Same) -> None:
         self.letters = letters
         self.same = same
 
-    def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> tuple[str, ...]:
-        """The earlier answers from which an answer follows; nothing where it follows from none."""
-        for relation in self.relations(name, earlier):
-            own = {other: one for other, one in earlier.items() if other in relation_letters(relation)}
-            if not own or self._holds(relation, name, given, {}, tolerance):
+    def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> Derivation | None:
+        """How an answer follows from earlier ones: by a law of the scene that tells it, with the student's values in it."""
+        for form in self.derivations(name):
+            own = {other: one for other, one in earlier.items() if other in form.symbols()}
+            if not own or self._gives(form, given, {}, tolerance):
                 continue  # it says nothing of what went wrong
-            if self._holds(relation, name, given, own, tolerance):
-                return tuple(own)
-        return ()
-
-    def relations(self, name: str, earlier: Mapping[str, Own]) -> Iterator[Equality]:
-        """All relations that tell an answer by some of these, by fewer of them first."""
-        yield from self.laws(name)
-        for count in (1, 2):
-            for others in combinations(islice(earlier, MOST_EARLIER), count):
-                yield from (Equality(form, Symbol(name)) for form in self.eliminated(name, others))
+            if self._gives(form, given, own, tolerance):
+                return Derivation(form, own)
+        return None
 
     @remembered
-    def laws(self, name: str) -> tuple[Equality, ...]:
-        """The laws that speak of an answer, in letters of answers and givens."""
+    def derivations(self, name: str) -> tuple[Formula, ...]:
+        """What the laws say that an answer is, in letters of other answers and givens."""
         letters = ((law, relation_letters(law) & self.letters.answers) for law in self.told)
-        return tuple(dict.fromkeys(law for law, names in letters if name in names and len(names) > 1))
+        laws = dict.fromkeys(law for law, names in letters if name in names and len(names) > 1)
+        forms = (form for law in laws for form in solved_for(law, name))
+        return tuple(dict.fromkeys((*forms, *self.differences(name))))
+
+    def differences(self, name: str) -> Iterator[Formula]:
+        """The sum or difference of two other answers that an answer is: ΔK = K₂ − K₁."""
+        closed = self.letters.closed
+        for one, other in combinations(closed.keys() - {name} if name in closed else (), 2):
+            first, second = Symbol(one), Symbol(other)
+            for form in (first - second, second - first, first + second):
+                if self.same(form.substitute(closed), closed[name]):
+                    yield form
 
     @cached_property
     def told(self) -> tuple[Equality, ...]:
@@ -113,89 +125,47 @@ class Following:
                 put = dict(zip(names, chosen, strict=True))
                 yield Equality(law.left.substitute(put), law.right.substitute(put))
 
-    @remembered
-    def eliminated(self, name: str, others: tuple[str, ...]) -> tuple[Formula, ...]:
-        """An answer by others and the rest of the givens, where that is half as long as its closed form: what is longer nobody uses."""
-        closed = self.letters.closed
-        whole = [closed[one] for one in (name, *others) if one in closed]
-        if len(whole) != 1 + len(others) or any(length(form) > LONGEST for form in whole):
-            return ()
-        found = []
-        for form in dict.fromkeys(self._eliminate(closed[name], [(other, closed[other]) for other in others])):
-            try:
-                short = simplify(form, positive=self.letters.positive)
-            except (ValueError, ArithmeticError):
-                continue
-            if 2 * length(short) <= length(closed[name]) and short.symbols() >= set(others):
-                found.append(short)
-        return tuple(dict.fromkeys(found))
+    # whether a derivation gives what the student wrote
 
-    def _eliminate(self, wanted: Formula, others: list[tuple[str, Formula]]) -> Iterator[Formula]:
-        """A formula with a given eliminated for each of the others, whichever it can be."""
-        if not others:
-            yield wanted
-            return
-        (other, known), *rest = others
-        if wanted.holds(Integral) or known.holds(Integral):
-            return
-        for given in sorted(wanted.symbols() & known.symbols()):
-            value = self._solved(other, known, given)
-            if value is not None:
-                put = {given: value}
-                yield from self._eliminate(wanted.substitute(put), [(one, form.substitute(put)) for one, form in rest])
-
-    def _solved(self, other: str, known: Formula, given: str) -> Formula | None:
-        """A given by an answer: of a speed by its square, since the given stands within a root."""
-        tried = (linear_root(known**power - Symbol(other) ** power, given) for power in (1, 2))
-        return next((value for value in tried if value is not None), None)
-
-    # whether a relation holds with what the student wrote
-
-    def _holds(
-        self, relation: Equality, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance
-    ) -> bool:
-        """Whether a relation is true of the student's own values, with the right ones for all else."""
+    def _gives(self, form: Formula, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> bool:
+        """Whether a derivation with the student's own values, and the right ones for all else, gives the answer."""
         if given.numeric:
-            return self._crosses(relation, name, given, earlier, tolerance)
-        own = {other: one.value for other, one in earlier.items() if not one.numeric}
-        if len(own) < len(earlier):
+            return self._gives_number(form, given, earlier, tolerance)
+        if any(one.numeric for one in earlier.values()):
             return False
-        put = {**own, name: given.value}
-        left, right = (self._with_true(side, put) for side in (relation.left, relation.right))
-        return bool(self.same(left, right))
+        own = {other: one.value for other, one in earlier.items()}
+        return bool(self.same(given.value, self._with_true(form, own)))
 
-    def _with_true(self, side: Formula, own: Mapping[str, Formula]) -> Formula:
-        """A side with the student's formulas, and the closed forms of the answers that they do not tell."""
-        return side.substitute({**{name: form for name, form in self.letters.closed.items() if name not in own}, **own})
+    def _with_true(self, form: Formula, own: Mapping[str, Formula]) -> Formula:
+        """A derivation with the student's values, and the closed forms of the answers that they do not tell."""
+        return form.substitute({**{name: true for name, true in self.letters.closed.items() if name not in own}, **own})
 
-    def _crosses(
-        self, relation: Equality, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance
-    ) -> bool:
-        """Whether left − right changes its sign within the tolerance round the number, and within the rounding of the earlier ones."""
+    def _gives_number(self, form: Formula, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> bool:
+        """Whether a derivation comes within the tolerance of the number, the earlier ones being rounded as they are written."""
         values = self.letters.values
-        numbers = {other: certified_number(one.value, values) for other, one in earlier.items()}
         number = certified_number(given.value, {})
-        if number is None or not number.float or None in numbers.values():
+        if number is None or not number.float:
             return False
-        margin = self._margin(tolerance, number.float)
-        sides = [(number.float - margin, number.float + margin)]
-        for other, one in earlier.items():
+        sides = []
+        for one in earlier.values():
+            middle = certified_number(one.value, values)
             half = certified_number(one.half, {}) if one.half is not None else None
-            middle, reach = numbers[other].float, 0.0 if half is None else half.float  # type: ignore[union-attr]
-            sides.append((middle - reach, middle + reach))
-        own = {letter: Symbol(letter) for letter in (name, *earlier)}
-        residue = self._with_true(relation.left - relation.right, own)
-        signs = set()
+            if middle is None:
+                return False
+            reach = 0.0 if half is None else half.float
+            sides.append((middle.float - reach, middle.float + reach))
+        wanted = self._with_true(form, {letter: Symbol(letter) for letter in earlier})
+        found = []
         for corner in product(*sides):
-            bound = dict(zip((name, *earlier), map(arb, corner), strict=True))
             try:
-                gap = RealBalls(values, bound=bound)(residue)
+                ball = RealBalls(values, bound=dict(zip(earlier, map(arb, corner), strict=True)))(wanted)
             except (Undefined, ZeroDivisionError):
                 return False
-            if not gap.is_finite():
-                return False  # the relation has a pole there, and says nothing
-            signs.add(0 if gap.contains(0) else 1 if gap > 0 else -1)
-        return 0 in signs or len(signs) > 1
+            if not ball.is_finite():
+                return False  # it has a pole there, and says nothing
+            found.append(float(ball.mid()))
+        margin = self._margin(tolerance, number.float)
+        return min(found) - margin <= number.float <= max(found) + margin
 
     def _margin(self, tolerance: Tolerance, number: float) -> float:
         """How far the number may be off, in SI units."""
@@ -205,6 +175,57 @@ class Following:
             amount = certified_number(tolerance.amount, {})
             return 0.0 if amount is None else amount.float
         return float(HALF) * 10.0 ** (floor(log10(abs(number))) - (tolerance.figures or 1) + 1)
+
+    # what is printed of it
+
+    def words(self, name: str, derivation: Derivation) -> tuple[str | Formula, ...]:
+        """right with your own a: v = √(2 a d) = √(2·6.3·0.8) = 3.17."""
+        form, own = derivation.form, derivation.own
+        said = ("right with your own ", *listed_letters(own), ": ", Symbol(name), " = ", form)
+        values = {letter: self.number(letter, own) for letter in form.symbols()}
+        numbers = {letter: short(value.float) for letter, value in values.items() if value is not None}
+        if len(numbers) < len(values) or not all(one.numeric for one in own.values()):
+            return said
+        put = with_numbers_in(form, numbers)
+        result = certified_number(form.substitute(numbers), {})
+        return said if result is None else (*said, " = ", put, " = ", f"{result.float:.{SHOWN}g}".replace("-", "−"))
+
+    def number(self, letter: str, own: Mapping[str, Own]) -> Certified | None:
+        """The number of a letter of a derivation: the student's own, else the right one."""
+        value = own[letter].value if letter in own else self.letters.closed.get(letter, Symbol(letter))
+        return certified_number(value, self.letters.values)
+
+
+def with_numbers_in(form: Formula, numbers: Mapping[str, Formula]) -> Formula:
+    """A formula with numbers for its letters, nothing worked out: √(2·6.3·0.8)."""
+    if isinstance(form, Symbol):
+        return numbers.get(form.name, form)
+    parts = {name: getattr(form, name) for name in form.__struct_fields__}
+    put = {
+        name: tuple(with_numbers_in(one, numbers) for one in part)
+        if isinstance(part, tuple)
+        else with_numbers_in(part, numbers)
+        for name, part in parts.items()
+        if isinstance(part, (Formula, tuple))
+    }
+    return replace(form, **put) if put else form
+
+
+def short(value: float) -> Number:
+    """A number of so many figures as a student would put in."""
+    return Number(Fraction(f"{value:.{SHOWN}g}"))
+
+
+def solved_for(relation: Equality, name: str) -> Iterator[Formula]:
+    """What a relation says that a letter is; of one that is squared, both roots."""
+    residue = relation.left - relation.right
+    root = linear_root(residue, name)
+    if root is not None:
+        yield root
+        return
+    square = linear_root(residue.substitute({name: sqrt(Symbol(name))}), name)
+    if square is not None:
+        yield from (sqrt(square), -sqrt(square))
 
 
 def linear_root(residue: Formula, letter: str) -> Formula | None:

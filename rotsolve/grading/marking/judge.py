@@ -18,10 +18,21 @@ from rotsolve.grading.comparing.scalars import lacking_unit
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
-from rotsolve.grading.marking.texts import CHAIN, JudgedText, Texts
+from rotsolve.grading.marking.texts import CHAIN, Defined, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.records import FORMULA, NUMBER
-from rotsolve.grading.verdict import WRONG, JudgedPart, Marked, Paper, Remark, Verdict, found, listed_letters
+from rotsolve.grading.verdict import (
+    PARTLY,
+    RIGHT,
+    WRONG,
+    JudgedPart,
+    Marked,
+    Paper,
+    Remark,
+    Verdict,
+    found,
+    listed_letters,
+)
 from rotsolve.language import marks
 from rotsolve.solution import Solution
 
@@ -41,10 +52,11 @@ class Judge:
     def mark(self, paper: Paper) -> Marked:
         """The paper, marked: every answer in the order in which the scene asks, then the working."""
         parts, wrong = [], dict[str, str]()
+        defined = tuple((name, form) for _, name, form in self.working.definitions(paper.working))
         round_in = self._circles(paper.answers)
         for target in self.targets.values():
             text = paper.answers.get(target.name, "")
-            one, followed = self._in_its_place(target, text, wrong)
+            one, followed = self._in_its_place(target, text, wrong, defined)
             if target.name in round_in:
                 one, followed = unsolved_judged(one, round_in[target.name]), False
             if one.finding.outcome == WRONG:
@@ -62,9 +74,13 @@ class Judge:
                 holds[name] = (reading.formula.symbols() & self.targets.keys()) - self.letters.givens
         return circles(holds) if len(holds) > 1 else {}
 
-    def _in_its_place(self, target: Target, text: str, wrong: Mapping[str, str]) -> tuple[JudgedText, bool]:
+    def _in_its_place(
+        self, target: Target, text: str, wrong: Mapping[str, str], defined: Defined
+    ) -> tuple[JudgedText, bool]:
         """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
         one = self.texts.judged(target, text)
+        if one.reading is None and defined:
+            one = self.texts.judged(target, text, defined)
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
         followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
@@ -82,10 +98,11 @@ class Judge:
         earlier = {name: value for name, value in owned.items() if value is not None}
         if given is None or not earlier:
             return None
-        used = self.following.follows(target.name, given, earlier, target.marking.tolerance)
-        if not used:
+        derivation = self.following.follows(target.name, given, earlier, target.marking.tolerance)
+        if derivation is None:
             return None
-        finding = found(WRONG, "followed", "right with your own ", *listed_letters(used), flaws=(marks.FOLLOWED,))
+        words = self.following.words(target.name, derivation)
+        finding = found(WRONG, "followed", *words, flaws=(marks.FOLLOWED,))
         assert one.reading is not None and target.whole is not None
         if one.reading.kind == NUMBER and one.reading.unit is None and not target.whole.dimension.matches(NONE):
             finding = lacking_unit(finding, target.whole.unit, target.whole)
@@ -156,7 +173,10 @@ def judged_part(target: Target, text: str, one: JudgedText, followed: bool) -> J
     earned = finding.right or bool(finding.flaws)
     left = marking.left(finding.flaws) if earned else Fraction(0)
     read = () if one.reading is None else one.reading.remarks
-    verdict = Verdict(finding.outcome, one.read_as, (*read, *finding.remarks))
+    outcome = finding.outcome
+    if earned and marking.points:  # one word for each state of the marks
+        outcome = RIGHT if left == marking.points else PARTLY if left else WRONG
+    verdict = Verdict(outcome, one.read_as, (*read, *finding.remarks))
     return JudgedPart(target.name, text, verdict, left, marking.points, followed)
 
 

@@ -7,17 +7,21 @@ import re
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.readings import scalar_judged, vector_judged
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 from rotsolve.grading.marking.target import SceneLetters, Target
 from rotsolve.grading.reading.answers import read_line, read_matrix
+from rotsolve.grading.reading.definitions import Definitions, clause
 from rotsolve.grading.reading.lines import chain_members, without_asides
 from rotsolve.grading.reading.records import NUMBER, AnswerError, LineReading, Names
+from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language.marks import FORM
 
 LONGEST_ECHO = 400  # characters of a line that is said back
+Defined = tuple[tuple[str, Formula], ...]  # letters that the student brought in, with what they stand for
 CHAIN = "chain"  # the kind of a remark on the way to an answer
 NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
 
@@ -37,26 +41,42 @@ class Texts:
         self.letters = letters
 
     @remembered
-    def judged(self, target: Target, text: str) -> JudgedText:
-        """What is found in a text."""
+    def judged(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
+        """What is found in a text; `defined` are letters that the student brought in before."""
+        text = plain_width(text)
         if NOTHING.fullmatch(text):
             return JudgedText(None, found(WRONG, "empty", "not answered"))
         if target.word:
             return JudgedText(None, word_judged(text, target))
         if is_direction(without_letter(text)):
             return JudgedText(None, direction_judged(without_letter(text), target))
+        told = clause(text, self.names(target.name))
+        if told is not None:
+            text, defined = told[0], (*defined, told[1:])
         text = without_asides(text, self.names(target.name))
         chain = chain_members(text, self.names(target.name)) if target.rows == 1 else ()
         if chain:
-            return chain_judged([self._value(target, member) for member in chain], chain)
-        return self._value(target, text)
+            return chain_judged([self._value(target, member, defined) for member in chain], chain)
+        return self._value(target, text, defined)
 
     @remembered
     def names(self, asked: str) -> Names:
         """The letters that an answer may hold."""
         return Names(self.letters.givens, self.letters.told, asked)
 
-    def _value(self, target: Target, text: str) -> JudgedText:
+    def _value(self, target: Target, text: str, defined: Defined) -> JudgedText:
+        """What is found in one value; where it can't be read by the scene's letters, with those that the student brought in."""
+        best = self._by_scene(target, text)
+        if best.reading is not None or target.rows > 1 or not defined:
+            return best
+        line, direction = cut_direction(text)
+        try:
+            readings = self._with_letters(line, target.name, dict(defined))
+        except AnswerError as error:
+            return unreadable(error)
+        return self._best(target, text, with_direction(readings, direction))
+
+    def _by_scene(self, target: Target, text: str) -> JudgedText:
         """What is found in one value: by the letters of the scene, else with units in it, else with letters of the laws."""
         line, direction = cut_direction(text)
         try:
@@ -89,6 +109,15 @@ class Texts:
             if reading.formula is not None and (formula := self.letters.spelled_out(reading.formula)) is not None
         )
 
+    def _with_letters(self, line: str, asked: str, defined: Definitions) -> tuple[LineReading, ...]:
+        """The readings of a line with letters that the student brought in."""
+        names = Names.of((*self.letters.givens, *defined), self.letters.told, asked)
+        return tuple(
+            replace(reading, written=reading.text, formula=reading.formula.substitute(defined))
+            for reading in read_line(line, names)
+            if reading.formula is not None
+        )
+
     def _best(self, target: Target, text: str, readings: tuple[LineReading, ...]) -> JudgedText:
         """By the reading that makes the line right, else by the likeliest one."""
         tried: list[tuple[LineReading, Finding]] = []
@@ -97,6 +126,8 @@ class Texts:
             if preference(tried[-1][1]) == 0:
                 break
         reading, finding = min(tried, key=lambda item: preference(item[1]))
+        if finding.outcome == WRONG and not finding.flaws and any(one.cut for one in readings):
+            finding = found(UNDECIDED, "reading", "it can be read in more ways than were tried: brackets make it plain")
         plain = reading is readings[0] and reading.kind == NUMBER  # a number with its unit, as it stands there
         echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO and not plain else ""
         return JudgedText(reading, finding, "" if echo == without_letter(text) else echo)

@@ -7,21 +7,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import cached_property
-from itertools import pairwise
+from itertools import combinations, islice, pairwise, product
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import RealBalls, Undefined
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, negate
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, Symbol, negate
+from rotsolve.algebra.notation.letters import spellings
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.definitions import definition
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
+from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.verdict import (
     RIGHT,
     UNDECIDED,
@@ -37,10 +42,23 @@ from rotsolve.language.marks import ALL, marking_of
 
 USUAL = 0.01  # the share by which the two sides of a line with decimals may differ, where the tolerance is no share
 DECIMAL = re.compile(r"\d[.,]\d")
+NAME = re.compile(r"[^\W\d_]\w*")
+MOST_STATES = 24  # ways in which the letters of a line are meant at one state or another
+MOST_SENSES = 6  # of positive directions that are tried the other way, one or two at a time
+
+
+class Context(Struct, frozen=True):
+    """What a student's letters mean beside the scene's: those brought in on the way, and the motions that are counted the other way."""
+
+    defined: tuple[tuple[str, Formula], ...] = ()
+    turned: frozenset[str] = frozenset()
+
+
+PLAIN = Context()
 
 
 class WorkingJudge:
-    """Judges lines of working; each text once."""
+    """Judges lines of working; each text once in a context."""
 
     def __init__(self, letters: SceneLetters, answers: frozenset[str], same: Same, explaining: Explaining) -> None:
         self.letters = letters
@@ -49,42 +67,125 @@ class WorkingJudge:
         self.explaining = explaining
 
     def lines(self, texts: tuple[str, ...]) -> tuple[JudgedLine, ...]:
-        """The verdict on each line; the first wrong one is marked."""
-        verdicts = [self.verdict(text) for text in texts]
+        """The verdict on each line; the first wrong one is marked. Lines that hold when some motion is counted the other way throughout
+        are right."""
+        verdicts = self.verdicts(texts, frozenset())
+        if any(verdict.outcome == WRONG for verdict in verdicts):
+            verdicts = self.by_own_senses(texts) or verdicts
         first = next((index for index, verdict in enumerate(verdicts) if verdict.outcome == WRONG), None)
         return tuple(
             JudgedLine(text, verdict, index == first)
             for index, (text, verdict) in enumerate(zip(texts, verdicts, strict=True))
         )
 
+    def by_own_senses(self, texts: tuple[str, ...]) -> list[Verdict] | None:
+        """The verdicts with the positive directions by which no line is wrong; None where there are none such."""
+        words = {word for text in texts for word in NAME.findall(text)}
+        senses = dict.fromkeys(
+            sense for word in sorted(words) for name in self.meant(word) if (sense := self.letters.meanings.sense(name))
+        )
+        for count in (1, 2):
+            for turned in islice(combinations(senses, count), MOST_SENSES):
+                verdicts = self.verdicts(texts, frozenset(turned))
+                if not any(verdict.outcome == WRONG for verdict in verdicts):
+                    said = f"with your own positive direction of {' and '.join(sense.split()[0] for sense in turned)}"
+                    remark = Remark("sign", (said,))
+                    return [
+                        replace(one, remarks=(*one.remarks, remark)) if one.outcome == RIGHT else one
+                        for one in verdicts
+                    ]
+        return None
+
+    def verdicts(self, texts: tuple[str, ...], turned: frozenset[str]) -> list[Verdict]:
+        """The verdict on each line, letters that a line brings in being known from there on."""
+        found, defined = list[Verdict](), self.definitions(texts)
+        for count, text in enumerate(texts):
+            known = tuple((name, form) for index, name, form in defined if index < count)
+            brings = next(((name, form) for index, name, form in defined if index == count), None)
+            found.append(self.verdict(text, Context((*known, brings) if brings else known, turned)))
+            if brings is not None and "=" not in text.partition("=")[2]:
+                remark = Remark("defined", (Symbol(brings[0]), " is taken as what you say"))
+                found[-1] = Verdict(UNDECIDED, "", (remark,))
+        return found
+
     @remembered
-    def verdict(self, text: str) -> Verdict:
-        finding = all_findings(self.link(*link) for link in equations_of(text))
+    def definitions(self, texts: tuple[str, ...]) -> tuple[tuple[int, str, Formula], ...]:
+        """The letters that the lines bring in: in which line, and what they stand for in letters of the scene."""
+        found: list[tuple[int, str, Formula]] = []
+        for index, text in enumerate(texts):
+            told = definition(plain_width(text), self.names(tuple(name for _, name, _ in found)))
+            if told is not None:
+                found.append((index, told[0], told[1].substitute({name: form for _, name, form in found})))
+        return tuple(found)
+
+    @remembered
+    def verdict(self, text: str, context: Context = PLAIN) -> Verdict:
+        finding = all_findings(self.link(*link, context) for link in equations_of(plain_width(text)))
         return Verdict(finding.outcome, "", finding.remarks)
 
-    @cached_property
-    def names(self) -> Names:
-        """The letters that a line may hold: those of the scene, and those that its laws print."""
-        return Names(self.letters.givens | self.letters.printed | frozenset(self.letters.bare), self.answers)
+    @remembered
+    def names(self, defined: tuple[str, ...] = ()) -> Names:
+        """The letters that a line may hold: those of the scene, those that its laws print, with or without a state, and the student's."""
+        printed = self.letters.printed
+        keys = self.letters.meanings.keys
+        bare = {self.letters.meanings.letter(name) for name in printed if name in keys}
+        return Names(self.letters.givens | printed | frozenset(self.letters.bare) | bare | set(defined), self.answers)
+
+    def meant(self, word: str) -> tuple[str, ...]:
+        """The printed letters that a typed one may stand for: itself, and the same at other states."""
+        name = next((one for one in spellings(word) if one in self.names().letters), "")
+        if not name or name in self.letters.givens:
+            return ()
+        own = (self.letters.bare.get(name, name),)
+        others = (other for other in self.letters.meanings.at_other_states(name) if other not in own)
+        return (*own, *(other for other in others if self.letters.meaning(other) != ZERO))  # at rest many a line holds
 
     # one equation
 
-    def link(self, text: str, start: int) -> Finding:
+    def link(self, text: str, start: int, context: Context) -> Finding:
         """The finding for one equation of a line, which begins at `start`, by the reading that makes it right."""
         try:
-            readings = read_line(text, self.names)
+            readings = read_line(text, self.names(tuple(name for name, _ in context.defined)))
         except AnswerError as error:
             kind = "undeclared" if error.unknown else "reading"
             remark = Remark(kind, (str(error),), start + error.start, start + error.end)
             return Finding(UNDECIDED, (remark,))
-        tried = [self.equation(reading, text) for reading in readings]
+        tried = [self.equation(reading, text, context) for reading in readings]
         return next((finding for finding in tried if finding.right), tried[0])
 
-    def equation(self, reading: LineReading, text: str) -> Finding:
-        """The finding for one reading of an equation."""
+    def equation(self, reading: LineReading, text: str, context: Context) -> Finding:
+        """The finding for one reading of an equation: by each state at which its letters can be meant, the asked one first."""
         if reading.kind != EQUATION or reading.formula is None or reading.right is None:
             return found(UNDECIDED, "form", "a line of working is an equation")
-        left, right = self.letters.meant(reading.formula), self.letters.meant(reading.right)
+        sides = tuple(side.substitute(dict(context.defined)) for side in (reading.formula, reading.right))
+        first: Finding | None = None
+        for put in self.states(sides[0].symbols() | sides[1].symbols()):
+            left, right = (self.letters.meant(side.substitute(put)) for side in sides)
+            finding = self.statement(self.turned(left, context), self.turned(right, context), text)
+            if finding.right:
+                return finding
+            first = first or finding
+        assert first is not None
+        return first
+
+    def states(self, names: frozenset[str]) -> Iterator[dict[str, Formula]]:
+        """The ways in which letters can be meant at one state or another, as they stand first."""
+        choices = {name: self.meant(name) for name in sorted(names - self.letters.givens)}
+        several = {
+            name: options for name, options in choices.items() if len(options) > 1 or options[:1] not in ((), (name,))
+        }
+        for chosen in islice(product(*several.values()), MOST_STATES):
+            yield {name: Symbol(option) for name, option in zip(several, chosen, strict=True)}
+
+    def turned(self, side: Formula, context: Context) -> Formula:
+        """A side in the scene's own positive directions."""
+        sense = self.letters.meanings.sense
+        return side.substitute(
+            {name: -Symbol(name) for name in side.symbols() if context.turned and sense(name) in context.turned}
+        )
+
+    def statement(self, left: Formula, right: Formula, text: str) -> Finding:
+        """The finding for left = right in letters of the scene."""
         if self.identical(left, right):
             return found(UNDECIDED, "trivial", "true whatever the letters stand for: it says nothing")
         open_ = [name for name in sorted(left.symbols() | right.symbols()) if not self.settled(name)]

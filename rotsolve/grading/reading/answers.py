@@ -62,7 +62,8 @@ def read_line(text: str, names: Names) -> tuple[LineReading, ...]:
     """All readings that a line allows; AnswerError where there is none."""
     try:
         line = answer_line(text, names)
-        return with_distinct_echoes(all_ways(lambda forks: AnswerParser(line, forks).line(), len(line.tokens)))
+        ways = all_ways(lambda forks: AnswerParser(line, forks).line(), len(line.tokens))
+        return with_distinct_echoes([replace(one, cut=True) for one in ways] if ways.cut else ways)
     except FormulaError as error:
         raise AnswerError.of(error, text) from None
 

@@ -11,7 +11,7 @@ import re
 
 from rotsolve.algebra.notation.cursor import Forks
 from rotsolve.algebra.notation.letters import spellings
-from rotsolve.algebra.notation.tokens import FormulaError, Token
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token
 from rotsolve.grading.reading.numbers import are_letters, could_be_number, cut_at_unit, is_kind, likely_number
 from rotsolve.grading.reading.records import Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, tokens_of
@@ -59,7 +59,7 @@ _ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
 _SET = str.maketrans("", "", "\\{}$ ")  # what only says how letters are set: \omega_{0} is omega_0
 # `a = 3 m/s², T` before another `=`
 _NEXT_ANSWER = re.compile(rf"(?:[,;\n]|\band\b|&|\\\\)\s*\$?\s*{_NAME}\s*$")
-PAIRED = frozenset(("atan2", "arctan2", "integral"))  # functions whose arguments commas part
+CALLED = tuple(FUNCTION_NAMES)  # in the brackets behind them commas part arguments
 
 
 def without_asides(text: str, names: Names) -> str:
@@ -177,11 +177,12 @@ def with_points(tokens: list[Token], forks: Forks) -> tuple[list[Token], tuple[R
     result: list[Token] = []
     remarks: list[Remark] = []
     index = 0
-    paired: list[bool] = []  # whether each open bracket holds the arguments of such a function
+    paired: list[bool] = []  # whether each open bracket holds the arguments of a function
     while index < len(tokens):
         token = tokens[index]
         if token.kind == "(":
-            paired.append(index > 0 and tokens[index - 1].text in PAIRED)
+            before = tokens[index - 1] if index else token
+            paired.append(before.kind == "name" and before.text.endswith(CALLED))
         elif token.kind == ")" and paired:
             paired.pop()
         groups = [] if any(paired) else digit_groups(tokens, index)

@@ -68,9 +68,10 @@ def quantity_readings(text: str, names: Names, dimensions: Dimensions, known: bo
     ways.append(lambda forks: _read_with_units(line.text, raised, names, dimensions, forks))
     for way in ways:
         try:
-            found += all_ways(way, 3 * len(line.tokens))
+            read = all_ways(way, 3 * len(line.tokens))
         except FormulaError:
             continue
+        found += [replace(one, cut=True) for one in read] if read.cut else read
     found += [degrees for reading in list(found) for degrees in readings_in_degrees(reading)]
     return tuple(replace(reading, direction=line.direction) for reading in found)
 

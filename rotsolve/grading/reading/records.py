@@ -68,7 +68,7 @@ class LineReading(Struct, frozen=True):
     `formula` is that of a formula or the exact number in the unit as typed; of an equation it is the left side, with numbers in SI units.
     `unit` is the unit as typed, `figures` the significant figures of a number, None where it is exact (1/2, √3) or worked out.
     `parts` are the components of a vector; where it was told by size and direction, `polar` holds these two as typed.
-    `direction` is that of a number told in words: "down", "clockwise".
+    `direction` is that of a number told in words: "down", "clockwise". `cut` says that the line can be read in more ways than were tried.
     """
 
     kind: str
@@ -78,6 +78,7 @@ class LineReading(Struct, frozen=True):
     figures: int | None = None
     parts: tuple[LineReading, ...] = ()
     right: Formula | None = None
+    cut: bool = False
     remarks: tuple[Remark, ...] = ()
     polar: tuple[LineReading, ...] = ()
     direction: str = ""

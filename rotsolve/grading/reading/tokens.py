@@ -8,17 +8,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from typing import ClassVar
-from unicodedata import normalize
+from unicodedata import decimal, normalize
 
 from rotsolve.algebra.notation.cursor import MAX_NESTING
 from rotsolve.algebra.notation.letters import FRACTIONS, GREEK_LETTERS, RUN
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, NUMBER, RAISED, SAME_MARK, FormulaError, Lexer, Token
-from rotsolve.grading.reading.vocabulary import RECIPROCAL
 
 NAMES = (  # commands that are letters or functions
     GREEK_LETTERS
     | {f"var{name}": GREEK_LETTERS[name] for name in ("epsilon", "theta", "phi", "rho", "sigma")}
-    | {name: name for name in (*FUNCTION_NAMES, *RECIPROCAL) if name not in ("sqrt", "integral")}
+    | {name: name for name in FUNCTION_NAMES if name not in ("sqrt", "integral")}
     | {"imath": "i", "jmath": "j"}
 )
 FRACTION = frozenset(("frac", "dfrac", "tfrac", "cfrac"))
@@ -69,6 +68,18 @@ _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
 
+def plain_width(text: str) -> str:
+    """The text with the digits of other scripts and full-width marks as plain ones, column by column: １２．５ is 12.5."""
+    return text if text.isascii() else "".join(map(_plain_form, text))
+
+
+def _plain_form(char: str) -> str:
+    digit = decimal(char, None)
+    if digit is not None:
+        return str(digit)
+    return normalize("NFKC", char) if "！" <= char <= "～" else char
+
+
 def unknown_command(found: str, start: int, end: int) -> FormulaError:
     """The fault that no such command is known, with the one that was probably meant."""
     from difflib import get_close_matches  # only a faulty text pays for this import
@@ -86,7 +97,7 @@ class LineLexer(Lexer):
     longest, noun = MAX_LENGTH, "answer"
 
     def __init__(self, text: str) -> None:
-        super().__init__(text)
+        super().__init__(plain_width(text))
         self.depth = 0
 
     def name(self, found: str, start: int, end: int) -> int:

@@ -12,13 +12,14 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import TypeVar
 
-from rotsolve.algebra.formula import FUNCTIONS, Formula
+from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.cursor import ELLIPTIC, Cursor, Forks, Vocabulary
 from rotsolve.algebra.notation.letters import SUBSCRIPTS
 from rotsolve.algebra.notation.limits import MAX_TREE_DEPTH, check_depth
 from rotsolve.algebra.notation.parse import Parser
 from rotsolve.algebra.notation.tokens import (
     FUNCTION_NAMES,
+    SHORTEST,
     FormulaError,
     Token,
     UnknownName,
@@ -27,12 +28,15 @@ from rotsolve.algebra.notation.tokens import (
     side_by_side,
 )
 
-RECIPROCAL = {"cot": "tan", "sec": "cos", "csc": "sin", "cosec": "sin"}  # cot x is 1/tan x
-INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}  # sin⁻¹ x may be arcsin x
+INVERSE = {name: f"a{name}" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")}  # sin⁻¹ x may be arcsin x
 TAKES_POWER = frozenset(("sqrt", "log", "exp", "asin", "acos", "atan"))  # √x² is √(x²), but sin θ² is likelier (sin θ)²
 EULER = "e"  # the base of the exponential, where no letter of the scene is called so
 _FUNCTION = "|".join(
-    sorted((name for name, kind in FUNCTION_NAMES.items() if kind in FUNCTIONS), key=len, reverse=True)
+    sorted(
+        (name for name, kind in FUNCTION_NAMES.items() if kind != "integral" and len(name) >= SHORTEST),
+        key=len,
+        reverse=True,
+    )
 )
 INDICES = frozenset(SUBSCRIPTS.values())  # of which no name begins
 REMEMBERED = 4096  # runs: students write the same few over and over
@@ -44,6 +48,12 @@ MOST_TRIES, MOST_TOKENS = 24, 1500  # of a line, and of all its tries together
 Found = TypeVar("Found")
 
 
+class Ways(list[Found]):
+    """What a text can mean; `cut` where some ways of reading it were left untried."""
+
+    cut = False
+
+
 # letters
 
 
@@ -53,7 +63,7 @@ class StudentVocabulary(Vocabulary, frozen=True):
     @classmethod
     def of(cls, names: frozenset[str]) -> StudentVocabulary:
         euler = "" if EULER in names else EULER
-        return cls(names, euler=euler, reciprocals=RECIPROCAL, inverses=INVERSE, powered=TAKES_POWER)
+        return cls(names, euler=euler, inverses=INVERSE, powered=TAKES_POWER)
 
     def meanings(self, cursor: Cursor) -> list[Token]:
         """What a run of letters means, from memory where it is known; with e where a power of it follows."""
@@ -84,8 +94,6 @@ def read_formula(text: str, tokens: list[Token], names: frozenset[str], forks: F
 @lru_cache(REMEMBERED)
 def run_meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
     """The letters and functions side by side in a run, with their columns in it; None where it holds anything else."""
-    if run in RECIPROCAL and run not in names:
-        return (Token("function", run, 0, len(run)),)
     token = Token("name", run, 0, len(run))
     try:
         whole = one_name(token, names, ())
@@ -132,14 +140,14 @@ def run_fault(token: Token, names: frozenset[str]) -> FormulaError:
 # forks
 
 
-def all_ways(read: Callable[[Forks], Found], tokens: int) -> list[Found]:
+def all_ways(read: Callable[[Forks], Found], tokens: int) -> Ways[Found]:
     """What a line says, read in all ways that make sense, with fewest unlikely branches first; the first fault where none does.
 
     A line of many tokens is tried less often.
     """
     most = min(MOST_TRIES, 1 + MOST_TOKENS // max(tokens, 1))
     waiting: deque[tuple[bool, ...]] = deque([()])
-    found: list[Found] = []
+    found: Ways[Found] = Ways()
     fault: FormulaError | None = None
     tries = 0
     while waiting and tries < most and len(found) < MOST_READINGS:
@@ -157,4 +165,5 @@ def all_ways(read: Callable[[Forks], Found], tokens: int) -> list[Found]:
             waiting.append((*forks.taken[:index], True))
     if fault is not None and not found:
         raise fault
+    found.cut = bool(waiting)
     return found

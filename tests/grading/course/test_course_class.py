@@ -100,7 +100,7 @@ def cell(name: str, chance: random.Random, mistakes: dict[str, str]) -> Cell:
     if kind < 0.85:
         text, (said, mistake) = chance.choice(list(PLANTED[name].items()))
         if mistake and mistake == mistakes.get("a"):
-            return Cell(text, "wrong", points * 3 / 4, "right with your own")
+            return Cell(text, "partly right", points * 3 / 4, "right with your own")
         if mistake and mistake in mistakes.values():  # whether it follows from α alone is a matter of taste
             return Cell("", "no answer", 0)
         mistakes[name] = mistake
@@ -197,7 +197,9 @@ def test_the_summary_counts_what_was_planted(marked: Marked) -> None:
     text = (marked.folder / "summary.html").read_text(encoding="utf-8")
     counts = Counter((name, cell.verdict) for cells in marked.planted.values() for name, cell in cells.items())
     for name in POINTS:
-        numbers = "".join(f"<td>{counts[name, word]}</td>" for word in ("right", "wrong", "can't decide", "no answer"))
+        numbers = "".join(
+            f"<td>{counts[name, word]}</td>" for word in ("right", "partly right", "wrong", "can't decide", "no answer")
+        )
         assert numbers in text
     mean = sum(cell.marks for cells in marked.planted.values() for cell in cells.values()) / ROWS
     assert f"mean {mean:.2f}".rstrip("0").rstrip(".") + "," in text

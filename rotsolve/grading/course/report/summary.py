@@ -14,7 +14,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.faults import printable
 from rotsolve.grading.course.report.student import Task, marked_data, marks_of, marks_text, printable_words
 from rotsolve.grading.course.table import Columns, Entry
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Marked
+from rotsolve.grading.verdict import PARTLY, RIGHT, UNDECIDED, WRONG, JudgedPart, Marked
 from rotsolve.page.blocks import Page, PageBlock, Paragraph, Table, Title
 from rotsolve.page.text import plain_text
 
@@ -148,10 +148,10 @@ def answers_by_failures(course: MarkedClass) -> Iterator[Table]:
     for name, found in sorted(parts.items(), key=lambda item: sum(is_right_part(part) for part in item[1])):
         counts = Counter(part.verdict.outcome if part.text else "" for part in found)
         marks = marks_of(Fraction(mean(part.marks for part in found)), found[0].of)
-        numbers = (counts[RIGHT], counts[WRONG], counts[UNDECIDED], counts[""])
+        numbers = (counts[RIGHT], counts[PARTLY], counts[WRONG], counts[UNDECIDED], counts[""])
         rows.append((course.task.letter(name), *((str(number),) for number in numbers), (marks,)))
     if rows:
-        yield Table(("answer", RIGHT, WRONG, UNDECIDED, "no answer", "mean marks"), tuple(rows))
+        yield Table(("answer", RIGHT, PARTLY, WRONG, UNDECIDED, "no answer", "mean marks"), tuple(rows))
 
 
 def is_right_part(part: JudgedPart) -> bool:
