@@ -50,7 +50,7 @@ def own_number(typed: Typed, factor: Formula) -> Own:
     return Own(typed.value * factor, None if half is None else half * factor)
 
 
-class Derivation(Struct, frozen=True):
+class FollowedBy(Struct, frozen=True):
     """How an answer follows from the student's own earlier ones: a formula that a law gives, and these."""
 
     form: Formula
@@ -64,14 +64,14 @@ class Following:
         self.letters = letters
         self.same = same
 
-    def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> Derivation | None:
+    def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> FollowedBy | None:
         """How an answer follows from earlier ones: by a law of the scene that tells it, with the student's values in it."""
         for form in self.derivations(name):
             own = {other: one for other, one in earlier.items() if other in form.symbols()}
             if not own or self._gives(form, given, {}, tolerance):
                 continue  # it says nothing of what went wrong
             if self._gives(form, given, own, tolerance):
-                return Derivation(form, own)
+                return FollowedBy(form, own)
         return None
 
     @remembered
@@ -178,7 +178,7 @@ class Following:
 
     # what is printed of it
 
-    def words(self, name: str, derivation: Derivation) -> tuple[str | Formula, ...]:
+    def words(self, name: str, derivation: FollowedBy) -> tuple[str | Formula, ...]:
         """right with your own a: v = √(2 a d) = √(2·6.3·0.8) = 3.17."""
         form, own = derivation.form, derivation.own
         said = ("right with your own ", *listed_letters(own), ": ", Symbol(name), " = ", form)
