@@ -30,10 +30,12 @@ from rotsolve.scene.read import read_source
 from rotsolve.search.answering import answered, needed_for
 from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
-from rotsolve.search.search import Search
+from rotsolve.search.search import Search, asked_letter
 from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.core.derivation import AnswerConfirmation
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
     from rotsolve.search.friction import Decision
@@ -48,23 +50,39 @@ def solve(
     settings: Mapping[str, str] | None = None,
     digits: int = DIGITS,
     at: str | None = None,
+    confirm: bool = True,
 ) -> Solution:
     """Solve a scene: a path, or YAML text (text with a line break); functions of time are evaluated `at` a time such as "2 s".
 
-    A question without an answer takes no other with it: its reason is in `refused` of the solution. Raises SceneError for a scene that
-    can't be read, Unsolvable for one in which nothing has an answer.
+    A question without an answer takes no other with it: its reason is in `refused` of the solution. With `confirm` an assembly of all
+    bodies' equations is held against the answers, and what it contradicts is refused. Raises SceneError for a scene that can't be read,
+    Unsolvable for one in which nothing has an answer.
     """
     with stage("read"):
         problem = read_source(source, settings)
-    return solve_problem(problem, law=law, digits=digits, at=at)
+    return solve_problem(problem, law=law, digits=digits, at=at, confirm=confirm)
 
 
-def solve_problem(problem: Problem, *, law: str | None = None, digits: int = DIGITS, at: str | None = None) -> Solution:
+def solve_problem(
+    problem: Problem, *, law: str | None = None, digits: int = DIGITS, at: str | None = None, confirm: bool = True
+) -> Solution:
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
     if not 1 <= digits <= MOST_DIGITS:
         raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
+    solution = solved_in_parts(problem, law, digits, at)
+    if not confirm:
+        return solution
+    from rotsolve.confirm.course.verdict import confirmed
+
+    with stage("confirm", whole=True):
+        verdicts = () if solution.trace.confirmation is None else solution.trace.confirmation()
+        return replace(solution, derivation=confirmed(replace(solution.derivation, confirmed=verdicts), problem))
+
+
+def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
+    """Solve all questions that have an answer; why the others have none is told beside them."""
     try:
         return solved_together(problem, law, digits, at)
     except Unsolvable as error:
@@ -94,7 +112,8 @@ def told_apart(problem: Problem, law: str | None, at: str | None) -> dict[str, U
 def solved_together(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
     """Solve all questions of a problem in one derivation."""
     with stage("arrange", whole=True):
-        configuration = asked_part(problem)
+        whole = configured(problem)
+        configuration = block_of(whole)
     if any(given.value is None and not given.asked for given in configuration.problem.givens):
         solution = solved_by_cases(problem, configuration, law, digits, at)
     else:
@@ -104,7 +123,12 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
     def case(values: Mapping[str, Formula]) -> tuple[Solution, Mapping[Formula, int]]:
         return case_of(problem, values, law, digits, at)
 
-    return replace(solution, trace=replace(solution.trace, case=case))
+    def confirmation() -> tuple[AnswerConfirmation, ...]:
+        from rotsolve.confirm.course.verdict import confirmations
+
+        return confirmations(solution.derivation.answers, whole.problem, solution.trace.letter)
+
+    return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
 
 
 def case_of(
@@ -179,6 +203,17 @@ def refuse_idle(solutions: Sequence[Solution], problem: Problem) -> None:
         raise SceneError(idle, problem.lines, problem.file)
 
 
+def solved_for(letter: str, search: Search) -> Formula | float | None:
+    """What the answers make of a letter of the laws, if only aside: a formula of givens, else a number."""
+    try:
+        found = (
+            search.solver.solved.get(letter) or search.beside_by(families_for(None)).answer(asked_letter(letter)).found
+        )
+    except NoAnswer:
+        return None
+    return found.formula or (None if found.number is None else found.number.float)
+
+
 def decided(configuration: Configuration) -> Decision | None:
     """How all that rubs behaves; None where nothing does, and no state says how a contact moves."""
     spoken_of = any(line.word for state in configuration.timeline.states for line in state.conditions)
@@ -216,6 +251,7 @@ def composed(
         lambda: validity_of(search),
         lambda: meanings_of(composer),
         idle=idle,
+        letter=lambda letter: solved_for(letter, search),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
@@ -261,7 +297,11 @@ def meanings_of(composer: DerivationComposer) -> Meanings:
 
 def asked_part(problem: Problem) -> Configuration:
     """The part of the problem that is asked for, made ready for the laws, once all of it has been checked."""
-    configuration = configured(problem)
+    return block_of(configured(problem))
+
+
+def block_of(configuration: Configuration) -> Configuration:
+    """The part of a scene that is asked for."""
     block = asked_block(configuration.problem)
     return configuration if block is configuration.problem else Configuration(block)
 

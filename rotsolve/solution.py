@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from rotsolve.core.derivation import Answer, Check, Derivation, Section
+from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Section
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
@@ -33,6 +33,8 @@ class Trace(Struct, frozen=True):
     # the solution in letters of the case that some numbers are of, and the signs that it took
     case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
+    letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
+    confirmation: Callable[[], tuple[AnswerConfirmation, ...]] | None = None  # what an assembly says of the answers
 
 
 class AnswerView(Struct, frozen=True):
@@ -182,6 +184,12 @@ class Solution(Struct, frozen=True, dict=True):
     def plan_text(self) -> str:
         """The equations that were chosen, and for which unknowns."""
         return self.trace.plan()
+
+    def confirmation_text(self) -> str:
+        """Each answer with its number and that of the assembly that confirms or contradicts it."""
+        from rotsolve.confirm.course.verdict import confirmation_lines
+
+        return confirmation_lines(() if self.trace.confirmation is None else self.trace.confirmation())
 
     def evaluate_many(
         self, values: Mapping[str, Any], *, certified: bool = False, as_decided: bool = False

@@ -12,7 +12,7 @@ from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
 
 LAWS = ("newton", "energy", "angular-momentum")
-STAGES = ("facts", "equations", "plan")
+STAGES = ("facts", "equations", "plan", "confirm")
 
 
 def moment_checked(text: str | None) -> str | None:
@@ -69,6 +69,10 @@ Show = Annotated[
 Timing = Annotated[
     bool, typer.Option("--profile", help="Say on standard error where the time went, and what was skipped.")
 ]
+Confirm = Annotated[
+    bool,
+    typer.Option("--confirm/--no-confirm", help="Hold an assembly of all bodies' equations against the answers."),
+]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Solve so many files at a time.")]
 TimeLimit = Annotated[
     str | None, typer.Option(metavar="TIME", help="Give up a file that takes longer, as 10s. [default: none]")
@@ -87,6 +91,7 @@ def solve_command(
     width: Width = None,
     jobs: Jobs = 1,
     time_limit: TimeLimit = None,
+    confirm: Confirm = True,
     profile: Timing = False,
 ) -> None:
     """Solve scenes, and print the derivation of each.
@@ -113,7 +118,7 @@ def solve_command(
     request = SolveRequest(tuple(files), law, *page, read_settings(settings or []), show, width or page_width(output))
     moment = moment_checked(at)
     limit = None if time_limit is None else seconds_of(time_limit, "'--time-limit'")
-    request = replace(request, at=moment, jobs=jobs, time_limit=limit, profile=profile)
+    request = replace(request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm)
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

@@ -17,6 +17,7 @@ from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, pointing
 from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Press
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import MutualDrive
+from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Shaft
 from rotsolve.language.bodies import PointRef
@@ -96,6 +97,13 @@ def mutual(item: MutualDrive, pose: Pose, model: Known) -> Pushes:
         yield item.name, {model.seats[second].turn: size, model.seats[first].turn: -size}
 
 
+def pressed(item: Rims, pose: Pose, model: Known) -> Pushes:
+    """Two wheels side by side, the second on the right of the first, press each other apart, beside their friction."""
+    first, second = (model.seats[ref.owner].first for ref in item.wheels)
+    size = model.value(item.press)
+    yield f"{item.name}|press", {first: -size, second: size}
+
+
 def applied(item: AppliedForce, pose: Pose, model: Known) -> Pushes:
     if item.on is None or item.force is None:
         return
@@ -169,6 +177,7 @@ FORCES: dict[type[ActingElement], Callable[[Any, Pose, Known], Pushes]] = {
     Drapes: rope_weight,
     Shaft: centrifugal,
     MutualDrive: mutual,
+    Rims: pressed,
     AppliedForce: applied,
     AppliedCouple: couple,
     Press: press,

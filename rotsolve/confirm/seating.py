@@ -11,6 +11,7 @@ from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import GROUND, carrier_of
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.supports import Axle, Hinge
+from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def seated(model: Known) -> list[float]:
         if found is not None:
             angle, circle = told_angle(found[0].name, model), circle_of(found, model)
             if angle is None:
-                angle = math.pi / 2 if found[1].outside else -math.pi / 2
+                angle = beside(found[1], circle, model)
             put(name, (0.0, 0.0), (circle * math.cos(angle), circle * math.sin(angle)), q, model)
             known.add(name)
         elif not any(name in (one.owner, two.owner) for one, two in joints):
@@ -87,6 +88,10 @@ def joints_of(model: Known) -> list[Joint]:
     riders = [ride for item in model.acting.connections if (ride := item.ride()) is not None]
     found += [(model.axis_of(ride.carrier), PointRef(ride.rider.owner)) for ride in riders]
     found += [(event.joined()[0], event.joined()[1]) for event in model.acting.joined()]
+    for event in model.problem.events:  # what is to meet stands where it will
+        points = event.points(model.problem.connections)
+        if event.from_ == model.acting.state.name and len(points) == 2:
+            found.append((points[0], points[1]))
     found += [(item.gear[0], item.gear[1]) for item in model.acting.connections if isinstance(item, Gear)]
     for item in model.acting.connections:
         if isinstance(item, Belt):
@@ -112,6 +117,15 @@ def turned_as_told(model: Known) -> dict[str, float]:
             elif second in turns and first not in turns:
                 turns[first] = turns[second] - apart
     return turns
+
+
+def beside(surface: Curved, circle: float, model: Known) -> float:
+    """Where a body is on a curved surface that no line tells: on the floor before a corner, on top of a dome, deep in a bowl."""
+    edge = surface.height()
+    if edge is None:
+        return math.pi / 2 if surface.outside else -math.pi / 2
+    rise = math.asin(max(-1.0, min(1.0, (circle - model.value(edge)) / circle)))
+    return rise if getattr(surface, "side", "right") == "left" else math.pi - rise
 
 
 def told_angle(owner: str, model: Known) -> float | None:

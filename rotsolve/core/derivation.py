@@ -113,10 +113,24 @@ class Answer(Struct, frozen=True):
 
 
 class Check(Struct, frozen=True):
-    """One confirmation, or one objection when `holds` is False; None where it could not be decided."""
+    """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed."""
 
     words: Words
     holds: bool | None = True
+    label: str = ""
+
+
+class AnswerConfirmation(Struct, frozen=True):
+    """What the independent assembly says of an answer: it `holds`, it does not, or None: not confirmed, and `why`.
+
+    `answered` and `found` are the numbers of the answer and of the assembly in SI units, entry by entry of a vector.
+    """
+
+    name: str
+    holds: bool | None
+    why: str = ""
+    answered: tuple[float, ...] = ()
+    found: tuple[float, ...] = ()
 
 
 class Trial(Struct, frozen=True):
@@ -142,6 +156,7 @@ class Derivation(Struct, frozen=True):
     """The whole solution of a problem; `trials` are those that decided how everything moves that rubs.
 
     `refused` are the questions that have no answer; they take no other with them.
+    `confirmed` says of each answer whether an assembly of all bodies' equations gives the same; nothing where nobody asked.
     """
 
     title: str
@@ -157,3 +172,4 @@ class Derivation(Struct, frozen=True):
     equations_used: int = 0
     trials: tuple[Trial, ...] = ()
     refused: tuple[Refusal, ...] = ()
+    confirmed: tuple[AnswerConfirmation, ...] = ()

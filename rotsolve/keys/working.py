@@ -53,7 +53,7 @@ class Worked(Struct, frozen=True):
 
     def derivation(self) -> Derivation:
         """The derivation with these values."""
-        return (self.solution or solve_problem(self.problem).complete()).derivation
+        return (self.solution or solve_problem(self.problem, confirm=False).complete()).derivation
 
 
 class Branch:
@@ -61,7 +61,7 @@ class Branch:
 
     def __init__(self, problem: Problem) -> None:
         with witnessed() as witness:
-            self.solution = solve_problem(problem).complete()
+            self.solution = solve_problem(problem, confirm=False).complete()
         valid = self.solution.trace.validity() if self.solution.trace.validity is not None else None
         self.bounds = valid.bounds if valid is not None else ()
         asked = [item for item in witness.asked if item.symbols() and item not in self.bounds]

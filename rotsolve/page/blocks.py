@@ -262,7 +262,8 @@ class Checks(PageBlock, frozen=True):
         """What is said before a check that does not hold."""
         if check.holds:
             return ()
-        return (Styled(FAULT, "not decided:" if check.holds is None else "does not hold:"), " ")
+        label = check.label or ("not decided:" if check.holds is None else "does not hold:")
+        return (Styled(FAULT, label), " ")
 
 
 class Note(Struct, frozen=True):

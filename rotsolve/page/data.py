@@ -33,6 +33,9 @@ def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
         "answers": [answer_data(answer, digits) for answer in derivation.answers],
         "refused": [refusal_data(refusal) for refusal in derivation.refused],
         "checks": [{"text": plain_text(check.words), "holds": check.holds} for check in derivation.checks],
+        "confirmed": [
+            {"name": item.name, "confirmed": item.holds, "reason": item.why} for item in derivation.confirmed
+        ],
         "equations_written": derivation.equations_written,
         "equations_used": derivation.equations_used,
     }

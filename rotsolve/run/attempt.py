@@ -34,6 +34,7 @@ class SolveRequest(Struct, frozen=True):
     jobs: int = 1
     time_limit: float | None = None  # seconds a file
     profile: bool = False
+    confirm: bool = True
     coloured: bool = False  # whether pages are lines with their roles, for a terminal
 
     @property
@@ -91,7 +92,14 @@ def attempt(file: str, request: SolveRequest, text: bytes = b"") -> FileOutcome:
         return FileOutcome(file, BAD, None, f"error: there is no scene (*.yaml) in {file}", "file")
     try:
         scene = scene_source(file, text)
-        solution = solve(scene, law=request.law, settings=request.settings, digits=request.digits, at=request.at)
+        solution = solve(
+            scene,
+            law=request.law,
+            settings=request.settings,
+            digits=request.digits,
+            at=request.at,
+            confirm=request.confirm and request.show is None,
+        )
         objects = any(check.holds is False for check in solution.derivation.checks)
         refused = "\n\n".join(reason.render() for reason in solution.refused.values())
         with stage("render", whole=True):
@@ -135,7 +143,12 @@ def failure_outcome(file: str, error: Exception) -> FileOutcome:
 def page_of(solution: Solution, request: SolveRequest) -> str | tuple[TextLine, ...]:
     """The derivation, or the earlier stage that was asked for."""
     if request.show is not None:
-        texts = {"facts": solution.facts_text, "equations": solution.equations_text, "plan": solution.plan_text}
+        texts = {
+            "facts": solution.facts_text,
+            "equations": solution.equations_text,
+            "plan": solution.plan_text,
+            "confirm": solution.confirmation_text,
+        }
         return texts[request.show]().rstrip("\n") + "\n"
     if request.coloured:
         from rotsolve.page.text import PRINTER

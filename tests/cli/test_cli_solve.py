@@ -138,10 +138,11 @@ def test_a_scene_that_uses_a_word_without_physics_is_not_solvable(
 
 
 def test_options_reach_the_engine(rotsolve: Run, engine: Any) -> None:
-    options = ("--law", "energy", "--digits", "9", "--at", "t=2s")
+    options = ("--law", "energy", "--digits", "9", "--at", "t=2s", "--no-confirm")
     rotsolve("solve", "one.yaml", *options, "--set", "m=3kg", "--set", "v = 2 m/s")
     settings = {"m": "3kg", "v": "2 m/s"}
-    assert engine.asked == [("one.yaml", {"law": "energy", "settings": settings, "digits": 9, "at": "2 s"})]
+    asked = {"law": "energy", "settings": settings, "digits": 9, "at": "2 s", "confirm": False}
+    assert engine.asked == [("one.yaml", asked)]
 
 
 @pytest.mark.parametrize("stage", ["facts", "equations", "plan"])

@@ -42,7 +42,7 @@ def test_without_arguments_the_help_is_shown(rotsolve: Run) -> None:
     [
         (["--law", "hooke"], f"Invalid value for '--law': 'hooke' is not one of {', '.join(LAWS)}"),
         (["-f", "pdf"], f"Invalid value for '--format' / '-f': 'pdf' is not one of {', '.join(FORMATS)}"),
-        (["--show", "all"], "Invalid value for '--show': 'all' is not one of facts, equations, plan"),
+        (["--show", "all"], "Invalid value for '--show': 'all' is not one of facts, equations, plan, confirm"),
         (["--digits", "0"], "Invalid value for '--digits': 0 is not in the range 1<=x<=50."),
         (["--digits", "few"], "Invalid value for '--digits': 'few' is not a valid int range."),
         (["--width", "3"], "Invalid value for '--width': 3 is not in the range 50<=x<=400."),

@@ -1,0 +1,237 @@
+"""Asked: what a line of `find` is in the course of the scene, by the assembly's own numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from operator import ge, gt, le, lt, ne
+from typing import Any
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Sum, Symbol
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.elements import OF_ELEMENTS
+from rotsolve.confirm.course.following import Course
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.reading import OF_BODIES, Reckoned, number, vector
+from rotsolve.confirm.course.spans import SPANS, Between
+from rotsolve.confirm.numbers import value_of
+from rotsolve.core.quantity import OSCILLATING, SPANNED
+from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term, WhichOf
+
+MEANS = {  # what the mean of a quantity is the mean of, over time
+    "power": ("work", ""),
+    "angular_velocity": ("rotation", ""),
+    "velocity": ("displacement", ""),
+    "speed": ("distance", ""),
+    "acceleration": ("velocity", "change of"),
+    "angular_acceleration": ("angular_velocity", "change of"),
+    "force": ("impulse", ""),
+    "torque": ("angular_impulse", ""),
+}
+CLOSE = 2e-6  # within which two quantities count as equal
+SIGNS: dict[str, Callable[[float, float], bool]] = {"<": lt, ">": gt, "≤": le, "≥": ge, "<=": le, ">=": ge, "≠": ne}
+
+Said = Mapping[str, "float | str"]
+
+
+class Asker:
+    """Reads what is asked from the course of a scene; answers found before may be spoken of by name."""
+
+    def __init__(self, problem: Problem, course: Course) -> None:
+        self.problem, self.course = problem, course
+        self.earlier: dict[str, float] = {}
+
+    def answer(self, find: Find, said: Said) -> Reckoned:
+        """The value of a question; `said` is what the program answers, which a condition or an unknown letter is tried with."""
+        if find.choice is not None:
+            return Reckoned({}, 1.0, self.chosen(find.choice))
+        if find.where is not None or (find.extreme and not find.terms):
+            raise NotConfirmed("an extreme, or a condition of its own")
+        found = self.valued(find)
+        if "" in found.values:
+            self.earlier[find.name] = found.number
+        return found
+
+    def valued(self, find: Find) -> Reckoned:
+        """A path, or arithmetic over paths, givens and earlier answers."""
+        terms = [self.term(term) for term in find.terms]
+        if len(terms) == 1 and find.formula == Symbol("#0"):
+            found = terms[0]
+        elif not terms and self.is_asked(find):
+            return self.letter(find)
+        else:
+            letters: dict[str, Any] = {**self.course.letters, **self.earlier}
+            letters |= {f"#{index}": term.number for index, term in enumerate(terms)}
+            size = max((abs(term.number) for term in terms), default=0.0) if isinstance(find.formula, Sum) else 0.0
+            sized = any(term.sized for term in terms)
+            found = number(float(value_of(find.formula, letters)), size)._replace(sized=sized)
+        if find.modifier == "size of":
+            return number(abs(found.number), found.size)
+        return found
+
+    def is_asked(self, find: Find) -> bool:
+        """Whether it asks for a letter of the scene that has no number."""
+        return any(given.asked and Symbol(given.name) == find.formula for given in self.problem.givens)
+
+    def letter(self, find: Find) -> Reckoned:
+        """A letter that is asked for has the answer's number, which is right where all lines of all states hold with it."""
+        name = find.formula.name if isinstance(find.formula, Symbol) else ""
+        self.course.settle(name)
+        return number(float(self.course.letters[name]))
+
+    # one term
+
+    def term(self, term: Term) -> Reckoned:
+        """One path with its modifier and its own time."""
+        found = self.timed(term)
+        return number(abs(found.number), found.size) if term.modifier == "size of" else found
+
+    def timed(self, term: Term) -> Reckoned:
+        path = term.path
+        if path.quantity in OSCILLATING:
+            raise NotConfirmed("swings")
+        if term.at == ANY_TIME:
+            raise NotConfirmed("a function of time")
+        if term.by is not None:
+            term = replace(term, by=None)
+        if term.modifier in ("", "size of"):
+            return self.over(term) if path.quantity in SPANNED else self.at_state(term)
+        if term.modifier in ("change of", "lost"):
+            start, end = self.ends(term)
+            sign = -1.0 if term.modifier == "lost" else 1.0
+            return difference(self.read(start, term), self.read(end, term), sign)
+        if term.modifier == "mean":
+            return self.mean(term)
+        if term.modifier == "total":
+            return self.total(term)
+        raise NotConfirmed(f"`{term.modifier}` of a quantity on its way")
+
+    def ends(self, term: Term) -> tuple[str, str]:
+        """The states from and to which a term is asked: its phase or event, the state before the one named, or the whole scene."""
+        names = self.course.names
+        if term.during is not None:
+            return self.course.ends(term.during)
+        if term.at is not None and term.at in names:
+            return names[max(0, names.index(term.at) - 1)], term.at
+        return term.start or names[0], term.end or names[-1]
+
+    def at_state(self, term: Term) -> Reckoned:
+        """At the state that is named, else at any at which it is told."""
+        if term.during is not None:
+            return self.over(term)
+        reason: NotConfirmed | None = None
+        for state in [term.at] if term.at else self.course.names:
+            try:
+                return self.read(state, term)
+            except NotConfirmed as error:
+                reason = reason or error
+        raise reason or NotConfirmed("no state tells it")
+
+    def read(self, state: str, term: Term) -> Reckoned:
+        """The meaning of a path at a state."""
+        return reading(self.course.node(state), term.path, term)
+
+    def over(self, term: Term) -> Reckoned:
+        """What comes together between two states: time, way, angle, work, impulse."""
+        start, end = self.ends(term)
+        function = SPANS.get(term.path.quantity)
+        if function is None:
+            raise NotConfirmed(f"`{term.path.quantity}` between two states")
+        return function(Between(self.course, start, end), term)
+
+    def mean(self, term: Term) -> Reckoned:
+        """What is summed over time, by the time."""
+        summed = MEANS.get(term.path.quantity)
+        if summed is None:
+            raise NotConfirmed(f"the mean of `{term.path.quantity}`")
+        start, end = self.ends(term)
+        time = self.course.time(start, end)
+        if time == 0.0:
+            raise NotConfirmed("a mean over no time")
+        path = replace(term.path, quantity=summed[0])
+        whole = self.timed(replace(term, path=path, modifier=summed[1], start=start, end=end, at=None, during=None))
+        return Reckoned({key: part / time for key, part in whole.values.items()}, whole.size / time)
+
+    def total(self, term: Term) -> Reckoned:
+        """Both ways added."""
+        start, end = self.ends(term)
+        word = {"rotation": "total rotation", "turns": "total turns", "displacement": "distance"}.get(
+            term.path.quantity
+        )
+        if word is None:
+            raise NotConfirmed(f"the total of `{term.path.quantity}`")
+        return SPANS[word](Between(self.course, start, end), term)
+
+    # choices
+
+    def chosen(self, choice: WhichOf) -> str:
+        """The labels of the options that hold."""
+        sides = [[self.valued(side).number for side in option.sides] for option in choice.options]
+        labels = [option.label for option in choice.options]
+        if choice.test in ("largest", "smallest"):
+            best = (max if choice.test == "largest" else min)(values[0] for values in sides)
+            held = [abs(values[0] - best) <= CLOSE * max(abs(best), 1e-9) for values in sides]
+        elif choice.bound is not None:
+            bound = self.valued(choice.bound).number
+            held = [(values[0] > bound) == (choice.test == "above") for values in sides]
+        else:
+            signs = [option.signs for option in choice.options]
+            held = [
+                all(related(a, sign, b) for a, sign, b in zip(values, marks, values[1:], strict=False))
+                for values, marks in zip(sides, signs, strict=True)
+            ]
+        return ", ".join(label for label, holds in zip(labels, held, strict=True) if holds) or "none"
+
+
+def related(left: float, sign: str, right: float) -> bool:
+    """Whether a comparison holds; numbers that are the same but for rounding are equal."""
+    same = abs(left - right) <= CLOSE * max(abs(left), abs(right), 1e-9)
+    if sign == "=":
+        return same
+    return SIGNS[sign](left, right) if not same else sign not in ("<", ">")
+
+
+def difference(first: Reckoned, last: Reckoned, sign: float) -> Reckoned:
+    """The last less the first; of vectors by components."""
+    if "x" in first.values and "x" in last.values:
+        way = tuple(sign * (last.values[axis] - first.values[axis]) for axis in "xy")
+        return vector((way[0], way[1]))
+    return number(sign * (last.number - first.number), max(abs(first.number), abs(last.number)))
+
+
+def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:
+    """The meaning of a path at one instant."""
+    if path.owner in at.model.seats:
+        function = OF_BODIES.get(path.quantity)
+        if function is None:
+            raise NotConfirmed(f"`{path.quantity}` of a body")
+        return function(at, path, term)
+    if not path.owner:
+        return of_scene(at, path)
+    found = OF_ELEMENTS.get(path.quantity)
+    if found is None:
+        raise NotConfirmed(f"`{path.quantity}` of a connection or an action")
+    return found(at, path, term)
+
+
+def of_scene(at: Node, path: Path) -> Reckoned:
+    """The sum over all bodies."""
+    if path.quantity == "time":
+        return number(at.time)
+    if path.quantity in ("kinetic_energy", "mass", "momentum"):
+        parts = [
+            OF_BODIES[path.quantity](at, Path(name, path.quantity, component=path.component), None)
+            for name in at.model.seats
+        ]
+        if path.quantity == "momentum" and path.component is None:
+            raise NotConfirmed("a momentum of all bodies without its component")
+        return number(math.fsum(part.number for part in parts), max(part.size for part in parts))
+    if path.quantity in ("potential_energy", "energy"):
+        parts = [OF_BODIES[path.quantity](at, Path(name, path.quantity), None) for name in at.model.seats]
+        return number(math.fsum(part.number for part in parts) + at.stored(), max(part.size for part in parts))
+    raise NotConfirmed(f"`{path.quantity}` of the whole scene")
+
+
+__all__ = ["Asker", "Condition", "reading"]

@@ -1,0 +1,174 @@
+"""Elements: what can be read of a connection, an action or a spring at one instant: what it does along each coordinate tells all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.reading import (
+    NATURAL,
+    Reckoned,
+    component_of,
+    cross,
+    number,
+    point_place,
+    scalar,
+    second_rate,
+    values,
+)
+from rotsolve.confirm.pose import Way
+from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.language.elements import ActingElement
+from rotsolve.language.problem import Path, Term
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.course.node import Node
+    from rotsolve.confirm.jet import Slope
+
+
+def element(at: Node, name: str) -> ActingElement:
+    """The connection or action of that name that acts just now."""
+    acting = at.model.acting
+    found = next((item for item in (*acting.connections, *acting.actions) if item.name == name), None)
+    if found is None:
+        raise NotConfirmed(f"`{name}` does not act there")
+    return found
+
+
+def loads(at: Node, name: str, *kinds: str) -> list[Slope]:
+    """What an element does along each coordinate, row by row; of some kinds of rows where they are named."""
+    found = [load for owner, kind, load in at.loads if owner == name and (not kinds or kind in kinds)]
+    if not found:
+        raise NotConfirmed(f"`{name}` does nothing there")
+    return found
+
+
+def on_body(at: Node, body: str, parts: Iterable[Slope]) -> tuple[Way, float]:
+    """Force, and torque about the centre of mass, on a body."""
+    first = at.model.seats[body].first
+    x, y, turn = (math.fsum(part.get(first + k, 0.0) for part in parts) for k in range(3))
+    return (x, y), turn
+
+
+def last_body(at: Node, name: str) -> str:
+    """The body that an element names last."""
+    named = [ref.owner for ref in element(at, name).touches() if ref.owner in at.model.seats]
+    if not named:
+        raise NotConfirmed(f"`{name}` acts on no body")
+    return named[-1]
+
+
+def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """Of the leg that leaves the body that is named, towards the next; one for all legs where they are the same."""
+    item = element(at, path.owner)
+    sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("tension")]
+    if not sizes:
+        raise NotConfirmed(f"the tension of `{path.owner}`")
+    if path.point is not None and isinstance(item, String):
+        places = [number for number, ref in enumerate(item.string) if path.point in (ref.owner, ref.point)]
+        if not places:
+            raise NotConfirmed(f"`{path.owner}` does not touch `{path.point}`")
+        return number(sizes[min(places[0], len(sizes) - 1)], max(map(abs, sizes)))
+    if max(sizes) - min(sizes) > 1e-6 * max(map(abs, sizes), default=1.0):
+        raise NotConfirmed(f"the tension of `{path.owner}` is not the same throughout")
+    return number(sizes[0])
+
+
+def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
+    sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
+    if not sizes:
+        return number(math.hypot(*on_body(at, last_body(at, path.owner), loads(at, path.owner, "press"))[0]))
+    return number(sizes[0])
+
+
+def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """Its size."""
+    sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
+    normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
+    return number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0)._replace(sized=True)
+
+
+def force(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """On the last-named body: its components, its size, or its parts across the arm and inwards; of belts and gears that at the rims."""
+    at.told(path.owner)
+    if isinstance(element(at, path.owner), (Belt, Gear)):
+        sizes = [abs(size) for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("force")]
+        if len(sizes) != 1:
+            raise NotConfirmed(f"the force of `{path.owner}` is not the same throughout")
+        return number(sizes[0])._replace(sized=True)
+    body = last_body(at, path.owner)
+    way, _ = on_body(at, body, loads(at, path.owner))
+    if path.component not in NATURAL:
+        return component_of(way, path.component)
+    held, centre = at.axis(body), point_place(at, body, "cm")
+    if held is None:
+        raise NotConfirmed("a tangential part without an axis")
+    (x, y), (u, w) = values(centre), values(held)
+    size = math.hypot(x - u, y - w)
+    if size == 0.0:
+        raise NotConfirmed("a tangential part without an arm")
+    out = ((x - u) / size, (y - w) / size)
+    if path.component == "normal":
+        return number(-scalar(way, out), math.hypot(*way))
+    return number(cross(out, way) * at.model.sense(body), math.hypot(*way))
+
+
+def torque(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """On the last-named body about its axis or its centre of mass, along its positive turn."""
+    body = last_body(at, path.owner)
+    item = element(at, path.owner)
+    named = [part for owner, kind, part in at.loads if owner == path.owner and kind.startswith("torque")]
+    parts = named if named and not isinstance(item, Touch) else loads(at, path.owner)
+    way, twist = on_body(at, body, parts)
+    centre, middle = values(point_place(at, body, "cm")), at.reference(body, term)
+    arm = (centre[0] - middle[0], centre[1] - middle[1])
+    return number((twist + cross(arm, way)) * at.model.sense(body), abs(twist) + math.hypot(*arm) * math.hypot(*way))
+
+
+def power(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """What it does along each coordinate, times the rate of that."""
+    speed = at.pose.speed
+    parts = [part * speed[index] for load in loads(at, path.owner) for index, part in load.items()]
+    return number(math.fsum(parts), max(map(abs, parts), default=0.0))
+
+
+def elongation(at: Node, path: Path, term: Term | None) -> Reckoned:
+    return number(at.stretched(path.owner))
+
+
+def potential_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """½ k e² of a spring, ½ κ θ² of a wire."""
+    return number(at.stored(path.owner))
+
+
+def turning(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """Where on a curved surface a body touches it; how the last body turns against the first, else how the body turns that is held."""
+    item = element(at, path.owner)
+    if isinstance(item, Touch) and path.quantity == "angle":
+        return number(at.touching_angle(item), 1.0)
+    from rotsolve.confirm.course.reading import OF_BODIES
+
+    between = item.between() if hasattr(item, "between") else ()
+    if between and path.quantity != "angle":
+        first, last = (at.pose.turn(ref.owner) for ref in between)
+        rates = [turn.rate if path.quantity == "angular_velocity" else second_rate(turn, at) for turn in (first, last)]
+        return number((rates[1] - rates[0]) * at.model.sense(between[1].owner), max(map(abs, rates)))
+    return OF_BODIES[path.quantity](at, Path(last_body(at, path.owner), path.quantity), term)
+
+
+Reading = Callable[["Node", Path, "Term | None"], Reckoned]
+OF_ELEMENTS: dict[str, Reading] = {
+    "tension": tension,
+    "normal_force": normal_force,
+    "friction_force": friction_force,
+    "force": force,
+    "torque": torque,
+    "power": power,
+    "elongation": elongation,
+    "potential_energy": potential_energy,
+    **dict.fromkeys(("angle", "angular_velocity", "angular_acceleration"), turning),
+}

@@ -1,0 +1,123 @@
+"""Gauges: what the lines of a state say, each as a number that is zero where the line holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.instant import gathered, slip_speed
+from rotsolve.confirm.lines import placed_value, rate_of
+from rotsolve.confirm.model import Model
+from rotsolve.language.problem import EXTREMES, Condition, Path, State
+
+OWN = ("mass", "inertia", "gyration", "radius", "length")
+
+
+class Gauge(NamedTuple):
+    """A function of an instant that vanishes where a line holds; `size` is what it is small against."""
+
+    value: Callable[[Node], float]
+    size: float
+    words: str
+
+
+def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
+    """Of all lines of a state but its time, counted from the node at which the phase began."""
+    found = []
+    for line in state.conditions:
+        if line.rest:
+            found.append(resting_gauge(line, model))
+        elif line.path is not None and line.path.quantity == "time":
+            continue
+        elif line.word is not None:
+            found.append(word_gauge(line, model))
+        elif line.path is not None and line.value is not None and line.path.quantity not in OWN:
+            found.append(value_gauge(line.path, model.value(line.value), model, first))
+        elif line.path is not None and line.path.quantity in OWN and line.path.owner in model.seats:
+            raise NotConfirmed(f"`{line.path.owner}` changes on the way")
+    return found
+
+
+def resting_gauge(line: Condition, model: Model) -> Gauge:
+    """The rate along the way in which the bodies go, which changes its sign where they stop."""
+    names = [line.owner] if line.owner in model.seats else list(model.seats)
+    places = [model.seats[name].first + k for name in names for k in range(3)]
+    ahead: list[float] = []
+
+    def value(at: Node) -> float:
+        speed = [at.placed.speed[index] for index in places]
+        if not any(ahead) and any(speed):
+            ahead[:] = speed
+        size = max(map(abs, ahead), default=0.0) or 1.0
+        return sum(a * b for a, b in zip(speed, ahead, strict=False)) / size
+
+    return Gauge(value, 1.0, "at rest")
+
+
+def word_gauge(line: Condition, model: Model) -> Gauge:
+    """`rolls`, `sticks`: no slip; `leaves`, `slack`: nothing that pushes or pulls; `largest`: what does not change."""
+    owner = line.owner or (line.path.owner if line.path is not None else "")
+    if line.word in ("rolls", "sticks"):
+        return Gauge(lambda at: slip_of(owner, at), 1.0, f"{owner}: {line.word}")
+    if line.word in ("leaves", "slack"):
+        return Gauge(lambda at: least(owner, at), 1.0, f"{owner}: {line.word}")
+    if line.word in EXTREMES and line.path is not None:
+        path = line.path
+        return Gauge(lambda at: rate(path, at), 1.0, f"{path.owner}.{path.quantity}: {line.word}")
+    raise NotConfirmed(f"a state that says `{owner}: {line.word}`")
+
+
+def slip_of(owner: str, at: Node) -> float:
+    grips = [grip for grip in gathered(at.model, at.pose)[1] if owner in (grip.name, grip.row.owner)]
+    if not grips:
+        raise NotConfirmed(f"`{owner}` does not rub")
+    return slip_speed(grips[0], at.placed.speed)
+
+
+def least(owner: str, at: Node) -> float:
+    """The smallest of the pushes or pulls of an element."""
+    found = [
+        size for (name, kind), size in at.moment.reactions.items() if name == owner and at.moment.rows[name, kind].push
+    ]
+    if not found:
+        raise NotConfirmed(f"`{owner}` neither pushes nor pulls")
+    return min(found)
+
+
+def rate(path: Path, at: Node) -> float:
+    """How fast a place changes, or a rate."""
+    place = placed_value(path, at.pose, at.model)
+    if place is not None:
+        return place.rate
+    found = rate_of(path, at.pose, at.model)
+    if found is None:
+        raise NotConfirmed(f"an extreme of `{path.quantity}`")
+    return sum([part * at.pushes[index] for index, part in found[0].items()]) * found[1]
+
+
+def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
+    """A place or a rate has a value; displacement and rotation count from the state before."""
+    words = f"{path.owner}.{path.quantity}"
+
+    def gap(at: Node) -> float:
+        placed = replace(at.placed, origin=first.placed.q)
+        pose = placed.pose(at.model)
+        if path.quantity == "elongation":
+            return at.stretched(path.owner) - value
+        found = rate_of(path, pose, at.model)
+        if found is not None:
+            slope, sign = found
+            speed = sum([part * at.placed.speed[index] for index, part in slope.items()]) * sign
+            return abs(speed) - value if path.quantity == "speed" else speed - value
+        place = placed_value(path, pose, at.model)
+        if place is None:
+            from rotsolve.confirm.course.asked import reading
+
+            return reading(at, path).number - value
+        return place.value - value
+
+    return Gauge(gap, max(abs(value), 1e-3), words)

@@ -1,0 +1,210 @@
+"""Node: one instant of the course of a scene, with all that the assembly knows of it, each worked out when someone asks."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.forces import spring_length
+from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, gathered, moment
+from rotsolve.confirm.jet import Jet, Slope
+from rotsolve.confirm.lines import bent, circle_of
+from rotsolve.confirm.model import Model
+from rotsolve.confirm.pose import Pair, Pose, Way
+from rotsolve.confirm.signs import round_way
+from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.connections.supports import Rides
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.language.problem import Term
+
+Load = tuple[str, str, Slope]
+
+
+class Budget:
+    """How much a scene may cost: so many instants of one body, of which a larger scene costs more. Clocks would make answers differ."""
+
+    def __init__(self, instants: int) -> None:
+        self.left = float(instants)
+
+    def spend(self, model: Model) -> None:
+        self.left -= 0.5 + 0.5 * len(model.seats)
+        if self.left < 0:
+            raise NotConfirmed("its motion takes too long to follow")
+
+
+class Node:
+    """Places and rates at an instant, in what acts there; `modes` say how what may slip behaves, where that is known."""
+
+    def __init__(self, model: Model, placed: Placed, budget: Budget, modes: dict[str, str] | None = None) -> None:
+        self.model, self.placed, self.modes, self.budget = model, placed, modes, budget
+
+    @property
+    def time(self) -> float:
+        return self.placed.time
+
+    @cached_property
+    def pose(self) -> Pose:
+        return self.placed.pose(self.model)
+
+    @cached_property
+    def moment(self) -> Dynamics:
+        """Accelerations and reactions."""
+        self.budget.spend(self.model)
+        found = moment(self.model, self.placed, self.modes)
+        if found.clash:
+            raise NotConfirmed("what is held can not be held together")
+        return found
+
+    @property
+    def pushes(self) -> list[float]:
+        """q̈."""
+        return self.moment.rates
+
+    def bend(self, jet: Jet) -> float:
+        """The second rate in time of a function of the places, slope · q̈ + bend."""
+        rates, open_ = self.moment.rates, self.moment.open_rates
+        if open_ and any(abs(part) > 1e-12 for index, part in jet.slope.items() if index in open_):
+            raise NotConfirmed("nothing tells how all bodies accelerate")
+        return sum([part * rates[index] for index, part in jet.slope.items()]) + jet.bend
+
+    @property
+    def adrift(self) -> bool:
+        """Whether nothing tells how some mass moves, so that it was taken to be at rest."""
+        return any(self.model.masses[index] > 0.0 for index in self.placed.open)
+
+    @cached_property
+    def sizes(self) -> list[tuple[str, str, float]]:
+        """Reactions by owner and kind, friction that slips with them."""
+        rows, found = self.moment, []
+        for (owner, kind), size in rows.reactions.items():
+            if (owner, kind) not in rows.open_reactions:
+                found.append((owner, kind, size))
+        return found + [(owner, kind, size) for owner, kind, size, _ in self.drags]
+
+    @cached_property
+    def drags(self) -> list[tuple[str, str, float, Slope]]:
+        """Friction of what slips: its size along its row, and what it does along each coordinate."""
+        found = []
+        for grip in gathered(self.model, self.pose)[1]:
+            mode = self.moment.modes.get(grip.name)
+            if mode not in (FORWARD, BACK):
+                continue
+            size = (grip.kinetic or 0.0) * (-1.0 if mode == FORWARD else 1.0)
+            if grip.normal is not None:
+                size *= self.moment.reactions.get(grip.normal, 0.0)
+            load = {index: size * part for index, part in grip.row.column.items()}
+            found.append((grip.row.owner, grip.row.kind, size, load))
+        return found
+
+    @cached_property
+    def loads(self) -> list[Load]:
+        """What every element does along each coordinate, row by row."""
+        rows = self.moment.rows
+        found = [
+            (owner, kind, {index: size * part for index, part in rows[owner, kind].column.items()})
+            for (owner, kind), size in self.moment.reactions.items()
+        ]
+        found += [(owner, kind, load) for owner, kind, _, load in self.drags]
+        slipping = {name for name, mode in self.moment.modes.items() if mode in (FORWARD, BACK)}
+        for name, load in self.moment.loads.items():
+            owner, _, kind = name.partition("|")
+            if name not in slipping:
+                found.append((owner, kind, load))
+        return found
+
+    def told(self, owner: str) -> None:
+        """NotConfirmed where the equations leave a reaction of an element open."""
+        if any(name == owner for name, _ in self.moment.open_reactions):
+            raise NotConfirmed(f"the equations of rigid bodies leave the forces of `{owner}` open")
+
+    def acts(self, owner: str) -> bool:
+        acting = self.model.acting
+        return any(item.name == owner for item in (*acting.connections, *acting.actions))
+
+    # where things are
+
+    def line(self, name: str) -> Way | None:
+        """The positive direction of a body's travel just now: along its line, or along the circle on which it goes."""
+        found = bent(name, self.model)
+        if found is None:
+            return self.model.line(name)
+        x, y = (part.value for part in self.pose.place(name, (0.0, 0.0)))
+        size, sign = math.hypot(x, y), round_way(found[1], self.model.body(name).moves)
+        return (-y * sign / size, x * sign / size)
+
+    def axis(self, name: str) -> Pair | None:
+        """The place about which a body turns; None where nothing holds it."""
+        return self.pose.place(name, self.model.axis(name)) if name in self.model.held else None
+
+    def orbit_centre(self, name: str) -> Way | None:
+        """The centre of the circle on which a body goes."""
+        return (0.0, 0.0) if bent(name, self.model) is not None else None
+
+    def reference(self, name: str, term: Term | None) -> Way:
+        """The place about which a torque or an angular momentum counts: as named, else the axis, else the centre of mass."""
+        if term is not None and term.about is not None:
+            about = term.about
+            if about.owner in self.model.held and about.owner not in self.model.seats:
+                raise NotConfirmed(f"about `{about.owner}`")
+            item = next((item for item in self.model.acting.connections if item.name == about.owner), None)
+            if item is not None:
+                refs = [ref for ref in item.touches() if ref.owner == name] or list(item.touches())
+                about = refs[0]
+            if about.owner not in self.model.seats and about.place is None:
+                raise NotConfirmed(f"about `{about.owner}`")
+            x, y = self.model.place(about, self.pose)
+            return x.value, y.value
+        held = self.axis(name)
+        x, y = held if held is not None else self.pose.place(name, self.model.seats[name].rigid.centre)
+        return x.value, y.value
+
+    def angle(self, name: str) -> float:
+        """As the language counts it: of a rod its direction, else that from its hinge to its centre of mass."""
+        return self.pose.turn(name).value + self.model.lean(name)
+
+    def touching_angle(self, item: Touch) -> float:
+        x, y = (part.value for part in self.pose.place(item.lying(), (0.0, 0.0)))
+        return math.atan2(y, x)
+
+    def height(self, name: str) -> float:
+        """Above the centre of a dome, above the lowest place in a bowl."""
+        found = bent(name, self.model)
+        if found is None:
+            raise NotConfirmed(f"no level from which the height of `{name}` counts")
+        above = self.pose.place(name, (0.0, 0.0))[1].value
+        return above + (0.0 if found[1].outside else circle_of(found, self.model))
+
+    def carrier(self, name: str) -> str | None:
+        """The body on which another rides."""
+        for item in self.model.acting.connections:
+            if isinstance(item, Rides) and item.rides[0].owner == name:
+                return item.rides[1].owner
+        return None
+
+    # springs
+
+    def stretched(self, owner: str) -> float:
+        """How far a spring is stretched."""
+        item = next((item for item in self.model.acting.connections if item.name == owner), None)
+        rest = self.placed.offsets.get(owner)
+        if not isinstance(item, Spring) or rest is None:
+            raise NotConfirmed(f"nothing tells how far `{owner}` is stretched")
+        return spring_length(item, self.pose, self.model).value - rest
+
+    def stored(self, owner: str = "") -> float:
+        """½ k e² of a spring, ½ κ θ² of a wire; of all of them."""
+        whole = 0.0
+        for item in self.model.acting.connections:
+            if owner not in ("", item.name):
+                continue
+            if isinstance(item, Spring) and item.stiffness is not None:
+                whole += 0.5 * self.model.value(item.stiffness) * self.stretched(item.name) ** 2
+            elif isinstance(item, Torsion) and item.stiffness is not None:
+                whole += 0.5 * self.model.value(item.stiffness) * self.twist(item) ** 2
+        return whole
+
+    def twist(self, item: Torsion) -> float:
+        names = [ref.owner for ref in item.torsion if ref.owner in self.model.seats]
+        twist = self.angle(names[-1]) - (self.angle(names[0]) if len(names) == 2 else 0.0)
+        return twist - (self.model.value(item.rest_angle) if item.rest_angle is not None else 0.0)

@@ -1,0 +1,312 @@
+"""Phase: a stretch of motion followed to the first instant at which all lines of a state hold; what changes on the way is found.
+
+What slides may stop, what slips may begin to stick, what sticks may begin to slip: then the motion goes on in another way. What would
+have to pull though it only pushes ends it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.gauges import Gauge, gauges
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.steps import TimeStep, adapted, is_constant
+from rotsolve.confirm.instant import FORWARD, OPEN, STICKS, Dynamics, Placed, gathered, moment, slip_speed
+from rotsolve.language.problem import State
+
+MOST = 400  # steps of a phase
+FAR = 1e6  # seconds after which nothing is waited for any more
+HOLDS = 1e-6  # how well all lines of a state have to hold at once
+SAMPLES = (0.25, 0.5, 0.75, 1.0)
+GAUSS = ((-0.8611363115940526, 0.3478548451374539), (-0.3399810435848563, 0.6521451548625461))
+
+
+class Lap(NamedTuple):
+    """A step with the modes of what may slip."""
+
+    step: TimeStep
+    modes: dict[str, str]
+
+
+class FollowedPhase(NamedTuple):
+    """The motion from one state to the next: its steps, and the instant at which it ends."""
+
+    first: Node
+    laps: list[Lap]
+    end: Node
+    modes: dict[str, str]
+
+    def integral(self, rate: Callable[[Node], float]) -> tuple[float, float]:
+        """∫ rate dt and ∫ |rate| dt, by Gauss's rule, on halves where it takes more."""
+        whole, size = 0.0, 0.0
+        for lap in self.laps:
+            value = panel(self.first, lap, rate, 0.0, 1.0)
+            part, most = refined(self.first, lap, rate, 0.0, 1.0, value, 0)
+            whole, size = whole + part, size + most
+        return whole, size
+
+
+def panel(first: Node, lap: Lap, rate: Callable[[Node], float], low: float, high: float) -> tuple[float, float]:
+    total, size, half = 0.0, 0.0, (high - low) / 2.0
+    for offset, weight in GAUSS:
+        for sign in (-1.0, 1.0):
+            value = rate(instant(first, lap, low + half * (1.0 + sign * offset)))
+            total += weight * value
+            size += weight * abs(value)
+    return total * half * lap.step.width, size * half * lap.step.width
+
+
+def refined(
+    first: Node,
+    lap: Lap,
+    rate: Callable[[Node], float],
+    low: float,
+    high: float,
+    value: tuple[float, float],
+    depth: int,
+) -> tuple[float, float]:
+    """The integral of a panel, halved until halves add up to the whole."""
+    middle = (low + high) / 2.0
+    halves = [panel(first, lap, rate, low, middle), panel(first, lap, rate, middle, high)]
+    total, size = (halves[0][k] + halves[1][k] for k in range(2))
+    if abs(total - value[0]) <= 1e-9 * max(size, 1e-12) or depth > 20:
+        return total, size
+    ends = ((low, middle), (middle, high))
+    parts = [refined(first, lap, rate, *end, half, depth + 1) for end, half in zip(ends, halves, strict=True)]
+    return parts[0][0] + parts[1][0], parts[0][1] + parts[1][1]
+
+
+def instant(first: Node, lap: Lap, part: float) -> Node:
+    """An instant within a step."""
+    q, speed = lap.step.at(part)
+    placed = replace(first.placed, q=q, speed=speed, time=lap.step.time + part * lap.step.width)
+    return Node(first.model, placed, first.budget, lap.modes)
+
+
+def followed(first: Node, state: State) -> FollowedPhase:
+    """The motion from a node to the next state."""
+    return NextState(first, state).phase()
+
+
+class NextState:
+    """The search for the next instant at which all lines of a state hold."""
+
+    def __init__(self, first: Node, state: State) -> None:
+        if first.adrift:
+            raise NotConfirmed(f"nothing tells how all bodies move at `{first.model.acting.state.name}`")
+        self.first, self.state = first, state
+        self.model = first.model
+        self.gauges = gauges(state, self.model, first)
+        self.end_time = self.told_time()
+        self.laps: list[Lap] = []
+        self.node = first
+        if not self.gauges and self.end_time is None:
+            raise NotConfirmed(f"nothing tells when `{state.name}` is")
+
+    def told_time(self) -> float | None:
+        for line in self.state.conditions:
+            if line.path is not None and line.path.quantity == "time" and line.value is not None:
+                return self.first.time + self.model.value(line.value)
+        return None
+
+    def phase(self) -> FollowedPhase:
+        """TimeStep by step, until the state is reached."""
+        before: TimeStep | None = None
+        width = 0.0
+        for _ in range(MOST):
+            modes = self.settled()
+            step, width = self.stepped(modes, before, width)
+            cut = self.changed(Lap(step, modes))
+            if cut is not None and cut < 1.0:
+                step, before, width = self.shortened(step, cut, modes), None, 0.0
+            else:
+                before = step
+            reached = self.reached(Lap(step, modes))
+            if reached is not None:
+                return self.ended(Lap(self.shortened(step, reached, modes), modes))
+            self.laps.append(Lap(step, modes))
+            self.node = instant(self.first, self.laps[-1], 1.0)
+            if cut is not None:
+                self.node.modes = None
+        raise NotConfirmed(f"`{self.state.name}` is not reached")
+
+    def settled(self) -> dict[str, str]:
+        """How what may slip behaves from here on."""
+        found = self.node.moment
+        if found.lifted:
+            raise NotConfirmed(f"`{found.lifted[0][0]}` lets go on the way")
+        return found.modes
+
+    def law(self, modes: dict[str, str]) -> Callable[[float, list[float], list[float]], list[float]]:
+        placed = self.first.placed
+
+        def pushes(time: float, q: list[float], speed: list[float]) -> list[float]:
+            self.first.budget.spend(self.model)
+            return moment(self.model, replace(placed, q=q, speed=speed, time=time), modes).rates
+
+        return pushes
+
+    def stepped(self, modes: dict[str, str], before: TimeStep | None, width: float) -> tuple[TimeStep, float]:
+        """The next step: up to where the state would be if the accelerations stayed, where they do; else as long as it may be."""
+        at, law = self.node.placed, self.law(modes)
+        push = self.node.pushes
+        bare = Lap(TimeStep(at.time, 1.0, at.q, at.speed, [push]), modes)
+        if before is None:
+            guess = self.foreseen(bare)
+            if guess is not None and is_constant(law, at.time, at.q, at.speed, guess, push):
+                return TimeStep(at.time, guess, at.q, at.speed, [push]), 0.0
+            width = 0.3 * (guess or pace(at, push))
+        if self.end_time is not None:
+            width = min(width, self.end_time - at.time)
+        return adapted(law, at.time, at.q, at.speed, width, push, before)
+
+    def foreseen(self, bare: Lap) -> float | None:
+        """How long it takes with constant accelerations until a gauge vanishes, or what slips sticks; a little more."""
+        if self.end_time is not None:
+            return self.end_time - bare.step.time
+        times = [time for gauge in self.gauges for time in [first_zero(gauge, self.first, bare)] if time is not None]
+        return max(times) * (1.0 + 1e-9) if times else None
+
+    def changed(self, lap: Lap) -> float | None:
+        """The part of a step at which what slips sticks, what sticks slips, or a push would be a pull; None where nothing does."""
+        ends = [margins(instant(self.first, lap, part)) for part in (0.0, 1.0)]
+        least = None
+        for key, (value, size) in ends[1].items():
+            if key in ends[0] and value < -1e-7 * size:
+                part = self.zero(lambda at, key=key: margins(at)[key][0], lap, 0.0, 1.0)  # type: ignore[misc]
+                least = part if least is None else min(least, part)
+        return least
+
+    def zero(self, function: Callable[[Node], float], lap: Lap, low: float, high: float) -> float:
+        """The part of a step at which a function changes its sign, by the rule of Illinois."""
+        a, b = function(instant(self.first, lap, low)), function(instant(self.first, lap, high))
+        for _ in range(60):
+            part = high - b * (high - low) / (b - a) if b != a else (low + high) / 2
+            value = function(instant(self.first, lap, part))
+            if value == 0.0 or abs(high - low) < 1e-13:
+                return part
+            if (value > 0) == (b > 0):
+                high, b, a = part, value, a / 2
+            else:
+                low, a = part, value
+                low, high, a, b = low, high, a, b
+            if abs(value) < 1e-14 * max(abs(a), abs(b), 1e-300):
+                return part
+        return part
+
+    def shortened(self, step: TimeStep, part: float, modes: dict[str, str]) -> TimeStep:
+        """The step up to a part of it."""
+        if part == 1.0:
+            return step
+        width = step.width * part
+        if len(step.pushes) == 1:
+            return step._replace(width=width)
+        return adapted(self.law(modes), step.time, step.place, step.speed, width, step.pushes[0])[0]
+
+    def reached(self, lap: Lap) -> float | None:
+        """The first part of a step at which all lines hold; None where they do not."""
+        start, width = lap.step.time, lap.step.width
+        if self.end_time is not None:
+            part = (self.end_time - start) / width if width else 1.0
+            if part > 1.0 + 1e-9:
+                return None
+            self.confirm_lines(instant(self.first, lap, min(part, 1.0)))
+            return min(part, 1.0)
+        for part in self.crossings(self.gauges[0], lap):
+            at = instant(self.first, lap, part)
+            if all(abs(gauge.value(at)) <= HOLDS * max(gauge.size, 1e-6) for gauge in self.gauges[1:]):
+                return part
+        return None
+
+    def crossings(self, gauge: Gauge, lap: Lap) -> list[float]:
+        """Where a gauge changes its sign within a step; not where the phase begins."""
+        parts = (0.0, *SAMPLES)
+        values = [gauge.value(instant(self.first, lap, part)) for part in parts]
+        small = 1e-9 * gauge.size
+        found = []
+        for low, high, a, b in zip(parts, parts[1:], values, values[1:], strict=False):
+            if abs(a) <= small and low == 0.0:
+                continue
+            if a * b < 0 and abs(b) > small:
+                found.append(self.zero(gauge.value, lap, low, high))
+            elif abs(b) <= small < abs(a):
+                found.append(high)
+        return found
+
+    def confirm_lines(self, at: Node) -> None:
+        """All lines hold at the instant that is told by its time."""
+        for gauge in self.gauges:
+            if abs(gauge.value(at)) > HOLDS * max(gauge.size, 1e-6):
+                raise NotConfirmed(f"`{gauge.words}` does not hold at `{self.state.name}`")
+
+    def ended(self, lap: Lap) -> FollowedPhase:
+        """The phase up to where the state is reached."""
+        self.laps.append(lap)
+        end = instant(self.first, lap, 1.0)
+        return FollowedPhase(self.first, self.laps, end, lap.modes)
+
+
+def pace(at: Placed, push: Sequence[float]) -> float:
+    """A time in which something happens: that in which what accelerates goes a unit."""
+    most = max(max(map(abs, push), default=0.0), max((abs(v) for v in at.speed), default=0.0) ** 2)
+    return min(1.0, 1.0 / math.sqrt(most)) if most else 1.0
+
+
+def first_zero(gauge: Gauge, first: Node, bare: Lap) -> float | None:
+    """When a gauge vanishes with constant accelerations: by the parabola through three instants, and once more near there."""
+    scale = 1.0
+    zero = None
+    for _ in range(3):
+        values = [gauge.value(instant(first, bare, part * scale)) for part in (0.0, 0.5, 1.0)]
+        if abs(values[0]) <= 1e-12 * gauge.size:
+            values[0] = 0.0
+        bend = 2.0 * (values[2] - 2.0 * values[1] + values[0])
+        slope = values[2] - values[0] - bend
+        zero = least_positive(bend, slope, values[0])
+        if zero is None:
+            return None
+        scale *= zero
+    return scale if 0.0 < scale < FAR else None
+
+
+def least_positive(a: float, b: float, c: float) -> float | None:
+    """The smallest positive root of a x² + b x + c."""
+    size = max(abs(a), abs(b), abs(c))
+    if size == 0.0:
+        return None
+    if abs(a) < 1e-13 * size:
+        return -c / b if b and -c / b > 1e-12 else None
+    inside = b * b - 4.0 * a * c
+    if inside < -1e-12 * size * size:
+        return None
+    root = math.sqrt(max(inside, 0.0))
+    q = -0.5 * (b + math.copysign(root, b))
+    roots = [q / a] + ([c / q] if q else [])
+    positive = [value for value in roots if value > 1e-9]
+    return min(positive, default=None)
+
+
+def margins(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
+    """How far what slips is from sticking, what sticks from slipping, what pushes from pulling; each with what it is small against."""
+    found: dict[tuple[str, str], tuple[float, float]] = {}
+    now: Dynamics = at.moment
+    size = max([abs(value) for value in now.reactions.values()], default=0.0)
+    for grip in gathered(at.model, at.pose)[1]:
+        mode = now.modes.get(grip.name, STICKS)
+        if grip.static is None or mode == OPEN:
+            continue
+        if mode == STICKS:
+            push = now.reactions.get(grip.normal, 0.0) if grip.normal is not None else 1.0
+            found["sticks", grip.name] = (grip.static * abs(push) - abs(now.reactions[grip.row.key]), size)
+        else:
+            slip = slip_speed(grip, at.placed.speed)
+            found[mode, grip.name] = (slip if mode == FORWARD else -slip, 1.0)
+    for key, value in now.reactions.items():
+        if now.rows[key].push and key not in now.open_reactions:
+            found[f"push {key[1]}", key[0]] = (value, size)
+    return found

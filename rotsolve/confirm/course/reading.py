@@ -1,0 +1,300 @@
+"""Reading: what a path of the language is at one instant of the course: of a point, of a body, of the whole scene.
+
+Everything is read from places: a velocity is the rate of a place, an acceleration the rate of that, an energy the sum over the bodies.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import radius_of
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.jet import Jet
+from rotsolve.confirm.pose import Pair, Way, turned
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.problem import Path, Term
+
+NATURAL = ("tangential", "normal")
+SPATIAL = ("rim", "top", "bottom")
+
+
+class Reckoned(NamedTuple):
+    """Numbers of the assembly by the names of their parts, '' for the whole; the size of what they are made of; of a choice a word."""
+
+    values: dict[str, float]
+    size: float = 1e-4
+    word: str = ""
+    sized: bool = False  # whether its sign says nothing: only the size is compared
+
+    @property
+    def number(self) -> float:
+        return self.values[""]
+
+
+def number(value: float, size: float = 1e-4) -> Reckoned:
+    return Reckoned({"": value}, max(size, 1e-4))
+
+
+def vector(way: Way) -> Reckoned:
+    """A vector by its size and its components."""
+    return Reckoned({"": math.hypot(*way), "x": way[0], "y": way[1]}, math.hypot(*way) + 1e-4)
+
+
+def component_of(way: Way, component: str | None) -> Reckoned:
+    """A vector, or one of its components x and y."""
+    if component in ("x", "y"):
+        return number(way[0 if component == "x" else 1], math.hypot(*way))
+    if component is None:
+        return vector(way)
+    raise NotConfirmed(f"a component `{component}`")
+
+
+def scalar(a: Way, b: Way) -> float:
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def cross(a: Way, b: Way) -> float:
+    return a[0] * b[1] - a[1] * b[0]
+
+
+# places
+
+
+def point_place(at: Node, owner: str, point: str | None, argument: object = None) -> Pair:
+    """The place of a point of a body, of its centre of mass where no point is named; the top of a wheel is a place in space."""
+    ref = PointRef(owner, point or "cm", argument)  # type: ignore[arg-type]
+    spot = at.model.spot(ref)
+    radius = radius_of(at.model.body(owner), point, at.model.value) if point in SPATIAL else None
+    if radius is not None and point is not None:
+        x, y = {"rim": (1.0, 0.0), "top": (0.0, 1.0), "bottom": (0.0, -1.0)}[point]
+        spot = at.pose.spatial(owner, spot, (radius * x, radius * y))
+    return at.pose.place(owner, spot)
+
+
+def values(pair: Pair) -> Way:
+    return pair[0].value, pair[1].value
+
+
+def rates(pair: Pair) -> Way:
+    return pair[0].rate, pair[1].rate
+
+
+def bends(pair: Pair, at: Node) -> Way:
+    return second_rate(pair[0], at), second_rate(pair[1], at)
+
+
+def second_rate(jet: Jet, at: Node) -> float:
+    """The second rate in time of a function of the places, slope · q̈ + bend."""
+    return at.bend(jet)
+
+
+def motion(at: Node, path: Path) -> Way:
+    """Velocity or acceleration of the point that a path names."""
+    place = point_place(at, path.owner, path.point, path.argument)
+    return bends(place, at) if path.quantity == "acceleration" else rates(place)
+
+
+def point_motion(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """Velocity, speed or acceleration of a point; of a body that travels along a line, along that."""
+    way = motion(at, path)
+    line = at.line(path.owner) if path.point is None else None
+    if path.quantity == "speed":
+        return number(math.hypot(*way))
+    if path.component in ("x", "y"):
+        return component_of(way, path.component)
+    if path.component in NATURAL or path.component == "radial":
+        return natural(at, path, way)
+    if line is not None and path.component is None:
+        return number(scalar(way, line), math.hypot(*way))
+    return component_of(way, path.component)
+
+
+def natural(at: Node, path: Path, way: Way) -> Reckoned:
+    """The part along the positive turn about a fixed axis, else along the point's own velocity; the part towards the centre."""
+    place, held = point_place(at, path.owner, path.point, path.argument), at.axis(path.owner)
+    if path.component == "radial":
+        return radial(at, path)
+    centre = at.orbit_centre(path.owner) if path.point is None else None
+    if held is not None or centre is not None:
+        middle = values(held) if held is not None else centre
+        assert middle is not None
+        here = values(place)
+        arm = (here[0] - middle[0], here[1] - middle[1])
+        size = math.hypot(*arm)
+        if size == 0.0:
+            return number(0.0)
+        out = (arm[0] / size, arm[1] / size)
+        if path.component == "normal":
+            return number(-scalar(way, out), math.hypot(*way))
+        ahead = turned(out, at.model.sense(path.owner)) if held is not None else at.line(path.owner) or turned(out)
+        return number(scalar(way, ahead), math.hypot(*way))
+    speed = rates(place)
+    size = math.hypot(*speed)
+    if size < 1e-12:
+        raise NotConfirmed("the path of a point at rest has no direction")
+    ahead = (speed[0] / size, speed[1] / size)
+    if path.component == "tangential":
+        return number(scalar(way, ahead), math.hypot(*way))
+    return number(abs(cross(ahead, way)), math.hypot(*way))
+
+
+def radial(at: Node, path: Path) -> Reckoned:
+    """How fast what rides on another body goes outwards."""
+    carrier = at.carrier(path.owner)
+    if carrier is None:
+        raise NotConfirmed("a radial part of what rides on nothing")
+    mine, axis = point_place(at, path.owner, "cm"), at.axis(carrier)
+    if axis is None:
+        raise NotConfirmed("a radial part about no axis")
+    arm = (mine[0] - axis[0], mine[1] - axis[1])
+    here, rate = values(arm), rates(arm)
+    return number(scalar(here, rate) / math.hypot(*here), math.hypot(*rate))
+
+
+def position(at: Node, path: Path, term: Term | None) -> Reckoned:
+    return component_of(values(point_place(at, path.owner, path.point, path.argument)), path.component)
+
+
+# bodies
+
+
+def angle(at: Node, path: Path, term: Term | None) -> Reckoned:
+    return number(at.angle(path.owner), 1.0)
+
+
+def angular(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """ω or α along the positive turn."""
+    turn = at.pose.turn(path.owner)
+    rate = turn.rate if path.quantity == "angular_velocity" else second_rate(turn, at)
+    if path.component in ("x", "y"):
+        return number(0.0)
+    return number(rate * at.model.sense(path.owner), abs(turn.rate))
+
+
+def kinetic_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """½ m v² + ½ I ω²: of the body alone."""
+    rigid = at.model.seats[path.owner].rigid
+    speed, spin = rates(point_place(at, path.owner, "cm")), at.pose.turn(path.owner).rate
+    travel, turning = 0.5 * rigid.mass * scalar(speed, speed), 0.5 * rigid.inertia * spin * spin
+    if path.component == "rotational":
+        return number(travel + turning if at.axis(path.owner) is not None else turning)
+    return number(travel if path.component == "translational" else travel + turning)
+
+
+def height_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """m g y: only differences count."""
+    rigid = at.model.seats[path.owner].rigid
+    return number(rigid.mass * at.model.gravity * point_place(at, path.owner, "cm")[1].value)
+
+
+def body_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
+    return number(kinetic_energy(at, path, term).number + height_energy(at, path, term).number)
+
+
+def momentum(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """m v: along the line of travel where there is one."""
+    mass, speed = at.model.seats[path.owner].rigid.mass, rates(point_place(at, path.owner, "cm"))
+    way = (mass * speed[0], mass * speed[1])
+    line = at.line(path.owner)
+    if path.component is None and line is not None:
+        return number(scalar(way, line), math.hypot(*way))
+    return component_of(way, path.component)
+
+
+def angular_momentum(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """r × m v + I ω about a named point, else about the axis or the centre of mass; along the positive turn."""
+    if path.component not in (None, "z") or path.point is not None:
+        raise NotConfirmed("an angular momentum in space, or that of a part")
+    rigid, centre = at.model.seats[path.owner].rigid, point_place(at, path.owner, "cm")
+    middle = at.reference(path.owner, term)
+    arm = (centre[0].value - middle[0], centre[1].value - middle[1])
+    orbital = rigid.mass * cross(arm, rates(centre))
+    spin = rigid.inertia * at.pose.turn(path.owner).rate
+    return number((orbital + spin) * at.model.sense(path.owner), abs(orbital) + abs(spin))
+
+
+def net_force(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """m a of the centre of mass, or the weight alone."""
+    rigid = at.model.seats[path.owner].rigid
+    way = bends(point_place(at, path.owner, "cm"), at)
+    if path.component == "gravity":
+        return vector((0.0, -rigid.mass * at.model.gravity))
+    if path.component in NATURAL:
+        found = natural(at, Path(path.owner, "force", "cm", component=path.component), way)
+        return number(rigid.mass * found.number, rigid.mass * found.size)
+    return component_of((rigid.mass * way[0], rigid.mass * way[1]), None if path.component == "net" else path.component)
+
+
+def torque(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """Of all forces, d(r × m v + I ω)/dt about a point that stays, or of the weight alone."""
+    rigid, centre = at.model.seats[path.owner].rigid, point_place(at, path.owner, "cm")
+    middle = at.reference(path.owner, term)
+    arm = (centre[0].value - middle[0], centre[1].value - middle[1])
+    if path.component == "gravity":
+        found = -arm[0] * rigid.mass * at.model.gravity
+    else:
+        push = bends(centre, at)
+        found = rigid.mass * cross(arm, push) + rigid.inertia * second_rate(at.pose.turn(path.owner), at)
+    return number(found * at.model.sense(path.owner), rigid.mass * at.model.gravity * math.hypot(*arm))
+
+
+def power(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """m a · v + I α ω, or that of the weight alone."""
+    rigid, centre = at.model.seats[path.owner].rigid, point_place(at, path.owner, "cm")
+    speed = rates(centre)
+    if path.component == "gravity":
+        return number(-rigid.mass * at.model.gravity * speed[1])
+    turn = at.pose.turn(path.owner)
+    return number(rigid.mass * scalar(bends(centre, at), speed) + rigid.inertia * second_rate(turn, at) * turn.rate)
+
+
+def instantaneous_centre(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """From the centre of mass, where v + ω × r = 0."""
+    speed, spin = rates(point_place(at, path.owner, "cm")), at.pose.turn(path.owner).rate
+    if spin == 0.0:
+        raise NotConfirmed("a body that does not turn has no instantaneous centre")
+    return component_of((-speed[1] / spin, speed[0] / spin), path.component)
+
+
+def period(at: Node, path: Path, term: Term | None) -> Reckoned:
+    return number(2 * math.pi / abs(at.pose.turn(path.owner).rate))
+
+
+def own_data(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """Mass, radius or length of a body; of what rides on another its distance from the axis."""
+    if path.quantity == "mass":
+        return number(at.model.seats[path.owner].rigid.mass)
+    body = at.model.body(path.owner)
+    if path.quantity == "radius":
+        radius = radius_of(body, None, at.model.value)
+        if radius is None and body.shape is not None and getattr(body.shape, "radius", None) is not None:
+            radius = at.model.value(body.shape.radius)  # type: ignore[attr-defined]
+        if radius is not None:
+            return number(radius)
+    length = getattr(body.shape, "length", None)
+    if path.quantity == "length" and length is not None:
+        return number(at.model.value(length))
+    raise NotConfirmed(f"the {path.quantity} of `{path.owner}`")
+
+
+Reading = Callable[[Node, Path, "Term | None"], Reckoned]
+OF_BODIES: dict[str, Reading] = {
+    **dict.fromkeys(("velocity", "speed", "acceleration"), point_motion),
+    "position": position,
+    "angle": angle,
+    **dict.fromkeys(("angular_velocity", "angular_acceleration"), angular),
+    "kinetic_energy": kinetic_energy,
+    "potential_energy": height_energy,
+    "energy": body_energy,
+    "momentum": momentum,
+    "angular_momentum": angular_momentum,
+    "force": net_force,
+    "torque": torque,
+    "power": power,
+    "instantaneous_centre": instantaneous_centre,
+    "period": period,
+    **dict.fromkeys(("mass", "radius", "length"), own_data),
+}

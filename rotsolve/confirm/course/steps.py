@@ -1,0 +1,165 @@
+"""Steps: a motion q̈ = f(t, q, q̇) followed in time by collocation: q̈ is a polynomial through Radau's places of each step.
+
+The ends of a step of width h are right to the order h¹¹; while q̈ stays as it is, one step is as long as it is asked to be, and exact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import NamedTuple
+
+from rotsolve.confirm import NotConfirmed
+
+Numbers = list[float]
+Law = Callable[[float, Numbers, Numbers], Numbers]  # q̈ by time, q and q̇
+
+PLACES = (0.0, 0.09853508579882625, 0.30453572664636386, 0.5620251897526138, 0.8019865821263917, 0.9601901429485313)
+ROUNDS = 14  # of the iteration for q̈ at the places
+SETTLED = 1e-10  # relative change of q̈ at which it has come to rest
+BEND = 1e-2  # share of the last power in q̈ that a step may have: the ends are then right to some 1e-10
+SAME = 1e-9  # relative change of q̈ within which it counts as constant
+
+
+class RadauRule(NamedTuple):
+    """Integrals of Lagrange's polynomials of the places: up to each place, up to the end, once and twice; and their coefficients."""
+
+    powers: list[Numbers]
+    once: list[Numbers]
+    twice: list[Numbers]
+    weights: Numbers
+    double: Numbers
+
+
+@cache
+def rule() -> RadauRule:
+    """The rule for the places, worked out where the first step needs it."""
+    powers = []
+    for own in PLACES:
+        row, scale = [1.0], 1.0
+        for other in PLACES:
+            if other != own:
+                row = [a - other * b for a, b in zip([0.0, *row], [*row, 0.0], strict=True)]
+                scale *= own - other
+        powers.append([part / scale for part in row])
+    once = [[row_integral(row, end) for row in powers] for end in PLACES]
+    twice = [[second(row, end) for row in powers] for end in PLACES]
+    return RadauRule(
+        powers, once, twice, [row_integral(row, 1.0) for row in powers], [second(row, 1.0) for row in powers]
+    )
+
+
+def row_integral(row: Sequence[float], end: float) -> float:
+    return sum(part * end ** (n + 1) / (n + 1) for n, part in enumerate(row))
+
+
+def second(row: Sequence[float], end: float) -> float:
+    return sum(part * end ** (n + 2) / ((n + 1) * (n + 2)) for n, part in enumerate(row))
+
+
+class TimeStep(NamedTuple):
+    """A stretch of the motion: from `time` on for `width`, with q̈ at the places (at the first alone where it is constant)."""
+
+    time: float
+    width: float
+    place: Numbers
+    speed: Numbers
+    pushes: list[Numbers]
+
+    def at(self, part: float) -> tuple[Numbers, Numbers]:
+        """q and q̇ after a part of the width, between 0 and 1."""
+        if len(self.pushes) == 1:
+            once, twice = [part], [part * part / 2.0]
+        elif part == 1.0:
+            once, twice = rule().weights, rule().double
+        else:
+            once = [row_integral(row, part) for row in rule().powers]
+            twice = [second(row, part) for row in rule().powers]
+        return collocated(self.place, self.speed, self.pushes, self.width, part, once, twice)
+
+    def push(self, part: float) -> Numbers:
+        """q̈ after a part of the width."""
+        if len(self.pushes) == 1:
+            return self.pushes[0]
+        shares = [sum(c * part**n for n, c in enumerate(row)) for row in rule().powers]
+        return [sum(s * p[i] for s, p in zip(shares, self.pushes, strict=True)) for i in range(len(self.place))]
+
+
+def collocated(
+    place: Numbers, speed: Numbers, pushes: list[Numbers], width: float, part: float, once: Numbers, twice: Numbers
+) -> tuple[Numbers, Numbers]:
+    """q + h s q̇ + h² Σ B a and q̇ + h Σ A a."""
+    square, along = width * width, width * part
+    numbers = range(len(place))
+    columns = [[push[i] for push in pushes] for i in numbers]
+    places = [
+        place[i] + along * speed[i] + square * sum([b * a for b, a in zip(twice, columns[i], strict=True)])
+        for i in numbers
+    ]
+    speeds = [speed[i] + width * sum([b * a for b, a in zip(once, columns[i], strict=True)]) for i in numbers]
+    return places, speeds
+
+
+def stretch(
+    law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers, before: TimeStep | None
+) -> TimeStep | None:
+    """One step of this width from where q̈ is `push`, which `before` foretells; None where it is too long."""
+    known = rule()
+    pushes = [push] * len(PLACES)
+    if before is not None and len(before.pushes) > 1:
+        pushes[1:] = [before.push(1.0 + part * width / before.width) for part in PLACES[1:]]
+    for _ in range(ROUNDS):
+        change, size = 0.0, 1e-300
+        for number in range(1, len(PLACES)):
+            q, v = collocated(place, speed, pushes, width, PLACES[number], known.once[number], known.twice[number])
+            found = law(time + PLACES[number] * width, q, v)
+            change = max(change, max([abs(a - b) for a, b in zip(found, pushes[number], strict=True)], default=0.0))
+            size = max(size, max(map(abs, found), default=0.0))
+            pushes[number] = found
+        if change <= SETTLED * size:
+            return TimeStep(time, width, place, speed, pushes)
+        if change > 1e6 * size:
+            break
+    return None
+
+
+def roughness(step: TimeStep) -> float:
+    """The share of the highest power in q̈ over the step."""
+    last = [
+        sum(row[-1] * push[i] for row, push in zip(rule().powers, step.pushes, strict=True))
+        for i in range(len(step.place))
+    ]
+    size = max(max(map(abs, push), default=0.0) for push in step.pushes)
+    return max(map(abs, last), default=0.0) / size if size else 0.0
+
+
+def is_constant(law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers) -> bool:
+    """Whether q̈ is the same in the midst and at the end of a stretch."""
+    size = max(max(map(abs, push), default=0.0), 1e-300)
+    bare = TimeStep(time, width, place, speed, [push])
+    for part in (1.0, 0.4):
+        found = law(time + part * width, *bare.at(part))
+        if max([abs(a - b) for a, b in zip(found, push, strict=True)], default=0.0) > SAME * max(
+            size, *map(abs, found)
+        ):
+            return False
+    return True
+
+
+def adapted(
+    law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers, before: TimeStep | None = None
+) -> tuple[TimeStep, float]:
+    """A step that is as long as it may be, and the width to try next."""
+    for _ in range(60):
+        try:
+            step = stretch(law, time, place, speed, width, push, before)
+        except NotConfirmed:
+            step = None
+        if step is not None:
+            rough = roughness(step)
+            if rough <= BEND:
+                return step, width * min(4.0, 0.8 * (BEND / max(rough, 1e-12)) ** 0.2)
+            width *= max(0.1, 0.8 * (BEND / rough) ** 0.2)
+        else:
+            width *= 0.3
+    raise NotConfirmed("the motion is too rough to follow")

@@ -1,0 +1,249 @@
+"""Verdict: the answers held against the assembly: the same, something else, or not confirmed and why; what it contradicts is withheld.
+
+Letters without a number get three sets of numbers, drawn from a seed; a letter that is asked for has the number of its answer, which
+then has to make every line of the states hold.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units import dimension as kinds
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.asked import Asker, related
+from rotsolve.confirm.course.following import Course
+from rotsolve.confirm.course.node import Budget
+from rotsolve.confirm.course.reading import Reckoned
+from rotsolve.confirm.numbers import value_of
+from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Equality, Refusal, Words
+from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.language.problem import Find, Given, Problem
+
+SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
+SETS, DRAWS = 3, 9  # sets of numbers for letters, and how often one is drawn for them
+WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
+BUDGET = 600  # instants of one body that a scene may cost
+LIMITS = {  # numbers that are drawn for letters, by what they measure
+    kinds.MASS: (0.5, 5.0),
+    kinds.LENGTH: (0.3, 1.5),
+    kinds.ANGLE: (0.3, 1.2),
+    kinds.NONE: (0.15, 0.7),
+}
+OTHERS = (0.5, 3.0)
+
+Numbers = Mapping[str, float]
+Solved = Callable[[str], "Formula | float | None"] | None
+
+
+def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
+    """The derivation with what was confirmed among its checks, and what was not; what is contradicted is refused.
+
+    Unsolvable where nothing stands.
+    """
+    verdicts = derivation.confirmed
+    letters = {answer.name: answer.symbol for answer in derivation.answers}
+    good = [letters[item.name] for item in verdicts if item.holds]
+    checks = []
+    if good:
+        checks.append(Check(("an assembly of all bodies' equations gives the same ", *in_a_row(good))))
+    reasons: dict[str, list[Formula]] = {}
+    for item in verdicts:
+        if item.holds is None:
+            reasons.setdefault(item.why, []).append(letters[item.name])
+    if any(item.holds is False for item in verdicts):
+        return withheld(replace(derivation, checks=tuple(checks)), problem)
+    for why, names in reasons.items():
+        checks.append(Check((*in_a_row(names), f" ({why})"), None, "not confirmed:"))
+    return replace(derivation, checks=(*derivation.checks, *checks))
+
+
+def confirmations(answers: Sequence[Answer], problem: Problem, solved: Solved) -> tuple[AnswerConfirmation, ...]:
+    """What the assembly says of each answer."""
+    verdicts: dict[str, AnswerConfirmation] = {}
+    tried, budget = 0, Budget(BUDGET)
+    for numbers in sets_of_numbers(problem):
+        found = dict(at_numbers(answers, problem, numbers, solved, budget))
+        verdicts = {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
+        tried += any(verdict.holds is not None for verdict in found.values())
+        if tried == SETS or budget.left < 0:
+            break
+    return tuple(verdicts.values())
+
+
+def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> AnswerConfirmation:
+    """Of two sets of numbers: contradicted by one, else confirmed by one."""
+    if before is None or now.holds is False:
+        return now if before is None or before.holds is not False else before
+    return before if before.holds is not None else now
+
+
+def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
+    """The numbers of the givens; where some have none, several sets drawn for those."""
+    open_ = [given for given in problem.givens if given.value is None and not given.asked]
+    for number in range(DRAWS if open_ else 1):
+        chance = random.Random(number)
+        numbers = {given.name: number_drawn(given, chance) for given in open_}
+        for given in problem.givens:
+            if given.value is not None:
+                try:
+                    numbers[given.name] = float(value_of(given.value, {**problem.values, **numbers}))
+                except (NotConfirmed, ZeroDivisionError, OverflowError):
+                    continue
+        yield numbers
+
+
+def number_drawn(given: Given, chance: random.Random) -> float:
+    lowest, highest = LIMITS.get(given.dimension, OTHERS) if given.dimension is not None else OTHERS
+    return chance.uniform(lowest, highest)
+
+
+def at_numbers(
+    answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved, budget: Budget
+) -> Iterator[tuple[str, AnswerConfirmation]]:
+    """What the assembly says of each answer at one set of numbers."""
+    finds: dict[str, list[Find]] = {}
+    for find in problem.finds:
+        finds.setdefault(find.group, []).append(find)
+    known = {**numbers, **asked_letters(problem, numbers, solved)}
+    asker = Asker(problem, Course(problem, known, budget))
+    for several in answers:
+        answer = holding(several, known)
+        said = {} if answer is None else said_of(answer, known)
+        if answer is None:
+            yield several.name, AnswerConfirmation(several.name, None, "no numbers were found for its case")
+            continue
+        if not said:
+            yield answer.name, AnswerConfirmation(answer.name, None, "it has no number")
+            continue
+        try:
+            found = asker.answer(finds[answer.name][0], said)
+            yield answer.name, compared(answer.name, said, found)
+        except NotConfirmed as reason:
+            yield answer.name, AnswerConfirmation(answer.name, None, str(reason))
+        except (ArithmeticError, ValueError) as error:
+            yield answer.name, AnswerConfirmation(answer.name, None, f"the assembly has no number ({error})")
+
+
+def holding(answer: Answer, numbers: Numbers) -> Answer | None:
+    """The answer of the case that the numbers are of."""
+    for one in (answer, *answer.otherwise):
+        if all(holds(condition, numbers) for condition in one.conditions):
+            return one
+    return None
+
+
+def holds(condition: Equality, numbers: Numbers) -> bool:
+    """Whether a condition holds by a margin at the numbers; not where it speaks of what has none."""
+    try:
+        left, right = (float(value_of(side, numbers)) for side in (condition.left, condition.right))
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return False
+    return related(left, condition.relation, right)
+
+
+def asked_letters(problem: Problem, numbers: Numbers, solved: Solved) -> dict[str, float]:
+    """The letters that are asked for, by the answers."""
+    found = {}
+    for given in problem.givens:
+        if given.asked and solved is not None:
+            value = solved(given.name)
+            try:
+                if value is not None:
+                    found[given.name] = float(value_of(value, numbers) if isinstance(value, Formula) else value)
+            except (NotConfirmed, ArithmeticError):
+                continue
+    return found
+
+
+def said_of(answer: Answer, numbers: Numbers) -> dict[str, float | str]:
+    """The numbers of an answer in SI units: '' for itself, else by the names of its parts; of a choice the word."""
+    if answer.word:
+        return {"": answer.word}
+    said: dict[str, float | str] = {}
+    number = number_of(answer, numbers)
+    if number is not None:
+        said[""] = number
+    for part in answer.components:
+        number = number_of(part, numbers)
+        if number is not None:
+            said[part.name.removeprefix(f"{answer.name}_")] = number
+    return said
+
+
+def number_of(answer: Answer, numbers: Numbers) -> float | None:
+    """The number of an answer, by its closed form where the scene has letters without numbers."""
+    if answer.value is not None:
+        factor = answer.unit.factor if answer.unit is not None else None
+        return answer.value.float * (1.0 if factor is None else float(value_of(factor, {})))
+    formula = answer.closed if answer.closed is not None else answer.formula
+    if formula is None:
+        return None
+    try:
+        return float(value_of(formula, numbers))
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return None
+
+
+def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> AnswerConfirmation:
+    """Whether all that is said of an answer is what the assembly has found."""
+    if isinstance(said.get("", 0.0), str) or found.word:
+        return AnswerConfirmation(name, said.get("") == found.word, "" if said.get("") == found.word else found.word)
+    parts = [key for key in said if key in found.values]
+    if not parts:
+        return AnswerConfirmation(name, None, "its parts are not known to the assembly")
+    answered = tuple(float(said[key]) for key in parts)
+    own = tuple(found.values[key] for key in parts)
+    size = max(found.size, *map(abs, own), *map(abs, answered))
+    if found.sized:
+        answered, own = (tuple(map(abs, values)) for values in (answered, own))
+    holds = all(abs(a - b) <= SAME * size for a, b in zip(answered, own, strict=True))
+    return AnswerConfirmation(
+        name, holds, "" if holds else "an assembly of all bodies' equations gives another value", answered, own
+    )
+
+
+def in_a_row(letters: Iterable[Formula]) -> Words:
+    """a, T, N."""
+    words: list[str | Formula] = []
+    for letter in letters:
+        words += [", ", letter] if words else [letter]
+    return tuple(words)
+
+
+def withheld(derivation: Derivation, problem: Problem) -> Derivation:
+    """Only the answers that the assembly confirms, without the way to them, since that may lead through what is contradicted."""
+    finds = {find.group: find for find in reversed(problem.finds)}
+    refused = {}
+    for item in derivation.confirmed:
+        if not item.holds:
+            refused[item.name] = Fault(against(item), finds[item.name].span, WAYS, "unsolvable")
+    if all(not item.holds for item in derivation.confirmed):
+        fault = next(refused[item.name] for item in derivation.confirmed if item.holds is False)
+        names = ", ".join(f"`{item.name}`" for item in derivation.confirmed if item.holds is False)
+        message = f"not confirmed: an assembly of all bodies' equations contradicts {names}"
+        raise Unsolvable(message, span=fault.span, help=WAYS, lines=problem.lines, file=problem.file)
+    answers = tuple(answer for answer in derivation.answers if answer.name not in refused)
+    told = tuple(Refusal(name, fault) for name, fault in refused.items())
+    return replace(derivation, answers=answers, sections=(), trials=(), refused=(*derivation.refused, *told))
+
+
+def against(item: AnswerConfirmation) -> str:
+    """Why an answer is withheld, where one of the scene is contradicted."""
+    if item.holds is False:
+        return f"not confirmed: an assembly of all bodies' equations contradicts `{item.name}`"
+    return f"not confirmed: `{item.name}`, beside answers that an assembly of all bodies' equations contradicts ({item.why})"
+
+
+def confirmation_lines(verdicts: Sequence[AnswerConfirmation]) -> str:
+    """Each answer with the number that is answered and that of the assembly, in SI units: a stage that can be printed."""
+    lines = []
+    for item in verdicts:
+        word = {True: "confirmed", False: "contradicted", None: "not confirmed"}[item.holds]
+        lines.append(f"{item.name}: {word}" + (f": {item.why}" if item.why else ""))
+        for answered, own in zip(item.answered, item.found, strict=True):
+            lines.append(f"  answered {answered:.10g}, assembly {own:.10g} (SI units)")
+    return "\n".join(lines)
