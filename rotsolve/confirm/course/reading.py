@@ -271,7 +271,7 @@ def own_data(at: Node, path: Path, term: Term | None) -> Reckoned:
     if path.quantity == "radius":
         radius = radius_of(body, None, at.model.value)
         if radius is None and body.shape is not None and getattr(body.shape, "radius", None) is not None:
-            radius = at.model.value(body.shape.radius)  # type: ignore[attr-defined]
+            radius = at.model.value(body.shape.radius)
         if radius is not None:
             return number(radius)
     length = getattr(body.shape, "length", None)
