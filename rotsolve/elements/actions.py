@@ -9,7 +9,7 @@ from rotsolve.core import facts
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, combined, pace_of
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Vector, along_text, heading, unit, vector
 from rotsolve.elements.connections.touch import check_wheel
-from rotsolve.elements.shapes import rim_radius
+from rotsolve.elements.shapes import rim_radius, rims
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Action, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -53,9 +53,9 @@ class AppliedForce(Action, frozen=True):
         if on is None or on.owner not in configuration.bodies or self.direction in SQUARE or self.over or self.under:
             return ()
         name, body = configuration.host(on.owner, state), configuration.bodies[on.owner]
-        rim = on.point in WHEEL and rim_radius(body, on.point) is not None
-        swings = configuration.swings_round(on, state) and not rim and on.point not in dict(body.radii)
-        return (name,) if swings else ()
+        rim = rim_radius(body, on.point) is not None and (on.point in WHEEL or on.point in rims(body))
+        place = PointRef(on.owner, "center") if rim else on
+        return (name,) if configuration.swings_round(place, state) else ()
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:
@@ -70,13 +70,14 @@ class AppliedForce(Action, frozen=True):
 
     def aim(self, instant: Moment, on: PointRef) -> tuple[Vector, Vector]:
         """Unit vector of the force, and where it acts from the body's reference."""
-        name, motion = instant.host(on.owner), instant.motion(on.owner)
-        radius = rim_radius(instant.body(on.owner), on.point) if instant.is_round(on.owner) else None
-        turn = turn_sense(self.direction, motion.sense)
+        motion = instant.motion(on.owner)
+        body = instant.body(on.owner)
+        radius = rim_radius(body, on.point)
+        turn = turn_sense(self.direction, instant.sense(on.owner))
         if self.direction in SQUARE and (motion.kind == "axis" or self.direction is not None):
-            if on.point in ("rim", None) or on.point in dict(instant.body(on.owner).radii):
-                return unit(UP if turn > 0 else DOWN), vector(radius or ZERO, RIGHT)
             arm = instant.point(on)
+            if (on.point in (None, "rim") or on.point in rims(body)) and (radius is not None or not arm.parts):
+                return unit(UP if turn > 0 else DOWN), instant.hub(on) + vector(radius or ZERO, RIGHT)
             if len(arm.parts) == 1:
                 return unit(arm.parts[0][1]).turned(90 * turn), arm
             return arm.turned(90 * turn).times(ONE / sqrt(arm.dot(arm))), arm
@@ -85,7 +86,7 @@ class AppliedForce(Action, frozen=True):
         direction = pointing(self.direction)
         if radius is not None and (self.over or self.under):
             outward = direction.turned(90 if self.rightward(direction, instant, on) == self.over else -90)
-            return direction, instant.point(PointRef(name, "center")) + outward.times(radius)
+            return direction, instant.hub(on) + outward.times(radius)
         return direction, instant.point(on)
 
     def rightward(self, direction: Vector, instant: Moment, on: PointRef) -> bool:
@@ -121,7 +122,7 @@ class AppliedCouple(Action, frozen=True):
         if self.on is None:
             return
         name, size = instant.host(self.on.owner), self.now(instant)
-        turn = turn_sense(self.direction, instant.sense(name))
+        turn = turn_sense(self.direction, instant.sense(self.on.owner))
         if isinstance(size, Negative):  # a drag −c ω is a torque c ω the other way
             size, turn = size.operand, -turn
         way = "clockwise" if turn < 0 else "counterclockwise"
@@ -179,9 +180,10 @@ class AppliedPower(Action, frozen=True):
         if self.on is None:
             return
         name, power = instant.host(self.on.owner), self.now(instant)
-        torque = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
-        yield facts.Couple(self.name, facts.POWERED, name, facts.signed(torque, instant.sense(name)), "torque", torque)
-        spin = facts.signed(instant.motion(name).spin, instant.sense(name))
+        sense, words = instant.sense(self.on.owner), instant.turn_words(self.on.owner)
+        torque = instant.ask("torque", self.name, when=instant.span(name), words=words)
+        yield facts.Couple(self.name, facts.POWERED, name, facts.signed(torque, sense), "torque", torque)
+        spin = facts.signed(instant.motion(name).spin, sense)
         if spin != ZERO:  # from rest a constant power means an endless torque at first
             sides = (power, torque * spin)
             yield facts.Rule(self.name, "power of the torque", (name,), sides, sides, linear=False)

@@ -5,14 +5,16 @@ What an element asks of the bodies that it names it checks itself; here is what 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.problem import Path, Problem
+from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.rigid import centre_of_mass, locate, pieces, rim_centre, tidy
 
 TURNS = ("angular_velocity", "angular_acceleration", "angular_momentum", "rotation", "turns", "torque")
 
@@ -28,7 +30,6 @@ def check(problem: Problem) -> None:
         item.check(scene)
     for event in problem.events:
         event.check(scene)
-    check_senses(scene)
 
 
 def check_sequence(problem: Problem) -> None:
@@ -120,25 +121,36 @@ def check_stacks(problem: Problem, bodies: Mapping[str, Body]) -> None:
             raise Unsolvable(f"`{top}` and `{under.owner}` lie on each other", span=under.span)
 
 
-def check_senses(scene: Configuration) -> None:
-    """No turn is asked or told of a body while it is part of another that counts turns the other way round."""
-    for path, states in turns_spoken_of(scene):
-        for state in states if path.owner in scene.bodies else ():
-            host = scene.host(path.owner, state)
-            if host != path.owner and scene.sense(host, state) != scene.sense(path.owner, state):
-                message = f"`{path.owner}` turns as one with `{host}`, whose positive turn is the other way round: not solved yet"
-                raise Unsolvable(message, span=path.span, help="give both the same `turns`")
+def check_rigid(scene: Configuration, state: str) -> None:
+    """What is joined into one body turns about one point, on which it is told what keeps it: of a problem with all its letters."""
+    places: dict[str, tuple[PointRef, Vector]] = {}
+    for item in scene.connections(state):
+        for ref in item.fixed_points():
+            host = scene.host(ref.owner, state)
+            place = scene.seat(ref.owner, state).place(locate(scene.body(ref.owner, state), ref))
+            other, first = places.setdefault(host, (ref, place))
+            if tidy(place - first).parts:
+                message = f"`{ref.owner}` and `{other.owner}` are one body, which `{item.name}` and another support hold at two points"
+                raise Unsolvable(f"{message}: not solved yet", span=ref.span)
+        for ref in item.touches() if item.rimmed else ():
+            check_hub(ref, item.word, scene, state)
+    for body in scene.present(state):
+        frame = scene.frame(body.name, state)
+        guided = scene.pivot(body.name, state) is not None or scene.hub(body.name, state) is not None
+        wheel = rim_radius(body, None) is not None and scene.line(body.name, state) is not None and not guided
+        middle = centre_of_mass(pieces(body)) if body.shape is not None else NOWHERE
+        if wheel and tidy(frame.reference + frame.cm - middle).parts:
+            message = f"nothing tells what keeps `{body.name}` on its line while its centre of mass goes round: not solved yet"
+            raise Unsolvable(message, span=body.span, help="solved is what turns on an axle, or rolls along a surface")
 
 
-def turns_spoken_of(scene: Configuration) -> Iterator[tuple[Path, Sequence[str]]]:
-    """The turns that states tell and questions ask for, with the states for which they do."""
-    every = [state.name for state in scene.timeline.states]
-    for state in scene.timeline.states:
-        yield from ((line.path, [state.name]) for line in state.conditions if line.path and line.path.quantity in TURNS)
-    for find in scene.problem.finds:
-        for term in find.terms:
-            if term.path.quantity in TURNS:
-                yield term.path, [name for name in (term.at, term.start, term.end) if name in every] or every
+def check_hub(ref: PointRef, word: str, scene: Configuration, state: str) -> None:
+    """A belt or gear runs on a rim round the axis about which the wheel turns."""
+    host, body = scene.host(ref.owner, state), scene.body(ref.owner, state)
+    centre = scene.seat(ref.owner, state).place(rim_centre(body, ref.point))
+    if scene.pivot(host, state) is not None and tidy(centre - scene.frame(host, state).reference).parts:
+        message = f"a {word} on a rim of `{ref.owner}` that is not round its axis is not solved yet"
+        raise Unsolvable(message, span=ref.span)
 
 
 def check_ropes(problem: Problem, bodies: Mapping[str, Body]) -> None:

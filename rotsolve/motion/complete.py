@@ -18,7 +18,7 @@ from rotsolve.elements.shapes import Graded, Particle, Shape, rim_radius, shape_
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
-from rotsolve.motion.admissible import check
+from rotsolve.motion.admissible import check, check_rigid
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import versions
@@ -31,6 +31,7 @@ def check_values(configuration: Configuration) -> None:
     for state in configuration.timeline.states:
         if state.conditions:
             configuration.present(state.name)  # refuses own data of bodies that can not be so
+        check_rigid(configuration, state.name)
         items = configuration.connections(state.name)
         for host in {configuration.host(owner, state.name): None for item in items for owner, *_ in item.prescribes()}:
             configuration.drives(host, state.name)  # refuses what can not be driven so

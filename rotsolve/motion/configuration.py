@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING, Drive, along_line
+from rotsolve.core.facts import signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import MIXED, UNKNOWN, combined
@@ -167,7 +168,9 @@ class Configuration(Arrangement, frozen=True, dict=True):
         """The motions of a body that are given from outside."""
         host = self.host(name, state)
         found = tuple(
-            Drive(item.name, host, word, function, component, self.sense(host, state))
+            Drive(
+                item.name, host, word, self._of_host(owner, word, function, state), component, self.sense(host, state)
+            )
             for item in self.connections(state)
             for owner, word, component, function in item.prescribes()
             if self.host(owner, state) == host
@@ -183,6 +186,18 @@ class Configuration(Arrangement, frozen=True, dict=True):
             raise Unsolvable(said, span=self.bodies[host].span, help="give its angle, or its rates")
         line = self.line(host, state)
         return found if line is None else along_line(found, line[0], self.bodies[host].span)
+
+    def _of_host(self, owner: str, word: str, function: Formula, state: str) -> Formula:
+        """What is given of the turn of a body that another stands for, as that one counts it."""
+        host = self.host(owner, state)
+        if host == owner or word not in TURNING:
+            return function
+        if word == "angle":
+            span, help = self.bodies[owner].span, f"give the angle of `{host}`"
+            raise Unsolvable(
+                f"the angle of `{owner}`, which is part of `{host}`, can not be given so", span=span, help=help
+            )
+        return signed(function, self.sense(owner, state) * self.sense(host, state))
 
     def sense(self, name: str, state: str) -> int:
         """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""

@@ -220,6 +220,8 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: tuple[str, 
         return f"moment of inertia, {noun}"
     if not own.cm.parts:
         return f"moment of inertia, {noun}" + (" about its centre" if shape.slender else "")
-    if shape.slender and pivot is not None and pivot.point in ("start", "end") and not members:
+    if pivot is None:
+        return f"moment of inertia, {noun} about the centre of mass"
+    if shape.slender and pivot.point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"
     return f"moment of inertia, {noun} about the {'axis' if shape.pointlike and not body.parts else 'pivot'}"

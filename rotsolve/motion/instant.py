@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.remembered import remembered
@@ -107,8 +107,20 @@ class Instant(Standing, frozen=True, dict=True):
         """A value that varies, in the letters of this moment for `time` and for paths of bodies."""
         if not value.symbols():
             return value
-        letters = {name: self.variable(word, self.host(owner)) for name, owner, word in paths_in(value)}
+        letters = {name: self.spoken_of(word, owner) for name, owner, word in paths_in(value)}
         return value.substitute({**letters, TIME: self.time()})
+
+    def spoken_of(self, word: str, name: str) -> Formula:
+        """Place or rate of a body, which may be part of another, as the scene speaks of it."""
+        host = self.host(name)
+        if host == name:
+            return self.variable(word, name)
+        if word == "angle":
+            return self.angle_of(name)
+        letter = self.variable(word, host)
+        if word in ("rotation", "angular_velocity"):
+            return self.as_counted(letter, name)
+        return letter if self.line_of(name) == self.line(host) else negate(letter)
 
     def variable(self, word: str, name: str) -> Formula:
         """Place or rate of a body, along its declared sense; even at a moment of a motion only thought of, the real rate."""

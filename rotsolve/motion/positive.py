@@ -15,13 +15,15 @@ from rotsolve.language.problem import Body, Given, Problem
 
 
 def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
-    """Givens that are positive: masses, lengths, times and the like, and every number that is."""
+    """Givens that are positive: masses, lengths, times and the like without a number, and every number that is."""
     signs = SignOracle({given.name: given.value for given in givens if given.value is not None})
+    told = {given.name: signs.by_numbers(Symbol(given.name)) for given in givens if not given.asked}
     return frozenset(
         given.name
         for given in givens
-        if not given.asked
-        and (is_positive(given.dimension) or (not is_angle(given) and signs.by_numbers(Symbol(given.name)) == 1))
+        if given.name in told
+        and (told[given.name] == 1 if told[given.name] is not None else is_positive(given.dimension))
+        and (is_positive(given.dimension) or not is_angle(given))
     )
 
 

@@ -25,18 +25,18 @@ from rotsolve.core.vectors.heading import (
     opposite,
 )
 from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.language.bodies import PointRef
 from rotsolve.language.keys import varying_values
-from rotsolve.language.shape import WHEEL
-from rotsolve.motion.rigid import Frame, direction_of, locate, tidy
+from rotsolve.motion.rigid import Frame, direction_of, locate, rim_ways, tidy
 
 if TYPE_CHECKING:
     from rotsolve.language.bodies import Orbit
-    from rotsolve.language.problem import Body
+    from rotsolve.language.problem import Body, Path
     from rotsolve.motion.configuration import Configuration
 
 
-STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
-FOLLOWED = ("position", "velocity", "acceleration")
+TURNED = ("angle", "rotation", "turns")
+FOLLOWED = ("position", "displacement", "velocity", "acceleration")
 
 
 class Standing(Struct, frozen=True, dict=True):
@@ -134,14 +134,20 @@ class Standing(Struct, frozen=True, dict=True):
         angle = self.angle(name)
         return RIGHT if angle is None else heading(angle) - self.offset(name)
 
+    @remembered
     def offset(self, name: str) -> Heading:
-        """Direction, in a body's own axes, that its `angle` measures; of one that stands for others, which are all turned by one angle,
-        that of the first rod whose angle the scene speaks of, where it is no rod itself."""
+        """Direction, in a body's own axes, that the letter of its angle measures.
+
+        That of its `angle`; of one that stands for others, which are all turned by one angle, that of the first rod whose angle the scene
+        speaks of, where it is no rod itself; its own axis where the centre of mass lies at an angle that is told by letters alone, save
+        where it swings.
+        """
         if not shape_of(self.body(name)).slender:
             for seat in self.configuration.cluster(name, self.state):
                 if shape_of(self.body(seat.name)).slender and self._speaks_of("angle", seat.name):
                     return seat.turned
-        return self._measured(name)
+        measured = self._measured(name)
+        return measured if not measured.terms or self.configuration.mentions.swings else RIGHT
 
     def _measured(self, name: str) -> Heading:
         """Direction that the angle of a body measures, in the axes of the one that stands for it: a rod's start to end, of what is held
@@ -235,16 +241,31 @@ class Standing(Struct, frozen=True, dict=True):
         )
 
     def follows_marks(self, name: str) -> bool:
-        """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
-        configuration, body = self.configuration, self.body(name)
-        slanted = self.frame(name).cm.parts and not shape_of(body).slender
-        if len(configuration.timeline.states) < 2 or slanted:
-            return False
-        asked = (term.path for find in configuration.problem.finds for term in find.terms if term.path.owner == name)
-        still = (*STILL, *dict(body.radii))
-        return any(
-            path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
+        """Whether the scene follows a mark on a body, or on one that is joined to it, round the point about which it turns.
+
+        Of what turns about another point than its centre of mass only where a state tells how far; else it is spoken of as it is drawn.
+        """
+        configuration, carried = self.configuration, self.configuration.carried(name, self.state)
+        told = any(
+            configuration.mentions.says(state.name, item, *TURNED)
+            for state in configuration.timeline.states
+            for item in carried
         )
+        slanted = self.frame(name).cm.parts and not shape_of(self.body(name)).slender
+        if len(configuration.timeline.states) < 2 or (slanted and not told):
+            return False
+        asked = (term.path for find in configuration.problem.finds for term in find.terms)
+        return any(
+            path.quantity in FOLLOWED and path.component in (None, *PLANE) and self._goes_round(path)
+            for path in asked
+            if path.owner in carried
+        )
+
+    def _goes_round(self, path: Path) -> bool:
+        """Whether the point of which a path speaks goes round another; the names of rims are directions in space from their centre."""
+        on_rim = path.point in rim_ways(self.body(path.owner))
+        place = PointRef(path.owner, "center" if on_rim else path.point or "cm", path.argument)
+        return self.configuration.swings_round(place, self.state)
 
     def stands_as_drawn(self, name: str) -> bool:
         """Whether a body slides along as it is drawn, with nothing said of its angle."""

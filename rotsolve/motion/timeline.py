@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import INSIDE
+from rotsolve.core.quantity import INSIDE, OSCILLATING
 from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Path, Problem, State, references
 
@@ -148,6 +148,11 @@ class Mentions(Struct, frozen=True, dict=True):
         """All quantities that the states and questions speak of, those of conditions too."""
         spoken_of = references((self.problem.states, self.problem.finds))
         return tuple(path for path in spoken_of if isinstance(path, Path))
+
+    @cached_property
+    def swings(self) -> bool:
+        """Whether the scene speaks of a period or frequency of swings."""
+        return any(path.quantity in OSCILLATING for path in self.paths)
 
     @cached_property
     def cuts(self) -> dict[str, Path]:

@@ -215,7 +215,9 @@ def angle_turned(owner: str, interval: Interval, instant: Instant) -> Formula:
     """Angle through which a body turns in a phase, or the last body of a connection against its first."""
     item = next((item for item in instant.configuration.connections(interval.start) if item.name == owner), None)
     if item is None or not item.between():
-        return rotation(instant.host(owner), interval, instant)
-    first, last = (instant.host(ref.owner) for ref in item.between())
-    way = instant.sense(first) * instant.sense(last)
-    return rotation(last, interval, instant) - signed(rotation(first, interval, instant), way)
+        return instant.as_counted(rotation(instant.host(owner), interval, instant), owner)
+    first, last = (ref.owner for ref in item.between())
+    turned, carried = (
+        instant.as_counted(rotation(instant.host(name), interval, instant), name) for name in (last, first)
+    )
+    return turned - signed(carried, instant.sense(first) * instant.sense(last))

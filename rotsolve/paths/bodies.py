@@ -11,7 +11,7 @@ from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.problem import Path, Term
+from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
 from rotsolve.laws.newton import torque_about
 from rotsolve.motion.places import height
@@ -89,6 +89,14 @@ class OfBodies(AtInstant, frozen=True):
         """Height above the level that the scene counts from."""
         name, host = path.owner, self.instant.host(path.owner)
         above = height(host, self.instant)
+        if self.instant.motion(name).kind == "axis":
+            help = f"ask for `change of {name}.potential_energy`, or for the displacement of a point: `{name}.cm.displacement.y`"
+            raise NotYet(
+                f"above which level `{name}`, which turns about a fixed point, is high, the scene does not tell",
+                help=help,
+            )
+        if above is not None and host != name:
+            above = above + self.instant.point(PointRef(name, "cm")).along(UP)
         if above is None:
             help = "of what travels along a straight line say how far it goes"
             help += f": `{name}.displacement: h/sin(beta)` along a slope, `{name}.displacement: h` straight up or down"

@@ -9,8 +9,9 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.facts import Inertia
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.vectors.heading import RIGHT, UP, Vector, heading
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, heading
 from rotsolve.core.vectors.tensor import AXES, Place
 from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.shapes import shape_of
@@ -19,9 +20,10 @@ from rotsolve.laws import inertia
 from rotsolve.laws.centre_of_mass import Told, Unknown, arm_of, centre
 from rotsolve.laws.integration import NotSliced, mass
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import locate, rise, tidy
+from rotsolve.motion.rigid import Frame, centre_of_mass, locate, pieces, rise, tidy
 from rotsolve.motion.spread import Spread
 from rotsolve.paths.meaning import AtInstant, Meaning, NotYet
+from rotsolve.paths.shares import joined
 
 ENTRY_OF = {"x": "xx", "y": "yy", "z": "zz"}
 
@@ -45,7 +47,18 @@ class OfInertias(AtInstant, frozen=True):
         if term.about is not None and self.instant.configuration.pivot(name, self.instant.state) is None:
             return True  # only what turns about an axis has an angular momentum in space so far
         height = self._point(name, term)[1] if term.about is not None else ZERO
-        return all(is_zero(piece.height - height) for piece in self.instant.frame(name).pieces)
+        return all(is_zero(piece.height - height) for piece in self._own(name).pieces)
+
+    def _own(self, name: str) -> Frame:
+        """The body alone, in its own axes."""
+        if not joined(name, self.instant):
+            return self.instant.frame(name)
+        items = pieces(self.instant.body(name))
+        return Frame(items, centre_of_mass(items), NOWHERE)
+
+    def _letter(self, name: str) -> Inertia | None:
+        """The moment of inertia with which the laws speak of a body that is not joined to another."""
+        return None if joined(name, self.instant) else self.body(name).inertia
 
     def _told(self, path: Path, term: Term | None) -> Told:
         if path.quantity == "angular_momentum":
@@ -79,9 +92,10 @@ class OfInertias(AtInstant, frozen=True):
         """About the axis that is asked for; the letter of the laws where they use just this one."""
         spread = self._spread(path.owner, term)
         along = term.along if term is not None else None
-        facts = self.body(path.owner).inertia if self.instant.host(path.owner) == path.owner else None
+        facts = self._letter(path.owner)
         if along in (None, "z"):
-            reference = self.instant.frame(path.owner).reference
+            own = self._own(path.owner)
+            reference = own.reference
             at_reference = not tidy(self._point(path.owner, term)[0] - reference).parts
             held = self.instant.configuration.pivot(path.owner, self.instant.state) is not None  # by a hinge or axle
             plain = (len(spread.pieces) == 1 and spread.pieces[0].shape.tabled) or held
@@ -110,11 +124,11 @@ class OfInertias(AtInstant, frozen=True):
     def _spread(self, name: str, term: Term | None) -> Spread:
         """The pieces of a body and the point about which is asked."""
         instant = self.instant
-        own, body = instant.frame(name), instant.body(name)
+        own, body = self._own(name), instant.body(name)
         point, height, ref = self._point(name, term)
         x, y = point.along(RIGHT), point.along(UP)
         central = not tidy(point - own.reference - own.cm).parts and height == rise(body, PointRef(name, "cm"))
-        facts = self.body(name).inertia if instant.host(name) == name else None
+        facts = self._letter(name)
         centred = facts is not None and not own.cm.parts and len(own.pieces) == 1 and own.pieces[0].shape.tabled
         integrates = term is not None and term.by == "integration"
         doubled = term is not None and integrates and bare(replace(term, by=None)) in self._asked()
@@ -140,14 +154,23 @@ class OfInertias(AtInstant, frozen=True):
         instant = self.instant
         about = term.about if term is not None else None
         if about is None:
-            own = instant.frame(name)
+            own = self._own(name)
             return own.reference + own.cm, rise(instant.body(name), PointRef(name, "cm")), None
         support = instant.configuration.connection(about.owner, instant.state)
-        ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
-        if ref is None or ref.owner != name:
-            raise NotYet(f"`{about.owner}` is no point of `{name}`", about.span)
-        body = instant.body(name)
-        return locate(body, ref), rise(body, ref), ref
+        points = support.touches() if support is not None else (about,)
+        named = [ref for ref in points if ref.owner in instant.configuration.bodies]
+        for ref in sorted(named, key=lambda ref: ref.owner != name):
+            if instant.host(ref.owner) == instant.host(name):
+                other = instant.body(ref.owner)
+                return self._seen(locate(other, ref), ref.owner, name), rise(other, ref), ref
+        raise NotYet(f"`{about.owner}` is no point of `{name}`", about.span)
+
+    def _seen(self, place: Vector, other: str, name: str) -> Vector:
+        """A place in the axes of a body that is joined to another, in the axes of that."""
+        if other == name:
+            return place
+        seats = [self.instant.configuration.seat(item, self.instant.state) for item in (other, name)]
+        return (seats[0].place(place) - seats[1].at).rotated(-seats[1].turned)
 
     def _angular_momentum(self, path: Path, term: Term | None) -> Told:
         """A component of L = Σ r × m v about a point of the axis: of a body that turns about z, (I_zx, I_yz, I_zz) ω."""
@@ -157,6 +180,10 @@ class OfInertias(AtInstant, frozen=True):
         if motion.orientation != RIGHT:
             raise NotYet(f"the components of an angular momentum in space are those of `{path.owner}` as it is drawn")
         point, _, ref = self._point(path.owner, term)
+        if joined(path.owner, self.instant):
+            raise NotYet(
+                f"the angular momentum in space of `{path.owner}` alone, which is joined to another, is not solved yet"
+            )
         if ref is None or tidy(point - self.instant.frame(path.owner).reference).parts:
             raise NotYet(
                 f"a part of the angular momentum of `{path.owner}` is asked about a point of its axis",

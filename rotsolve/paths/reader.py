@@ -334,6 +334,16 @@ class PathReader(AtInstant, frozen=True):
             parts.append(signed(share_of(body.name, self.instant, body, whole=True).angular_momentum(point), sense))
         return total([part for part in parts if part != ZERO])
 
+    def inertia(self, path: Path, about: PointRef | None) -> Formula:
+        """Σ I of all bodies about a point."""
+        if about is None:
+            raise NotYet("the moment of inertia of all together is asked about a point", help="say `about` which")
+        parts = []
+        for body in self.facts().bodies:
+            share = share_of(body.name, self.instant, body, whole=True)
+            parts.append(share.inertia(place_about(about, body.name, self.instant)))
+        return total(parts)
+
     def momentum(self, path: Path, about: PointRef | None) -> Meant:
         """Σ m v: a component of it, or its size."""
         momenta = [body.centre_velocity.scaled(body.mass) for body in self.facts().bodies]
@@ -354,6 +364,7 @@ OF_SCENE: dict[
 ] = {  # what can be asked of the whole scene
     "kinetic_energy": PathReader.kinetic_energy,
     "angular_momentum": PathReader.angular_momentum,
+    "inertia": PathReader.inertia,
     "momentum": PathReader.momentum,
     "time": PathReader.time,
     "mass": PathReader.mass,

@@ -59,6 +59,12 @@ class Share(Struct, frozen=True):
         spin = self.moment * turning if ZERO not in (self.moment, turning) else ZERO
         return total([part for part in (arm.cross(moving.scaled(self.mass)), spin) if part != ZERO])
 
+    def inertia(self, point: Vector) -> Formula:
+        """I + m d² about a point: from the axis, else the centre of mass, by the parallel axes."""
+        near, far = (tidy(self.cm - place) for place in (self.base, point))
+        gained = simplify(far.dot(far) - near.dot(near))
+        return self.moment if gained == ZERO else self.moment + self.mass * gained
+
     def translational(self) -> list[Formula]:
         """½ m v² of the centre of mass, part by part where the parts are at right angles."""
         parts = self.velocity.parts

@@ -144,7 +144,7 @@ def run_up(path: Path, middle: Instant) -> Formula:
     if path.quantity == "displacement":
         return way(path, name, None, middle)
     if path.quantity in ("rotation", "turns"):
-        turned = so_far("rotation", name, middle)
+        turned = middle.as_counted(so_far("rotation", name, middle), path.owner)
         return turned / (2 * PI) if path.quantity == "turns" else turned
     raise NotYet(f"`{path.quantity}` as a function of time is not solved yet")
 

@@ -10,17 +10,20 @@ from rotsolve.core.facts import BodyFacts, Force, signed
 from rotsolve.core.passage import Meeting, Passage
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import of_kinds, running
-from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, cartesian
 from rotsolve.core.writing import is_negative
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import potential
 from rotsolve.laws.momentum import over_time
 from rotsolve.motion.encounters import participants
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.places import ends_of
+from rotsolve.motion.rigid import rim_ways, tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size, whole_vector
+from rotsolve.paths.shares import joined
 
 
 def impulse(path: Path, interval: str, scene: SceneEquations) -> Formula:
@@ -128,15 +131,17 @@ def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
     return total([signed(torque, hit.body.motion.sense) for torque in torques])
 
 
-def work_of_weight(name: str, passage: Passage) -> Formula:
-    """m g times the height lost."""
-    heights = passage.heights.get(name)
+def work_of_weight(name: str, passage: Passage, scene: SceneEquations) -> Formula:
+    """m g times the height lost, of one of several that are joined of its own weight."""
+    host = scene.instant(passage.start.state).host(name)
+    heights = passage.heights.get(host)
     if heights is None:
         raise NotYet(f"how far `{name}` sinks is not told by the scene")
     levels: list[Formula] = []
     for facts, height, sign in ((passage.start, heights[0], 1), (passage.end, heights[1], -1)):
-        body = facts.body(name)
-        weights = [force for force in body.forces if force.role.weighs] if body is not None else []
+        body = facts.body(host)
+        weighing = (force for force in body.forces if force.role.weighs) if body is not None else ()
+        weights = [force for force in weighing if force.part in ("", name)]
         levels += [signed(force.size * (height + force.arm.along(UP)), sign) for force in weights]
     return total(levels)
 
@@ -148,19 +153,22 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
         return ZERO
     works = [work for work in passage.works if path.owner in (work.owner, *work.bodies)]
     if path.component == "gravity":
-        return work_of_weight(path.owner, passage)
+        return work_of_weight(path.owner, passage, scene)
+    if path.owner in scene.configuration.bodies and joined(path.owner, scene.instant(passage.start.state)):
+        help = f"ask for the change of its energy, `change of {path.owner}.energy`, or the work of what acts on it"
+        raise NotYet(f"the work done on `{path.owner}` alone, which is joined to another, is not solved yet", help=help)
     if not works:
         raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
     return total([work.amount for work in works])
 
 
-def potential_change(owner: str, passage: Passage) -> Formula:
+def potential_change(owner: str, passage: Passage, scene: SceneEquations) -> Formula:
     """U₂ − U₁ of a body's weight, of a spring, or of everything."""
+    if owner in scene.configuration.bodies:
+        return negate(work_of_weight(owner, passage, scene))
     groups = [group for group in passage.groups if not owner or owner in group] or list(passage.groups)
     if any(passage.heights.get(name) is None for group in groups for name in group if not owner or name == owner):
         raise NotYet("how high it is at both states is not told by the scene")
-    if owner and owner in {body.name for body in passage.start.bodies}:
-        return negate(work_of_weight(owner, passage))
     ends = [(group, end, sign) for group in groups for end, sign in ((1, 1), (0, -1))]
     return total([signed(term, sign) for group, end, sign in ends for term in potential(passage, group, end)])
 
@@ -187,7 +195,7 @@ def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -
     """Change or loss of potential energy (of one body: its weight's alone), or of kinetic and potential energy together."""
     intervals = scene.configuration.timeline.between(start, end)
     passages = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
-    result = total([potential_change(term.path.owner, passage) for passage in passages])
+    result = total([potential_change(term.path.owner, passage, scene) for passage in passages])
     if term.path.quantity == "energy":
         kinetic = replace(term.path, quantity="kinetic_energy")
         gained = [scene.reader(state).meaning(kinetic, term).formula for state in (start, end)]
@@ -202,7 +210,7 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
     timeline, path, kind = scene.configuration.timeline, term.path, QUANTITIES[term.path.quantity]
     start, end = span(term, start, end, scene)
     intervals = timeline.between(start, end)
-    if path.quantity == "displacement" and path.point is not None:
+    if path.quantity == "displacement" and goes_round(path, scene.instant(start)):
         return of_point(term, start, end, scene), intervals[-1].name
     if path.quantity == "time":
         duration = scene.instant(end).time() - scene.instant(start).time()
@@ -235,25 +243,47 @@ def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Form
     return way(path, name, interval, instant)
 
 
+def goes_round(path: Path, instant: Instant) -> bool:
+    """Whether a displacement is that of a point that may go round another: a named one, or a body on an axis or joined to what turns."""
+    if path.point is not None or path.owner not in instant.configuration.bodies:
+        return path.point is not None
+    motion = instant.motion(path.owner)
+    return motion.kind == "axis" or (motion.turns and instant.host(path.owner) != path.owner)
+
+
 def of_point(term: Term, start: str, end: str, scene: SceneEquations) -> Meaning:
-    """Displacement of a point of a body on a fixed axis: where it is at the end less where it was."""
+    """Displacement of a point of a body: where it is at the end less where it was, Δr of the reference and of the point from there."""
     path, dimension = term.path, LENGTH
-    ref = PointRef(path.owner, path.point, path.argument)
+    ref = PointRef(path.owner, path.point or "cm", path.argument)
     instants = [scene.instant(state) for state in (start, end)]
-    host = instants[0].host(path.owner)
-    turning = all(item.motion(host).kind == "axis" and item.angle(host) is not None for item in instants)
-    if not turning or any(item.host(path.owner) != host for item in instants):
+    host, arms = instants[0].host(path.owner), [item.point(ref) for item in instants]
+    followed = all(item.angle(host) is not None or not item.motion(host).turns for item in instants)
+    moved = [way_of_reference(host, axis, start, end, scene) for axis in (RIGHT, UP)]
+    still = ref.point in rim_ways(instants[0].body(path.owner)) or not arms[0].parts
+    if None in moved or not (followed or still) or any(item.host(path.owner) != host for item in instants):
         raise NotYet(
-            f"the displacement of `{path.owner}.{path.point}` is not solved yet",
-            help=f"solved is a point of a body on a fixed axis whose angle the states tell: `{host}.angle`",
+            f"the displacement of `{path.owner}.{ref.point}` is not solved yet",
+            help=f"solved is a point of a body whose place and angle the states tell: `{host}.angle`",
         )
-    way = instants[1].point(ref) - instants[0].point(ref)
+    way = tidy(arms[1] - arms[0] + cartesian(*(part for part in moved if part is not None)))
     label = f"displacement of {spoken_point(path)}"
     if path.component in ("x", "y"):
         return Meaning(way.along(RIGHT if path.component == "x" else UP), dimension, label=label)
     if path.component is not None:
         raise NotYet(f"the {path.component} part of a displacement has no meaning", help="ask for `x` or `y`")
     return Meaning(vector_size(way), dimension, way, label=label)
+
+
+def way_of_reference(host: str, axis: Heading, start: str, end: str, scene: SceneEquations) -> Formula | None:
+    """How far the reference of a body goes along a direction from one state to another; None where places do not tell."""
+    parts: list[Formula] = []
+    for interval in scene.configuration.timeline.between(start, end):
+        if interval.event is None:
+            ends = ends_of(host, axis, interval, scene.instant(interval.start), scene.instant(interval.end))
+            if ends is None:
+                return None
+            parts.append(ends[1] - ends[0])
+    return total([part for part in parts if part != ZERO])
 
 
 def span(term: Term, start: str | None, end: str | None, scene: SceneEquations) -> tuple[str, str]:

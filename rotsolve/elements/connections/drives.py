@@ -90,11 +90,13 @@ class MutualDrive(Connection, frozen=True):
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The torque on the body, along its positive turn, and its reaction on the carrier."""
         carrier, body = (instant.host(ref.owner) for ref in self.drives)
-        sense = instant.sense(body)
+        sense = instant.sense(self.drives[1].owner)
         if self.couple is not None:
             size = instant.now(self.couple)
         else:
-            size = instant.ask("torque", self.name, when=instant.span(body), words=instant.turn_words(body))
+            size = instant.ask(
+                "torque", self.name, when=instant.span(body), words=instant.turn_words(self.drives[1].owner)
+            )
         for name, turn in ((carrier, -sense), (body, sense)):
             role, way = INNER if self.couple is None else DRIVE, "counterclockwise" if turn > 0 else "clockwise"
             yield Couple(self.name, role, name, signed(size, turn), "torque", size, way)

@@ -22,7 +22,7 @@ from rotsolve.core.facts import (
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
-from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import amount, key
@@ -159,6 +159,14 @@ class Axle(Driven, frozen=True):
 
     independent = True
     axial = True
+
+    def check(self, scene: Surroundings) -> None:
+        """It runs through the centre of a wheel; what carries it may do so at any point."""
+        super().check(scene)
+        for ref in self.axle[-1:] if len(self.axle) < 3 else self.axle[1:]:
+            if ref.owner in scene.bodies and ref.point in {*rims(scene.bodies[ref.owner]), "rim", "top", "bottom"}:
+                help = f"write `axle: {ref.owner}`, or `hinge: {ref.owner}.{ref.point}` for what hangs by its rim"
+                raise Unsolvable("an axle runs through the centre of a wheel", span=ref.span, help=help)
 
     def among(self, moving: Container[str]) -> Connection:
         """On a mount where one of its bodies moves by itself: that carries the others."""
