@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import MASS, TIME, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.symbols import POSITION
+from rotsolve.core.symbols import POSITION, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.consistency import KnownBalls
 from rotsolve.derivation.letters import Letters, listed
@@ -44,7 +44,7 @@ def limit_checks(search: Search) -> Iterator[Check]:
     best: tuple[int, Words] | None = None
     for answered in search.wholes()[:2]:
         formula = answered.found.formula
-        if answered.asked.find.runs or formula is None or formula.symbols() == frozenset():
+        if answered.asked.find.runs or formula is None or not formula.symbols() or has_quantities(formula):
             continue
         for given in search.givens.values():
             if given.name not in formula.symbols() or given.dimension != MASS:

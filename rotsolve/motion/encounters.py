@@ -7,12 +7,13 @@ impulse along that, as large as it takes for its rule of speeds to hold afterwar
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
+from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO, Formula, Number
 from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Facts, Force, Requirement, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.passage import Encounter, Meeting
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
     from rotsolve.motion.timeline import Interval
 
 PARTS = {"normal_force": "n", "friction_force": "f"}  # by kind of a force: the index of its impulse
+CLOSE = Number(
+    Fraction(1, 10_000)
+)  # square of the share of their arms by which points that meet may be apart: data are rounded
 WAYS = {"x": ("right", "left"), "y": ("up", "down")}
 AS_NEEDED = ("force", "tension", *PARTS)  # kinds of the forces that are as large as it takes
 
@@ -197,31 +201,53 @@ def supports(bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event
     return "axle" if any(ref.owner == first.name for item in axles for ref in item.fixed_points()) else "pivot"
 
 
+Spot = tuple[str, Vector]  # a body, and a point of it from its reference
+
+
 def common_places(
     bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event, instant: Instant
 ) -> dict[str, Vector]:
     """Reference of each body from one common point: the axis of one that is held, else where they meet; of those whose place that tells."""
-    names = {body.name for body in bodies}
     spots = [(instant.host(ref.owner), event.spot(ref, instant)) for ref in points]
     held = next((body.name for body in bodies if body.motion.kind == "axis"), None)
-    found: dict[str, Vector] = {held: NOWHERE} if held else {name: tidy(-spot) for name, spot in spots[:1]}
-    pairs = [*pairwise(spots)]
-    for item in instant.configuration.connections(instant.state):
-        shared = [
-            ref
-            for ref in dict.fromkeys((*item.joint(), *item.fixed_points()))
-            if ref.owner in instant.configuration.bodies
-        ]
-        pairs += pairwise((instant.host(ref.owner), instant.point(ref)) for ref in shared)
-    pairs = [pair for pair in pairs if {pair[0][0], pair[1][0]} <= names]
+    origin = {held: NOWHERE} if held else {name: tidy(-spot) for name, spot in spots[:1]}
+    connections = instant.configuration.connections(instant.state)
+    joints = [pair for item in connections for pair in shared_places(item.joint(), instant)]
+    check_meeting(spots, joints, event, instant)
+    axes = [pair for item in connections for pair in shared_places(item.fixed_points(), instant)]
+    return placed(origin, [*pairwise(spots), *joints, *axes])
+
+
+def shared_places(points: tuple[PointRef, ...], instant: Instant) -> Iterator[tuple[Spot, Spot]]:
+    """Points of bodies that are at one place, two by two."""
+    bodies = instant.configuration.bodies
+    yield from pairwise((instant.host(ref.owner), instant.point(ref)) for ref in points if ref.owner in bodies)
+
+
+def placed(origin: dict[str, Vector], pairs: Sequence[tuple[Spot, Spot]]) -> dict[str, Vector]:
+    """References of all bodies whose places follow from that of the first by points that are at one place."""
+    found = dict(origin)
     while True:
-        told = [
-            (one, other)
-            for pair in pairs
-            for one, other in (pair, pair[::-1])
-            if one[0] in found and other[0] not in found
-        ]
-        if not told:
+        ways = (way for pair in pairs for way in (pair, pair[::-1]) if way[0][0] in found and way[1][0] not in found)
+        told = next(ways, None)
+        if told is None:
             return found
-        (known, arm), (name, own) = told[0]
+        (known, arm), (name, own) = told
         found[name] = tidy(found[known] + arm - own)
+
+
+def check_meeting(spots: Sequence[Spot], joints: Sequence[tuple[Spot, Spot]], event: Event, instant: Instant) -> None:
+    """Points of bodies that are hinged to each other can only meet where their places are one."""
+    if len(spots) != 2 or spots[0][0] == spots[1][0]:
+        return
+    (one, arm), (other, own) = spots
+    places = placed({one: NOWHERE}, joints)
+    if other not in places:
+        return
+    gap, configuration = tidy(arm - places[other] - own), instant.configuration
+    spare = gap.dot(gap) - CLOSE * (arm.dot(arm) + own.dot(own))
+    if configuration.signs.by_numbers(spare) == 1:
+        problem, points = configuration.problem, event.points(configuration.problem.connections)
+        names = " and ".join(f"`{ref.owner}.{ref.point}`" if ref.point else f"`{ref.owner}`" for ref in points)
+        message = f"{names} are not at one place at `{instant.state}`: they can not meet in `{event.name}`"
+        raise Unsolvable(message, span=points[1].span, lines=problem.lines, file=problem.file)

@@ -28,7 +28,7 @@ from rotsolve.search.definitions import Definitions, Stepwise
 from rotsolve.search.numbers import Numbers
 from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
 from rotsolve.solver import Solver
-from rotsolve.solver.steps import Contradiction, Found, NoClosedForm, PickedRoot, Redundant, Ref
+from rotsolve.solver.steps import Contradiction, Found, NoClosedForm, NumbersWanted, PickedRoot, Redundant, Ref
 
 if TYPE_CHECKING:
     from rotsolve.questions.functions_of_time import Beside
@@ -256,6 +256,8 @@ class Search(Struct, dict=True):
             met.update(dict.fromkeys(plan.unknowns))
             try:
                 found = self.solver.solve(plan)
+            except NumbersWanted as error:
+                raise NoAnswer(str(error), open_form=True) from None
             except (Redundant, Contradiction) as error:
                 banned.add(error.index)
                 problem = error if problem is None or isinstance(error, Contradiction) else problem

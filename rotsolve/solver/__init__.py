@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from msgspec import field
 
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.normal import REMEMBERED, is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
@@ -24,6 +24,7 @@ from rotsolve.solver.steps import (
     Found,
     Item,
     NoClosedForm,
+    NumbersWanted,
     Redundant,
     Ref,
     Step,
@@ -44,6 +45,9 @@ FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
 NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
 SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
+UNPRINTABLE: dict[
+    frozenset[tuple[Formula, Formula]], None
+] = {}  # equations of plans whose closed forms no page can hold
 MOST_IN_LETTERS = 30  # equations: of more than that no page can hold what is put in letters
 ENTANGLED = "no unknown can be told from the others"
 
@@ -59,7 +63,6 @@ class Solver(Isolation, kw_only=True):
     running: frozenset[str] = frozenset(("time",))  # letters that run during a phase
     steps: list[Step] = field(default_factory=list)
     derived: list[tuple[Equation, Ref]] = field(default_factory=list)
-    long: set[tuple[int, ...]] = field(default_factory=set)  # plans whose closed forms no page can hold
     told: dict[str, Formula] = field(default_factory=dict)  # what was eliminated on the way to the answers
 
     def solve(self, plan: Plan) -> Found:
@@ -67,7 +70,7 @@ class Solver(Isolation, kw_only=True):
         kept, derived, told = len(self.steps), len(self.derived), dict(self.told)
         try:
             found = self._in_letters_or_together(plan)
-        except (Redundant, Contradiction, NoClosedForm, Undefined, ZeroDivisionError) as error:
+        except (Redundant, Contradiction, NoClosedForm, NumbersWanted, Undefined, ZeroDivisionError) as error:
             del self.steps[kept:], self.derived[derived:]
             self.told = told
             if isinstance(error, ZeroDivisionError):
@@ -79,11 +82,14 @@ class Solver(Isolation, kw_only=True):
     def _in_letters_or_together(self, plan: Plan) -> Found:
         """In letters as far as a page can hold them; else all equations at once, with numbers."""
         kept, told = len(self.steps), dict(self.told)
+        told_by = frozenset((self.pool[index].left, self.pool[index].right) for index in plan.equations)
         try:
-            if plan.equations not in self.long and len(plan.equations) <= MOST_IN_LETTERS:
+            if told_by not in UNPRINTABLE and len(plan.equations) <= MOST_IN_LETTERS:
                 return self._solve(plan)
         except Unprintable:
-            self.long.add(plan.equations)
+            UNPRINTABLE[told_by] = None
+            while len(UNPRINTABLE) > REMEMBERED:
+                del UNPRINTABLE[next(iter(UNPRINTABLE))]
         del self.steps[kept:]
         self.told = told
         return self._by_numbers(plan)
@@ -97,7 +103,7 @@ class Solver(Isolation, kw_only=True):
         known = {name: found.number for name, found in self.solved.items() if found.number is not None}
         missing = lacking(stages, (*closed, *known, *self.signs.values))
         if missing:
-            raise NoClosedForm(f"{TOO_LONG}: give a number to {', '.join(f'`{name}`' for name in missing[:3])}")
+            raise NumbersWanted(f"{TOO_LONG}: give a number to {', '.join(f'`{name}`' for name in missing[:3])}")
         numbers = Together(stages, {**self.signs.values, **closed}, known).numbers()
         found = {name: Found(name, None, number) for name, number in numbers.items()}
         refs = [self.refs.get(index, ("law", index)) for index in plan.equations]

@@ -76,6 +76,10 @@ class Unprintable(ValueError):
     """A closed form would be longer than what a page can hold."""
 
 
+class NumbersWanted(ValueError):
+    """A closed form would be so, and letters have no numbers to go on with."""
+
+
 class Step(Struct, frozen=True):
     """One line of algebra: what is put into what, the chain of equalities, the unknown that it isolates."""
 

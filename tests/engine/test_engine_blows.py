@@ -3,62 +3,12 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from linked import Bodies, direction
 from rotsolve import Unsolvable, solve
-
-Array = NDArray[np.float64]
-
-
-class Bodies:
-    """Bodies by name with mass, moment about and place of the centre of mass; rows of J with the names of their impulses."""
-
-    def __init__(self) -> None:
-        self.names: list[str] = []
-        self.masses: list[float] = []
-        self.inertias: list[float] = []
-        self.places: list[Array] = []
-        self.rows: list[tuple[str, list[tuple[str, Array, Array]]]] = []
-
-    def add(self, name: str, mass: float, inertia: float, place: Sequence[float]) -> None:
-        self.names.append(name)
-        self.masses.append(mass)
-        self.inertias.append(inertia)
-        self.places.append(np.array(place, dtype=float))
-
-    def row(self, parts: Sequence[tuple[str, Array, Array]]) -> Array:
-        """How fast points move along directions, added up, in terms of (x, y, θ) of all bodies."""
-        result = np.zeros(3 * len(self.names))
-        for name, point, way in parts:
-            k = self.names.index(name)
-            arm = point - self.places[k]
-            result[3 * k : 3 * k + 3] += way[0], way[1], arm[0] * way[1] - arm[1] * way[0]
-        return result
-
-    def pin(self, joint: str, point: Array, last: str, first: str = "") -> None:
-        """Two points, or one and the ground, move together; its impulse is that on the last body."""
-        for axis, way in (("x", np.array([1.0, 0.0])), ("y", np.array([0.0, 1.0]))):
-            other = [(first, point, -way)] if first else []
-            self.rows.append((f"{joint}.{axis}", [(last, point, way), *other]))
-
-    def struck(self, before: Array, pushes: Sequence[tuple[str, Array, Array]]) -> tuple[Array, dict[str, float]]:
-        """Speeds after, and the impulses of the constraints: M v − Jᵀ Λ = M v₀ + P, J v = 0."""
-        mass = np.diag([x for m, i in zip(self.masses, self.inertias, strict=True) for x in (m, m, i)])
-        jacobian = np.array([self.row(parts) for _, parts in self.rows]).reshape(-1, len(mass))
-        count = len(jacobian)
-        matrix = np.block([[mass, -jacobian.T], [jacobian, np.zeros((count, count))]])
-        given = mass @ before + sum((self.row([push]) for push in pushes), np.zeros(len(mass)))
-        found = np.linalg.solve(matrix, np.concatenate([given, np.zeros(count)]))
-        names = [name for name, _ in self.rows]
-        return found[: len(mass)], dict(zip(names, found[len(mass) :], strict=True))
-
-
-def direction(angle: float) -> Array:
-    return np.array([np.cos(angle), np.sin(angle)])
 
 
 def chain(seed: int, count: int, held: str) -> tuple[str, dict[str, float]]:
