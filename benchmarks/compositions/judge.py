@@ -44,15 +44,23 @@ def judged(scene: Scene, found: Outcome, chance: random.Random) -> tuple[str, st
     if found.seconds > LIMIT:
         return SLOW, f"{found.seconds:.1f} s"
     if found.kind in (NOT_YET, UNSOLVABLE):
-        message = found.message.splitlines()[0]
-        if "not confirmed" in message:
-            return SAID, message
-        return (UNTRUE if any(word in message for word in FALSE_WORDS) else NAMED), message
+        return refused(found.message)
     differing = next(differences(scene, found, chance), "")
     if differing:
         return SILENT, differing
+    assert found.solution is not None
+    for reason in found.solution.refused.values():  # one question of several
+        return refused(str(reason))
     unsure = unconfirmed(found)
     return (UNCONFIRMED, unsure) if unsure else (RIGHT, "")
+
+
+def refused(message: str) -> tuple[str, str]:
+    """The verdict about a refusal: what the assembly contradicts, what is said to be wrong with the scene, or a thing by its name."""
+    said = message.splitlines()[0]
+    if "not confirmed" in said:
+        return SAID, said
+    return (UNTRUE if any(word in said for word in FALSE_WORDS) else NAMED), said
 
 
 def unconfirmed(found: Outcome) -> str:
@@ -76,6 +84,9 @@ def differences(scene: Scene, found: Outcome, chance: random.Random) -> Iterator
 def differing(one: Outcome, other: Outcome, name: str, scene: Scene) -> Iterator[str]:
     """What two outcomes that must be the same do not have in common."""
     if other.kind not in (SOLVED, OBJECTED):
+        assert one.solution is not None
+        if set(scene["find"]) <= set(one.solution.refused):
+            return
         if other.kind in (INTERNAL, BAD) or name in ("each question alone", "in another order", "by other names"):
             yield f"{name}: {other.message.splitlines()[0]}\n{written(scene)}"
         return

@@ -196,7 +196,7 @@ class Rewriter:
     def _base(self, term: Formula, share: int) -> SinCos:
         """sin and cos of term/share as atoms, or as an algebraic value where the term is an inverse function."""
         if share == 1 and isinstance(term, Call) and term.function in INVERSE:
-            return known_pair(term, self.radicals)
+            return known_pair(Call(term.function, tuple(map(self, term.arguments))), self.radicals)
         shown = angles.combination({term: Fraction(1, share)})
         return call("sin", shown), call("cos", shown)
 
