@@ -144,7 +144,7 @@ class Model:
         """Bodies that travel along a line without a surface that would lead them, and are not joined to what goes another way."""
         lying = {item.lying() for item in self.acting.connections if isinstance(item, Touch)} | self.hung
         free = {name for name in self.seats if self.line(name) is not None and name not in lying}
-        for first, second in self.unions:
+        for first, second in self.met:
             ways = self.line(first), self.line(second)
             if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
                 free -= {first, second}
@@ -160,11 +160,16 @@ class Model:
         held = [ref for item in self.acting.connections for ref in (*item.joint(), *item.fixed_points())]
         return frozenset((ref.owner, ref.point) for ref in held)
 
+    @property
+    def met(self) -> list[tuple[str, str]]:
+        """The pairs of bodies that events have made one."""
+        return [(event.joined()[0].owner, event.joined()[1].owner) for event in self.acting.joined()]
+
     @cached_property
     def unions(self) -> list[tuple[str, str]]:
         """The pairs of bodies that are one: welded, or joined by an event."""
-        pairs = [item.joined() for item in self.acting.connections] + [event.joined() for event in self.acting.joined()]
-        return [(pair[0].owner, pair[1].owner) for pair in pairs if pair]
+        welds = [item.joined() for item in self.acting.connections]
+        return [(pair[0].owner, pair[1].owner) for pair in welds if pair] + self.met
 
     def bodily(self, refs: tuple[PointRef, ...]) -> bool:
         """Whether bodies meet as wholes, on an axis that they share or along a line, so that no points need to coincide."""

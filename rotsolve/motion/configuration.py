@@ -116,6 +116,12 @@ class Configuration(Arrangement, frozen=True, dict=True):
         return (host, *(member.name for member in self.cluster(host, state)))
 
     @remembered
+    def marks(self, state: str) -> frozenset[tuple[str, str | None]]:
+        """Points that hinges and axles hold, to the ground or to another body: a rim's `top` among them turns with its body."""
+        items = self.connections(state)
+        return frozenset((ref.owner, ref.point) for item in items for ref in (*item.fixed_points(), *item.joint()))
+
+    @remembered
     def pivot(self, name: str, state: str) -> PointRef | None:
         """The point of a body that a hinge or axle holds to the ground."""
         held = (ref for item in self.connections(state) for ref in item.fixed_points() if ref.owner == name)

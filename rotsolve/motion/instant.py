@@ -33,9 +33,8 @@ class Instant(Standing, frozen=True, dict=True):
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""
         host, body = self.host(ref.owner), self.body(ref.owner)
-        seat, pivot = self.configuration.seat(ref.owner, self.state), self.configuration.pivot(host, self.state)
-        ways, radius = rim_ways(body), rim_radius(body, ref.point)
-        held = pivot is not None and (pivot.owner, pivot.point) == (ref.owner, ref.point)
+        seat, ways, radius = self.configuration.seat(ref.owner, self.state), rim_ways(body), rim_radius(body, ref.point)
+        held = ref.point in ways and (ref.owner, ref.point) in self.configuration.marks(self.state)
         if ref.point in ways and radius is not None and not held:
             return self._from_reference(host, seat.place(NOWHERE)) + vector(radius, ways[ref.point])
         return self._from_reference(host, seat.place(locate(body, ref)))
