@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units.dimension import Dimension, kind_of
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
@@ -90,6 +91,8 @@ def number_with_unit(scope: Scope, given: Given, written: Text) -> bool:
         quantity = parse_quantity(given.text)
     except UnitError:
         return False
+    if rather_givens(scope, given.text, quantity.dimension):
+        return False
     scope.givens[given.name] = replace(given, value=quantity.value, dimension=quantity.dimension, unit=quantity.unit)
     scope.dimensions[given.name] = quantity.dimension
     remember(scope.numbers, given.name, quantity.value)
@@ -104,9 +107,17 @@ def letter_with_unit(scope: Scope, given: Given) -> bool:
         unit = parse_unit(given.text)
     except UnitError:
         return False
+    if rather_givens(scope, given.text, unit.dimension):
+        return False
     scope.givens[given.name] = replace(given, dimension=unit.dimension, unit=unit)
     scope.dimensions[given.name] = unit.dimension
     return True
+
+
+def rather_givens(scope: Scope, text: str, dimension: Dimension) -> bool:
+    """Whether `W/g` is made of other givens: all names in it are such, and nothing is measured in what it would be as a unit."""
+    names = set(re.findall(r"[^\W\d]\w*", text))
+    return len(names) > 1 and names <= scope.givens.keys() and (dimension == NUMBER or kind_of(dimension) is None)
 
 
 def resolve_givens(scope: Scope, made: dict[str, Formula], texts: Mapping[str, Text]) -> None:

@@ -41,7 +41,21 @@ from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
 
+NUMBER_IN_FRONT = re.compile(r"(.*?[\d.½⅓¼⅔¾⅛]|pi)\s*([^\W\d].*)")  # of a quantity, and its unit
 PathReader = Callable[[Text, Lexeme], Formula | None]
+
+
+def two_ways(sign: str, quantity: str, scope: Scope) -> str:
+    """What to write for `/ 2 m` or `^ 2 m`: each proposal can be read in one way only."""
+    number, unit = NUMBER_IN_FRONT.fullmatch(quantity).groups()  # type: ignore[union-attr]
+    named = set(re.findall(r"[^\W\d]\w*", unit)) <= scope.givens.keys()
+    if sign == "/":
+        return (
+            f"write `/({number}*{unit})` or `/{number}*{unit}`"
+            if named
+            else f"write `/({quantity})`, or `/{number}*(1 {unit})`"
+        )
+    return f"write `{sign}{number}*{unit}`" if named else f"write `{sign}{number}*(1 {unit})`"
 
 
 def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -> Formula | None:
@@ -54,7 +68,7 @@ def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -
         place = node.part(piece.start, piece.end)
         if piece.kind == "quantity" and before in ("/", "^", "**"):
             message = f"`{before} {piece.text}` can be read in two ways"
-            return scope.fault(place, message, "put the quantity, or the number, in brackets", "ambiguous")
+            return scope.fault(place, message, two_ways(before, piece.text, scope), "ambiguous")
         before = before if piece.kind == "space" else piece.text
         replaced = replacement(scope, node, piece, place, want, names, paths)
         if replaced is None:
