@@ -102,10 +102,14 @@ def told_apart(problem: Problem, law: str | None, at: str | None) -> dict[str, U
     """The questions of a scene that have no answer, by name, each with its reason: what is found with all it needs, and nothing else."""
     refused: dict[str, Unsolvable] = {}
     for find in problem.finds:
-        try:
-            solved_together(replace(problem, finds=needed_for(find, problem)), law, DIGITS, at)
-        except Unsolvable as error:
-            refused[find.name] = error
+        for finds in needed_for(find, problem):
+            try:
+                solved_together(replace(problem, finds=finds), law, DIGITS, at)
+            except Unsolvable as error:
+                refused.setdefault(find.name, error)
+            else:
+                refused.pop(find.name, None)
+                break
     return refused
 
 

@@ -43,14 +43,19 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
     return search
 
 
-def needed_for(find: Find, problem: Problem) -> tuple[Find, ...]:
-    """A question with those that it names, and those that settle an unknown letter by a condition of their own."""
-    finds = {item.name: item for item in problem.finds}
+def needed_for(find: Find, problem: Problem) -> Iterator[tuple[Find, ...]]:
+    """What a question needs, the least first: those that it names, then those too that settle an unknown letter by a condition."""
     asked = {given.name for given in problem.givens if given.asked}
-    names = {
-        find.name,
-        *(item.name for item in problem.finds if item.where is not None and item.formula.symbols() & asked),
-    }
+    settling = {item.name for item in problem.finds if item.where is not None and item.formula.symbols() & asked}
+    alone = with_named({find.name}, problem)
+    yield alone
+    if settling - {item.name for item in alone}:
+        yield with_named({find.name, *settling}, problem)
+
+
+def with_named(names: set[str], problem: Problem) -> tuple[Find, ...]:
+    """Questions with those that they name."""
+    finds = {item.name: item for item in problem.finds}
     while more := {name for own in names for name in letters_of(finds[own]) if name in finds} - names:
         names |= more
     return tuple(item for item in problem.finds if item.name in names)

@@ -60,9 +60,10 @@ def with_equation(search: Search, find: Find) -> None:
         over_letter(search, find, letter, condition.phrase, condition.value)
         return
     if not any(search.planner.pool[index] is limit for index in answered.used):
+        search.take_back(answered)
         raise NotYet(
             f"`{find.name}` does not depend on `{condition.phrase.text.strip()}`: it is settled without the condition",
-            help="leave the condition out, or declare as `unknown` the letter that it is to settle",
+            help="leave the condition out" + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
         )
 
 

@@ -201,6 +201,12 @@ class Search(Struct, dict=True):
         self.answered.append(replace(answered, used=plan.equations, steps=(0, 0)))
         self.retired |= self.definitions.spent(answered.asked, ())
 
+    def take_back(self, answered: Answered) -> None:
+        """Forget an answer that is none to its question."""
+        self.answered.remove(answered)
+        self.solver.solved.pop(answered.asked.letter, None)
+        self.known.discard(answered.asked.letter)
+
     def step(self, letter: str) -> Found:
         """Settle a letter on the way to an answer, with a derivation of its own."""
         asked = asked_letter(letter)
