@@ -63,7 +63,8 @@ def with_equation(search: Search, find: Find) -> None:
         search.take_back(answered)
         raise NotYet(
             f"`{find.name}` does not depend on `{condition.phrase.text.strip()}`: it is settled without the condition",
-            help="leave the condition out" + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
+            help="leave the condition out"
+            + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
         )
 
 

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import islice
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
 from rotsolve.core.faults import Contradicted, Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
+from rotsolve.core.symbols import ASKED, MIXED, POSITION, is_quantity, key_of, phase_midst, real
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.timeline import Interval
-from rotsolve.paths.meaning import path_text
+from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.plan import Shortage
 from rotsolve.search.answers import CHECK_DATA, NoAnswer, unsolvable
+from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solver import ENTANGLED
 
@@ -39,6 +41,9 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
         return clash(problem, message, line.span or fallback, CHECK_DATA)
     broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
     interval = timeline.interval(equation.section)
+    if len(timeline.states) == 1 and complete_at_start(scene):
+        message = f"this scene is not solved by these laws: “{equation.label}” does not hold in it"
+        return unsolvable(problem, message, timeline.states[0].span or fallback, COMPLETE)
     if interval is None:
         state = next((state for state in timeline.states if state.name and state.name == equation.section), None)
         where = f" at `{state.name}`" if state is not None else ""
@@ -66,15 +71,6 @@ def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
 LINE_OR_EVENT = "give it a line, or an event that leads to it"
 MANY = 6  # unknowns that a message names one by one
 FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
-STATED = {  # what a state can say, with an example
-    "angle": "30 deg",
-    "velocity": "2 m/s",
-    "angular_velocity": "3 rad/s",
-    "elongation": "10 cm",
-    "displacement": "1 m",
-    "rotation": "2 rev",
-}
-RATES = ("velocity", "angular_velocity")
 
 
 def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
@@ -84,17 +80,77 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
         return contradicted(search.planner.pool[error.equation], search.scene, find.span)
     alone = "" if NEWTON in search.families else f" by {FAMILIES[search.families[0]].words} alone"
     missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, search.scene)
+    if other := law_that_gives(find, search):
+        message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`"
+        return unsolvable(problem, message, find.span, other)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
+    if asks_of_start(find, search.scene) and complete_at_start(search.scene):
+        return unsolvable(problem, f"`{find.name}` is not solved by these laws{alone}", find.span, COMPLETE)
     if error.shortage is None or not missing:
-        help = suggestion((), search.scene)
+        help = suggestion((), search, find)
         return unsolvable(problem, f"too little is known to find `{find.name}`{alone}", find.span, help)
     pool = [search.planner.pool[index] for index in error.shortage.equations]
     laws = [law for law in pool if law.law.words and not any(key_of(name).kind == ASKED for name in law.symbols())]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
     counted = counted if len(laws) < len(missing) else "nothing settles"
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
-    return unsolvable(problem, message, find.span, suggestion(missing, search.scene, error.shortage.asked))
+    return unsolvable(problem, message, find.span, suggestion(missing, search, find, error.shortage.asked))
+
+
+def law_that_gives(find: Find, search: Search) -> str:
+    """Which law gives what the law asked for does not; nothing where none does, or all were tried."""
+    from rotsolve.search.proposals import has_answer
+
+    if search.families == families_for(None):
+        return ""
+    for law in FAMILIES:
+        if law not in search.families and has_answer(
+            find, search.another(families_for(law), spare=True, confirming=True)
+        ):
+            return f"{FAMILIES[law].words} gives it: say `--law {law}`, or leave `--law` out"
+    whole = has_answer(find, search.another(families_for(None), confirming=True))
+    return "it takes more than one law: leave `--law` out" if whole else ""
+
+
+COMPLETE = "nothing is missing in the scene, and nothing in it contradicts the rest: an assembly of all bodies' equations has a solution"
+
+
+def asks_of_start(find: Find, scene: SceneEquations) -> bool:
+    """Whether a question is about the first state alone, or the only one."""
+    first = scene.configuration.timeline.states[0].name
+    spans = [(term.start, term.end, term.during) for term in find.terms]
+    at_start = all(
+        term.at == first or (term.at is None and len(scene.configuration.timeline.states) == 1) for term in find.terms
+    )
+    return bool(find.terms) and at_start and find.where is None and not any(map(any, spans))
+
+
+def complete_at_start(scene: SceneEquations) -> bool:
+    """Whether the equations of all bodies, assembled apart from the laws, have one solution at the first state."""
+    from rotsolve.confirm import NotConfirmed
+    from rotsolve.confirm.instant import moment, placed
+    from rotsolve.confirm.model import Model
+
+    problem, first = scene.configuration.problem, scene.instant(scene.configuration.timeline.states[0].name)
+    angles = [first.angle(body.name) for body in scene.configuration.present(first.state)]
+    if any(given.asked for given in problem.givens) or any(
+        angle is not None and is_quantity(angle) for angle in angles
+    ):
+        return False
+    letters = [given.name for given in problem.givens if given.value is None]
+    try:
+        model = Model(problem, {name: 1 + 0.1 * place for place, name in enumerate(letters)}, problem_start(problem))
+        at = placed(model)
+        found = moment(model, at)
+    except (NotConfirmed, NotYet, Unsolvable, ArithmeticError, ValueError, LookupError, AttributeError):
+        return False
+    return not (at.open or at.unplaced or found.open_rates or found.open_reactions or at.clash or found.clash)
+
+
+def problem_start(problem: Problem) -> str:
+    """The name of the first state; '' where there is none."""
+    return problem.states[0].name if problem.states else ""
 
 
 def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[SceneQuantity | str]:
@@ -135,8 +191,9 @@ def when_words(when: str, scene: SceneEquations) -> str:
     return f" from {spoken(interval.start)} to {spoken(interval.end)}"
 
 
-def suggestion(missing: Sequence[SceneQuantity | str], scene: SceneEquations, asked: str = "") -> str:
-    """What to add to the scene; never what is asked."""
+def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Find, asked: str = "") -> str:
+    """What to add to the scene; never what is asked, and of states only what leads on."""
+    scene = search.scene
     lonely = unreached(scene)
     if lonely:
         return f"nothing tells when `{lonely}` is reached: {LINE_OR_EVENT}"
@@ -148,31 +205,15 @@ def suggestion(missing: Sequence[SceneQuantity | str], scene: SceneEquations, as
     spring = next((item.owner for item in quantities if item.kind == "force" and item.owner in soft), None)
     if spring is not None:
         return f"give the `stiffness` of `{spring}`, or its force"
-    others = [item for item in quantities if item.key != asked and item.owner and not item.component]
-    ranked = sorted(others, key=lambda item: (item.kind not in STATED, not at_start(item, scene)))
-    if ranked and ranked[0].kind in STATED:
-        item = ranked[0]
-        if at_start(item, scene) and item.kind in RATES:
-            return f"say how it starts, as in `states: {{{state_of(item.when, scene)}: at rest}}`"
-        line = f"{state_of(item.when, scene)}: {{{item.owner}.{item.kind}: {STATED[item.kind]}}}"
-        return f"say more about the state, as in `states: {{{line}}}`"
+    from rotsolve.search.proposals import TRIED, leads_on, proposals
+
+    tried = islice(proposals(quantities, scene, asked), TRIED if search.families == families_for(None) else 0)
+    found = next((item for item in tried if leads_on(item, scene, find, search.families)), None)
+    if found is not None:
+        return found.words
     if quantities and all(item.kind in FORCES for item in quantities):
         return "the laws can not tell these forces apart: leave out a support, or give one of them"
     return "say more: sizes and masses, where each body is at each state, how fast it moves"
-
-
-def at_start(quantity: SceneQuantity, scene: SceneEquations) -> bool:
-    """Whether a quantity belongs to the first of several states."""
-    states = scene.configuration.timeline.states
-    return len(states) > 1 and quantity.when == states[0].name
-
-
-def state_of(when: str, scene: SceneEquations) -> str:
-    """The state at which a quantity can be said: its own, or the end of its phase; "now" where the scene has no states."""
-    timeline = scene.configuration.timeline
-    interval = timeline.interval(when)
-    own = when if when in timeline.order else timeline.states[0].name
-    return (interval.end if interval is not None else own) or "now"
 
 
 def unreached(scene: SceneEquations) -> str:

@@ -209,10 +209,16 @@ class Solver(Isolation, kw_only=True):
             gap = self.with_answers(item.left - item.right)
             raise Redundant(item.index) if is_zero(gap, self.positive) else Contradiction(item.index)
 
+    def _check_nothing(self, item: Item, value: Formula) -> None:
+        """What comes out as nothing does not where the answers found before make the factor before it vanish: 0 v² = 0."""
+        if value == ZERO and self.solved and is_zero(self.with_answers(item.left - item.right), self.positive):
+            raise Redundant(item.index)
+
     def _eliminate(
         self, items: list[Item], item: Item, name: str, value: Formula, reason: Words | None, unknowns: set[str]
     ) -> None:
         """Write the step where it deserves a line, and put the value into the other equations."""
+        self._check_nothing(item, value)
         self.told[name] = value
         refs: list[Ref] = [item.ref, *item.sources]
         restated = not item.sources and not reason and isolated(item, name) == value
@@ -247,6 +253,7 @@ class Solver(Isolation, kw_only=True):
                 value = self._told_square(item, name, items)
                 if value is None:
                     continue
+                self._check_nothing(item, value)
                 square = Symbol(name) ** 2
                 refs: list[Ref] = [item.ref, *item.sources]
                 if (item.left, item.right) != (square, value):
@@ -292,6 +299,7 @@ class Solver(Isolation, kw_only=True):
         if picked is None:
             raise Contradiction(item.index)
         value = self.chosen(picked, candidates).transform(self.without_bars, "abs")
+        self._check_nothing(item, value)
         final = self.shortest(self.with_answers(value))
         more = more or [
             *self.bounds_put_in(item, asked, final),
