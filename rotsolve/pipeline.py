@@ -15,7 +15,6 @@ from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, SceneError, Unsolvable
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
-from rotsolve.derivation.consistency import KnownBalls, contradiction, turned_back
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem, TimeValue
@@ -29,6 +28,7 @@ from rotsolve.scene.idle import idle_words, noted
 from rotsolve.scene.read import read_source
 from rotsolve.search.answering import answered, needed_for
 from rotsolve.search.answers import NoAnswer, unsolvable
+from rotsolve.search.consistency import KnownBalls, contradiction, turned_back, untimely
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search, asked_letter
 from rotsolve.solution import Solution, Trace
@@ -181,23 +181,77 @@ def solved_by_cases(
 def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:
     """The solution of a scene by one choice of laws."""
     configuration = Configuration(noted(configuration.problem), configuration.alteration)
+    decision, (search, balls) = searched(configuration, law)
+    if at is not None and not search.scene.configuration.mentions.functions:
+        raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
+    if law is not None:
+        check_law(search, law)
+    return composed(problem, search, balls, decision, digits, at)
+
+
+Found = tuple[Search, KnownBalls]  # a search that has answered all questions, and the numbers found
+
+
+def searched(configuration: Configuration, law: str | None) -> tuple[Decision | None, Found]:
+    """The answers to all questions, with a state more wherever the laws of a phase end before it does."""
+    first: Unsolvable | None = None
+    while True:
+        decision, search = prepared(configuration, law)
+        found = attempt(search)
+        if search.ground and search.ground.chose and doubtful(found):  # perhaps by a root that is not meant
+            again = attempt(Search(search.scene, search.families, search.spare, careful=True))
+            found = found if isinstance(again, Unsolvable) else again
+        stuck = isinstance(found, Unsolvable)
+        reached = search if isinstance(found, Unsolvable) else found[0]
+        further = following(reached, stuck=stuck) if decision is not None else None
+        if further is None:
+            break
+        first, configuration = first or (found if isinstance(found, Unsolvable) else None), Configuration(further)
+    if isinstance(found, Unsolvable):
+        raise found if isinstance(found, Contradicted) else first or found
+    return decision, found
+
+
+def doubtful(found: Found | Unsolvable) -> bool:
+    """Whether another root may be meant: there is no answer, or none that time brings about."""
+    return isinstance(found, Unsolvable) or untimely(*found)
+
+
+def prepared(configuration: Configuration, law: str | None) -> tuple[Decision | None, Search]:
+    """The scene as friction lets it move, ready to be asked."""
     try:
         with stage("friction", whole=True):
             decision = decided(configuration)
         with stage("laws"):
             scene = (decision and decision.scene) or SceneEquations(configuration)
-            search = Search(scene, families_for(law), spare=law is not None)
+            return decision, Search(scene, families_for(law), spare=law is not None)
     except NotYet as error:
-        raise unsolvable(problem, str(error), error.span, error.help) from None
+        raise unsolvable(configuration.problem, str(error), error.span, error.help) from None
+
+
+def attempt(search: Search) -> Found | Unsolvable:
+    """Answer all questions, and hold the answers against everything else; or why that fails."""
+    problem = search.scene.configuration.problem
+    try:
+        with stage("solve"):
+            search = answered(search, problem.finds)
+            if any(state.opened for state in problem.states):
+                from rotsolve.search.endings import tell_openings
+
+                tell_openings(search)
+        with stage("verify", whole=True):
+            return search, check_consistent(search)
+    except Unsolvable as error:
+        return error
+
+
+def following(search: Search, *, stuck: bool) -> Problem | None:
+    """The problem with a state more, where the laws of a phase end before it does."""
+    from rotsolve.search.endings import Endings, going_on
+
     with stage("solve"):
-        search = answered(search, configuration.problem.finds)
-    if at is not None and not configuration.mentions.functions:
-        raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
-    with stage("verify", whole=True):
-        balls = check_consistent(search)
-        if law is not None:
-            check_law(search, law)
-    return composed(problem, search, balls, decision, digits, at)
+        ending = Endings(search, stuck).first()
+        return None if ending is None else going_on(search.scene.configuration.problem, ending)
 
 
 def refuse_idle(solutions: Sequence[Solution], problem: Problem) -> None:

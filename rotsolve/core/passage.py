@@ -107,6 +107,7 @@ class Encounter(Struct, frozen=True):
     about: str
     requirements: tuple[Requirement, ...] = ()
     restitution: tuple[Formula, Formula, Formula] | None = None  # e, approach speed, separation speed
+    closing: tuple[Formula, Formula] | None = None  # approach speed, separation speed of two that do not stay together
 
     def gives(self, impulse: Force | Couple) -> bool:
         """Whether an impulse is the event's own, from outside the scene."""

@@ -11,10 +11,10 @@ from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.symbols import POSITION, has_quantities
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.consistency import KnownBalls
 from rotsolve.derivation.letters import Letters, listed
 from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
+from rotsolve.search.consistency import KnownBalls
 from rotsolve.search.search import Search
 
 

@@ -29,6 +29,8 @@ from rotsolve.solver.steps import Ref, Step
 
 def state_words(state: State, bare: str) -> Words:
     """What the scene says of a state, on one line; `bare` where it says nothing."""
+    if state.opened:
+        return (f"{spoken(state.name)}: {state.opened}",)
     parts = []
     for line in state.conditions:
         if line.rest:

@@ -20,11 +20,11 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Check
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON, Equation
 from rotsolve.core.symbols import has_quantities
-from rotsolve.derivation.consistency import BITS, KnownBalls, runs
 from rotsolve.derivation.letters import Letters, listed
 from rotsolve.paths.meaning import NotYet
 from rotsolve.plan import Shortage
 from rotsolve.search.answers import Answered, NoAnswer
+from rotsolve.search.consistency import BITS, KnownBalls, runs
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import FEW_TRIES, Search
 from rotsolve.solver.textbook import is_long_root

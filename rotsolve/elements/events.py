@@ -72,13 +72,14 @@ class Collides(Event, frozen=True):
                 return parts[0][1]
         return RIGHT
 
-    def bounce(self, before: Moment, after: Moment) -> tuple[Formula, Formula, Formula] | None:
+    def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula]:
         """Along the line of approach."""
-        if self.restitution is None:
-            return None
         line, (one, two) = self.approach(before), self.collides
         approach = before.velocity(one).along(line) - before.velocity(two).along(line)
-        return self.restitution, approach, after.velocity(two).along(line) - after.velocity(one).along(line)
+        return approach, after.velocity(two).along(line) - after.velocity(one).along(line)
+
+    def bounce(self, before: Moment, after: Moment) -> tuple[Formula, Formula, Formula] | None:
+        return None if self.restitution is None else (self.restitution, *self.closing(before, after))
 
 
 class Impulse(Event, frozen=True):

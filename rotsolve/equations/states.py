@@ -8,7 +8,7 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import PI, ZERO, Formula, Negative, Sum, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Formula, Negative, Sum, Symbol, total
 from rotsolve.core.equation import STATED, Equation
 from rotsolve.core.facts import signed
 from rotsolve.core.quantity import OSCILLATING
@@ -217,17 +217,18 @@ class Statements(Struct):
 
     def _clock(self, state: State) -> None:
         """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
-        fresh, before = self.fixed.instant(state.name), self.configuration.timeline.before(state.name)
-        if before is None:
+        fresh, parts = self.fixed.instant(state.name), self.configuration.timeline.since(state.name)
+        if not parts:
             self.fixed.fix(fresh.time(), ZERO)
             return
-        last = self.fixed.instant(before.start).time()
-        if before.event is not None:
+        last = self.fixed.instant(parts[0].start).time()
+        if parts[0].event is not None:
             self.fixed.fix(fresh.time(), last)
         for line in state.conditions:
             if line.path is not None and line.path.quantity == "time" and line.value is not None:
                 self.fixed.fix(fresh.time(), simplify(last + line.value))
-                self.fixed.fix(fresh.ask("time", "", when=before.name), line.value)
+                if len(parts) == 1:
+                    self.fixed.fix(fresh.ask("time", "", when=parts[0].name), line.value)
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
@@ -322,16 +323,11 @@ class Statements(Struct):
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
         instant = self.fixed.instant(state)
-        if path.quantity in ("displacement", "rotation"):
-            before = self.configuration.timeline.before(state)
-            if before is None:
-                return ZERO
-            way = path.quantity == "displacement"
-            return (
-                displacement(instant.host(path.owner), before, instant)
-                if way
-                else angle_turned(path.owner, before, instant)
-            )
+        if path.quantity == "displacement":
+            parts = self.configuration.timeline.since(state)
+            return total([displacement(instant.host(path.owner), part, instant) for part in parts])
+        if path.quantity == "rotation":
+            return total([angle_turned(path.owner, part, instant) for part in self.configuration.timeline.since(state)])
         return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _rest(self, state: State, condition: Condition) -> None:

@@ -404,6 +404,10 @@ class Event(Element, frozen=True):
         """The angular impulses on a body beside those of its blows, as couples; `internal` where another body has the opposite one."""
         return ()
 
+    def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula] | None:
+        """(speed of approach before, speed of separation after) of two bodies that meet and do not stay together."""
+        return None
+
     def bounce(self, before: Moment, after: Moment) -> tuple[Formula, Formula, Formula] | None:
         """(e, speed of approach before, speed of separation after), where two bodies bounce."""
         return None

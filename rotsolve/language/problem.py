@@ -52,13 +52,19 @@ class Condition(Struct, frozen=True):
 
 
 class State(Struct, frozen=True):
-    """A named instant with the lines that hold at it."""
+    """A named instant with the lines that hold at it.
+
+    One that the scene does not name, at which the laws of a phase end, has in `opened` what happens then; `senses` tells of all that rubs
+    which way it slips or turns just then: +1, −1, or 0 where it has come to rest.
+    """
 
     name: str
     conditions: tuple[Condition, ...] = ()
     balance: bool = False
     steady: bool = False
     span: Span | None = None
+    opened: str = ""
+    senses: tuple[tuple[str, int], ...] = ()
 
 
 class Phase(Struct, frozen=True):

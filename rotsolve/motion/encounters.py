@@ -69,7 +69,8 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     needs = tuple(impulsive_need(need, first) for need in facts.requirements if need.owner in lasting)
     about = supports(involved, points, event, first)
     needs = tuple(need for need in needs if need.left != ZERO)
-    return Encounter(interval.name, event.about, tuple(meetings), about, needs, event.bounce(first, last))
+    bounce, closing = event.bounce(first, last), event.closing(first, last)
+    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing)
 
 
 def participants(interval: Interval, configuration: Configuration) -> tuple[PointRef, ...]:

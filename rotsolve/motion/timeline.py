@@ -24,6 +24,7 @@ class Interval(Struct, frozen=True):
     end: str
     event: Event | None = None
     without: tuple[str, ...] = ()
+    whole: str = ""  # the phase of the scene of which it is a part
 
 
 class Timeline(Struct, frozen=True, dict=True):
@@ -35,7 +36,7 @@ class Timeline(Struct, frozen=True, dict=True):
     @property
     def named(self) -> tuple[str, ...]:
         """The states that the scene speaks of."""
-        return tuple(state.name for state in self.states if state.name != OPEN)
+        return tuple(state.name for state in self.states if state.name != OPEN and not state.opened)
 
     @cached_property
     def order(self) -> dict[str, int]:
@@ -59,6 +60,27 @@ class Timeline(Struct, frozen=True, dict=True):
     def interval(self, name: str) -> Interval | None:
         return next((interval for interval in self.intervals if interval.name == name), None)
 
+    def since(self, state: str) -> tuple[Interval, ...]:
+        """The intervals that lead to a state from the one before that the scene speaks of."""
+        index = last = self.order[state]
+        while index and (index == last or self.states[index].opened):
+            index -= 1
+        return self.intervals[index:last]
+
+    def told(self, interval: Interval) -> tuple[str, str]:
+        """The states before and after an interval of which the scene speaks."""
+        first, last = self.order[interval.start], self.order[interval.end]
+        while self.states[first].opened:
+            first -= 1
+        while self.states[last].opened:
+            last += 1
+        return self.states[first].name, self.states[last].name
+
+    def whole(self, name: str) -> tuple[str, str] | None:
+        """The states from and to which a phase or event lasts; a phase also where its laws end before it does."""
+        parts = [interval for interval in self.intervals if name in (interval.name, interval.whole)]
+        return (parts[0].start, parts[-1].end) if parts else None
+
     def phase_of(self, state: str) -> Interval | None:
         """The phase whose motion a state belongs to: the one that it starts, else the one that it ends."""
         for interval in (self.after(state), self.before(state)):
@@ -70,14 +92,21 @@ class Timeline(Struct, frozen=True, dict=True):
 def timeline(problem: Problem) -> Timeline:
     """The timeline of a problem: neighbouring states are joined by a phase unless an event joins them."""
     states = problem.states or (State(""),)
-    if len(states) == 1 and any(find.runs for find in problem.finds):
+    if sum(not state.opened for state in states) == 1 and any(find.runs for find in problem.finds):
         states = (*states, State(OPEN))
     intervals = []
-    for before, after in pairwise(states):
+    for number, (before, after) in enumerate(pairwise(states)):
         event = next((item for item in problem.events if (item.from_, item.to) == (before.name, after.name)), None)
-        phase = next((phase for phase in problem.phases if (phase.start, phase.end) == (before.name, after.name)), None)
-        name = (event.name if event else "") or (phase.name if phase else f"{before.name} to {after.name}")
-        intervals.append(Interval(name, before.name, after.name, event, phase.without if phase else ()))
+        if event is not None:
+            intervals.append(Interval(event.name or f"{before.name} to {after.name}", before.name, after.name, event))
+            continue
+        first = next(state.name for state in reversed(states[: number + 1]) if not state.opened)
+        last = next((state.name for state in states[number + 1 :] if not state.opened), after.name)
+        phase = next((phase for phase in problem.phases if (phase.start, phase.end) == (first, last)), None)
+        without, whole = (phase.without, phase.name) if phase else ((), f"{first} to {last}")
+        parted = (first, last) != (before.name, after.name)
+        name = f"{before.name} to {after.name}" if parted else whole
+        intervals.append(Interval(name, before.name, after.name, None, without, whole if parted else ""))
     return Timeline(tuple(states), tuple(intervals))
 
 

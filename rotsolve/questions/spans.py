@@ -157,9 +157,17 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
     if path.owner in scene.configuration.bodies and joined(path.owner, scene.instant(passage.start.state)):
         help = f"ask for the change of its energy, `change of {path.owner}.energy`, or the work of what acts on it"
         raise NotYet(f"the work done on `{path.owner}` alone, which is joined to another, is not solved yet", help=help)
+    if not works and grips(path.owner, passage):
+        return ZERO
     if not works:
         raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
     return total([work.amount for work in works])
+
+
+def grips(owner: str, passage: Passage) -> bool:
+    """Whether friction that an element gives holds in a phase, so that it does no work."""
+    own = [item for body in passage.midst.bodies for item in body.acting if item.owner == owner]
+    return any(item.role.rubs for item in own)
 
 
 def potential_change(owner: str, passage: Passage, scene: SceneEquations) -> Formula:

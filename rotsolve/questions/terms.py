@@ -57,10 +57,10 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
 
         return meaning_at_any_time(term, scene)
     if term.during is not None:
-        interval = scene.configuration.timeline.interval(term.during)
-        if interval is None:
+        ends = scene.configuration.timeline.whole(term.during)
+        if ends is None:
             raise Unclear(f"there is no phase or event `{term.during}`")
-        start, end = interval.start, interval.end
+        start, end = ends
     if term.modifier in ("", "size of") and term.path.quantity not in ("distance", *SPANNED):
         return at_state(term, scene)
     return from_to(term, start, end, scene, beside)

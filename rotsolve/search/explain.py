@@ -52,7 +52,12 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
     if interval.event is not None:
         message = f"the data contradict each other: `{interval.end}` can not follow from `{interval.start}` by `{interval.name}`"
     else:
-        message = f"`{interval.end}` is never reached from `{interval.start}`"
+        start, end = timeline.told(interval)
+        message = f"`{end}` is never reached from `{start}`"
+        on_the_way = timeline.states[timeline.order[start] : timeline.order[end]]
+        between = [state.opened for state in on_the_way if state.opened]
+        broken = f"{between[-1]} before" if between else broken
+        return clash(problem, message, timeline.state(end).span or fallback, broken)
     return clash(problem, message, timeline.state(interval.end).span or fallback, broken)
 
 

@@ -71,7 +71,9 @@ class Trials:
     def decision(self, rubbing: Sequence[Rub], at_rest: Collection[str]) -> Decision:
         """What moves at the start of a phase goes on; then groups at rest, each as a trial tells."""
         for rub in rubbing:
-            moving = 0 if rub.name in at_rest else self.sense_at_start(rub)
+            known = dict(self.configuration.timeline.state(rub.state).senses)
+            known |= dict.fromkeys(at_rest, 0)
+            moving = known[rub.name] if rub.name in known else self.sense_at_start(rub)
             if moving:
                 self.modes[rub.key] = rub.mode(moving)
         for group in self.moving_together([rub for rub in rubbing if rub.key not in self.modes]):
@@ -301,6 +303,8 @@ def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> It
     problem = configuration.problem
     numbered = problem.values.keys() | problem.trials.keys()
     for state in configuration.timeline.states:
+        if state.opened:
+            continue
         contacts = {item.name: item for item in configuration.connections(state.name)}
         for line in state.conditions if configuration.phase_start(state.name) == state.name else ():
             contact = contacts.get(line.path.owner) if line.path is not None else None

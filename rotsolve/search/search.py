@@ -47,6 +47,7 @@ class Ground:
         configuration = scene.configuration
         problem = configuration.problem
         self.scene = scene
+        self.chose = False  # whether some equation had several roots
         self.givens = {given.name: given for given in problem.givens}
         self.signs = SignOracle(
             problem.values, configuration.positive, configuration.signs.limits, trials=problem.trials
@@ -77,6 +78,7 @@ class Search(Struct, dict=True):
     families: tuple[str, ...]
     spare: bool = False  # whether second-choice equations may be used from the start
     confirming: bool = False  # whether answers are only to be confirmed: in closed form, by one of a few plans
+    careful: bool = False  # whether each root is held against all that the laws write before it is chosen
     ground: Ground | None = None
     answered: list[Answered] = field(default_factory=list)
     chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
@@ -107,7 +109,7 @@ class Search(Struct, dict=True):
 
     def another(self, families: tuple[str, ...], *, spare: bool = False, confirming: bool = False) -> Search:
         """A search by other laws on the same ground, which knows nothing of what this one has found."""
-        return Search(self.scene, families, spare, confirming, self.ground)
+        return Search(self.scene, families, spare, confirming, self.careful, self.ground)
 
     @remembered
     def beside_by(self, families: tuple[str, ...]) -> Search:
@@ -118,7 +120,18 @@ class Search(Struct, dict=True):
         """Which of several roots of an equation is meant, and why."""
         from rotsolve.search.roots import RootChoice
 
-        return RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula).choose(name, roots, period)
+        if self.ground is not None:
+            self.ground.chose = True
+        choice = RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula)
+        if not self.careful or period is not None:
+            return choice.choose(name, roots, period)
+        from rotsolve.search.consistency import agreeing
+
+        fitting = agreeing(name, roots, self)
+        if len(fitting) == 1 < len(roots):
+            return PickedRoot(fitting[0], ("the only root that all laws allow",))
+        picked = choice.choose(name, [roots[number] for number in fitting], period)
+        return None if picked is None else picked._replace(root=fitting[picked.root])
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""
@@ -335,9 +348,9 @@ class Search(Struct, dict=True):
         except NoAnswer:
             return None
 
-    def apart(self) -> Search:
+    def apart(self, *, careful: bool = False) -> Search:
         """A search by all laws that knows the answers of this one and leaves no trace in it."""
-        other = self.another(families_for(None))
+        other = Search(self.scene, families_for(None), careful=careful or self.careful, ground=self.ground)
         other.solver.solved.update(self.solver.solved)
         other.known |= self.solver.solved.keys()
         return other

@@ -242,7 +242,10 @@ class Solver(Isolation, kw_only=True):
         """The square of an unknown that one equation tells and that all others hold as its square alone."""
         if not all(only_squared(other, name) for other in items if name in other.unknowns({name})):
             return None
-        return self.square_in(item.left - item.right, name)
+        gap = item.left - item.right
+        if self.hollow(gap, name):
+            raise Redundant(item.index)
+        return self.square_in(gap, name)
 
     def _eliminate_square(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str]:
         """Where an unknown occurs only as its square, put the square in: v² = 2 a h."""

@@ -51,7 +51,7 @@ class Isolation(Textbook, kw_only=True):
             gap = self.carried_out(item.left) - self.carried_out(item.right)
         self.check_length(gap, name)
         value = solve_linear(gap, name, order=self.order, positive=self.positive)
-        if value is not None and self.hollow(gap, name):
+        if (value is not None or alone) and self.hollow(gap, name):
             raise Redundant(item.index)
         if value is None and alone:
             return self.one_root(name, solve_polynomial(gap, name, order=self.order, positive=self.positive), gap)

@@ -281,13 +281,15 @@ class Touch(Connection, frozen=True):
         return self.pair()[0]
 
     def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
-        """Of the touching point on what the body lies on, where that travels along a line; while it rests, of the body as a whole."""
-        motion, ground = instant.motion(self.lying()), self.ground(instant)
+        """Of the touching point on what the body lies on, where that travels along a line."""
+        motion, ground, forward = instant.motion(self.lying()), self.ground(instant), self.forward(instant)
         if motion.heading is None:
             return None
-        if acceleration:
-            return (motion.acceleration - ground[1]).along(self.forward(instant))
-        return (motion.velocity_of(self.touching_arm(instant)) - ground[0]).along(self.forward(instant))
+        arm = self.touching_arm(instant)
+        if acceleration:  # what turns it about its centre is across the surface
+            turning = arm.turned(90).times(motion.spin_rate)
+            return (motion.acceleration + turning - ground[1]).along(forward)
+        return (motion.velocity_of(arm) - ground[0]).along(forward)
 
     def drift(self, instant: Moment) -> Formula | None:
         motion = instant.motion(self.lying())

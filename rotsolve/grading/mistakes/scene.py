@@ -20,7 +20,6 @@ from rotsolve.core.derivation import Answer
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.derivation.compose import DerivationComposer
-from rotsolve.derivation.consistency import disagreement
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.mistakes.mistake import Change, Mistake
@@ -29,6 +28,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
 from rotsolve.search.answering import answer
+from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search

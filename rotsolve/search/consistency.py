@@ -5,7 +5,7 @@ A scene that says too much (a state that is never reached, a block that sticks y
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -16,6 +16,7 @@ from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
 from rotsolve.core.equation import SEPARATED_BY_PLACE, Equation, Law
+from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import POSITION, RATE, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
@@ -24,6 +25,7 @@ TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 DIGITS = 60  # of what has no closed form
 BITS = 256  # working precision: what is lost where large numbers nearly cancel leaves enough of it
 NOTHING = 2.0 ** (-BITS // 2)  # share of its terms below which a sum counts as 0
+LEFT_OVER = 1e-30  # below which a number is nothing
 ROUNDS = 8
 FORWARDS = Law("time runs forwards", "time runs forwards")
 
@@ -37,6 +39,59 @@ def contradiction(search: Search) -> tuple[Equation | None, KnownBalls]:
         numbers = KnownBalls.known(search)
         broken = first_broken(search, numbers)
         return (backwards(search, numbers) if broken is None else broken), numbers
+
+
+def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
+    """The roots for a letter with which everything else can hold, of these the ones that time can bring about; all where none is left."""
+    with Precision(BITS):
+        numbers = KnownBalls.known(search)
+        fitting, onward = list[int](), list[int]()
+        for number, root in enumerate(roots):
+            size = numbers.size(search.solver.with_found(root))
+            trial = replace(numbers, found=numbers.found if size is None else {**numbers.found, name: size})
+            if size is not None and first_broken(search, trial) is None:
+                fitting.append(number)
+                onward += [] if untimely(search, trial) else [number]
+    return onward or fitting or list(range(len(roots)))
+
+
+def untimely(search: Search, numbers: KnownBalls) -> bool:
+    """Whether the answers are not what time brings about next: a phase that takes none, a way that is not the way in which a body goes
+    all along it, bodies that pass through each other where they meet."""
+    for passage in search.scene.passages.values():
+        duration = numbers.size(passage.duration)
+        if duration is not None and side(duration) in (0, -1):
+            return True
+        if any(against_its_way(travel, numbers) for travel in passage.travels):
+            return True
+    for encounter in search.scene.encounters.values():
+        speeds = [numbers.size(speed) for speed in encounter.closing or ()]
+        sides = [side(speed) for speed in speeds if speed is not None]
+        if len(sides) == 2 and sides[0] and sides[1] == -sides[0]:
+            return True
+    return False
+
+
+def against_its_way(travel: Travel, numbers: KnownBalls) -> bool:
+    """Whether a body has gone the other way, or nowhere, though it moves one way at both ends of a phase, or starts so from rest."""
+    ends = [numbers.size(speed) for speed in (travel.before, travel.after)]
+    sides = [side(speed) for speed in ends if speed is not None]
+    change = numbers.size(travel.change)
+    way = side(change) if change is not None else None
+    if len(sides) < 2 or None in sides or way is None or (-1 in sides and 1 in sides):
+        return False
+    moving = sides[0] or sides[1]
+    if not moving and travel.initial is not None:
+        push = numbers.size(travel.initial)
+        moving = side(push) if push is not None else None
+    return bool(moving) and way != moving
+
+
+def side(number: Ball) -> int | None:
+    """The sign of a number, 0 where it is nothing but what precision leaves; None where it is not told."""
+    if bool(abs(number).upper() < LEFT_OVER):
+        return 0
+    return None if number.contains(0) else 1 if number > 0 else -1
 
 
 def disagreement(search: Search) -> Equation | None:

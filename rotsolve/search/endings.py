@@ -1,0 +1,163 @@
+"""Endings: where the laws of a phase end before it does: what slides stops, what slips begins to roll, what turns comes to rest.
+
+From there on a phase of its own begins, at a state that the scene does not name; its bodies go on as friction lets them.
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.symbols import CONSTANT, has_quantities
+from rotsolve.core.writing import spoken
+from rotsolve.language.problem import Condition, Path, Problem, State
+from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
+from rotsolve.motion.timeline import Interval
+from rotsolve.search.answers import NoAnswer, unsolvable
+from rotsolve.search.search import Search, asked_letter
+
+MOST = 12  # states that are opened in one scene
+
+
+class Ending(Struct, frozen=True):
+    """What in a phase comes to rest on what it rubs, how long after its start, and the senses in which all else that rubs goes on."""
+
+    interval: Interval
+    resting: tuple[Rub, ...]
+    after: Formula
+    senses: tuple[tuple[str, int], ...]
+    name: str
+    words: str
+
+
+class Endings(Struct, dict=True):
+    """Looks through the phases of a search, as far as it has come; `stuck` where it found no answer."""
+
+    search: Search
+    stuck: bool = False
+
+    def __post_init__(self) -> None:
+        self.scene, self.numbers = self.search.scene, self.search.numbers
+        self.configuration = self.scene.configuration
+        self.aside: Search | None = None
+
+    def first(self) -> Ending | None:
+        """The first phase that its laws do not describe up to its end, with what ends them."""
+        for interval in self.configuration.timeline.intervals:
+            found = self.within(interval) if interval.event is None else None
+            if found is not None:
+                return found
+        return None
+
+    def within(self, interval: Interval) -> Ending | None:
+        """What ends first in a phase, where that is before the phase does."""
+        rubbing = [(rub, self.sense(rub)) for rub in rubs_at(self.configuration, interval.start)]
+        ends = [(rub, at) for rub, sense in rubbing if sense and (at := self.moment(rub, sense)) is not None]
+        if not ends:
+            return None
+        first = ends[0][1]
+        for _, at in ends[1:]:
+            first = at if self.numbers.side(at - first) == -1 else first
+        resting = tuple(rub for rub, at in ends if self.numbers.side(at - first) == 0)
+        if self.said(interval, resting) or not self.passed(interval, first):
+            return None
+        senses = tuple((rub.name, 0 if rub in resting else sense) for rub, sense in rubbing)
+        words = " and ".join(dict.fromkeys(words_for(rub, self.search) for rub in resting))
+        name = "rest" if all(stops(rub, self.search) for rub in resting) else "hold"
+        return Ending(interval, resting, first, senses, name, words)
+
+    def sense(self, rub: Rub) -> int:
+        """The sense in which it slips or turns in its phase; 0 where it sticks or is held."""
+        default = "" if rub.item is None else "sticks"
+        mode = self.scene.modes.get(rub.key, default)
+        return {FORWARD: 1, BACK: -1, "": 1, TURNS_BACK: -1}.get(mode, 0)
+
+    def moment(self, rub: Rub, sense: int) -> Formula | None:
+        """How long after the start of its phase it comes to rest, −v/v̇ of its slip; None where it does not, or numbers do not tell."""
+        if self.configuration.pace(rub.body, rub.state) != CONSTANT:
+            return None
+        instant = self.scene.instant(rub.state)
+        speed, gain = (self.settled(rub.rate(instant, acceleration=later)) for later in (False, True))
+        if speed is None or gain is None or self.side(speed) != sense or self.side(gain) != -sense:
+            return None
+        return simplify(negate(speed) / gain, order=self.configuration.order)
+
+    def side(self, value: Formula) -> int | None:
+        return self.numbers.side(value)
+
+    def settled(self, value: Formula | None) -> Formula | None:
+        """A value with all that the answers and the laws tell of its letters."""
+        if value is None:
+            return None
+        found = self.search.solver.with_found(value)
+        if not has_quantities(found):
+            return found
+        self.aside = self.aside or self.search.apart(careful=True)
+        return self.aside.settled(found)
+
+    def said(self, interval: Interval, resting: tuple[Rub, ...]) -> bool:
+        """Whether the state at the end of a phase says itself that one of them has come to rest."""
+        lines = self.configuration.timeline.state(interval.end).conditions
+        said = {line.path.owner for line in lines if line.path is not None and line.word in ("rolls", "sticks")}
+        return any(rub.owner in said for rub in resting)
+
+    def passed(self, interval: Interval, at: Formula) -> bool:
+        """Whether a phase lasts for longer than that; one whose end is not found is taken to, where there is no answer else."""
+        duration = self.settled(self.scene.passages[interval.name].duration)
+        if duration is None:
+            return self.stuck
+        return self.side(duration - at) == 1 or self.side(duration) == -1
+
+
+def tell_openings(search: Search) -> None:
+    """Work out, for the derivation, how long it takes to the states that the scene does not name."""
+    timeline = search.scene.configuration.timeline
+    for interval in timeline.intervals:
+        if timeline.state(interval.end).opened:
+            duration = search.scene.passages[interval.name].duration
+            with suppress(NoAnswer):
+                search.answer(asked_letter(next(iter(duration.symbols()))), aside=True)
+
+
+def stops(rub: Rub, search: Search) -> bool:
+    """Whether a body stands where it no longer slips: unless it rolls, or something carries it."""
+    if rub.item is None:
+        return True
+    wheel = search.scene.instant(rub.state).is_round(rub.body)
+    return rub.contact is not None and not (wheel or rub.contact.carrier(search.scene.configuration))
+
+
+def words_for(rub: Rub, search: Search) -> str:
+    """What happens, in words: "stone comes to rest", "ball no longer slips"."""
+    slider = rub.body if rub.contact is not None else rub.name
+    return f"{spoken(rub.body)} comes to rest" if stops(rub, search) else f"{spoken(slider)} no longer slips"
+
+
+def going_on(problem: Problem, ending: Ending) -> Problem:
+    """The problem with a state of its own at which a phase ends before its time."""
+    states = problem.states or (State(""),)
+    if sum(bool(state.opened) for state in states) == MOST:
+        raise unsolvable(problem, f"what rubs starts and stops more than {MOST} times: that is not followed further")
+    place = next(number for number, state in enumerate(states) if state.name == ending.interval.start) + 1
+    lines = tuple(map(resting_line, ending.resting))
+    state = State(free_name(ending.name, problem), lines, opened=ending.words, senses=ending.senses)
+    return replace(problem, states=(*states[:place], state, *states[place:]))
+
+
+def resting_line(rub: Rub) -> Condition:
+    """What a state says of what has come to rest."""
+    if rub.item is None:
+        return Condition(Path(rub.body, "angular_velocity"), ZERO)
+    return Condition(Path(rub.owner, ""), word="sticks")
+
+
+def free_name(word: str, problem: Problem) -> str:
+    """A name for a state that nothing else has."""
+    named = (problem.states, problem.events, problem.phases, problem.bodies, problem.connections, problem.actions)
+    taken = {item.name for items in named for item in items}
+    numbered = (f"{word}{number}" for number in range(2, len(taken) + 3))
+    return next(name for name in (word, *numbered) if name not in taken)
