@@ -234,11 +234,11 @@ def attempt(search: Search) -> Found | Unsolvable:
     problem = search.scene.configuration.problem
     try:
         with stage("solve"):
-            search = answered(search, problem.finds)
             if any(state.opened for state in problem.states):
                 from rotsolve.search.endings import tell_openings
 
                 tell_openings(search)
+            search = answered(search, problem.finds)
         with stage("verify", whole=True):
             return search, check_consistent(search)
     except Unsolvable as error:

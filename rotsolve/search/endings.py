@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
-from rotsolve.core.symbols import CONSTANT, has_quantities
+from rotsolve.core.symbols import CONSTANT, has_quantities, is_quantity
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
@@ -114,13 +114,16 @@ class Endings(Struct, dict=True):
 
 
 def tell_openings(search: Search) -> None:
-    """Work out, for the derivation, how long it takes to the states that the scene does not name."""
-    timeline = search.scene.configuration.timeline
-    for interval in timeline.intervals:
-        if timeline.state(interval.end).opened:
-            duration = search.scene.passages[interval.name].duration
-            with suppress(NoAnswer):
-                search.answer(asked_letter(next(iter(duration.symbols()))), aside=True)
+    """Work out how long it takes to the states that the scene does not name, and how fast all moves then: the next phase begins so."""
+    scene = search.scene
+    for interval in scene.configuration.timeline.intervals:
+        if not scene.configuration.timeline.state(interval.end).opened:
+            continue
+        passage = scene.passages[interval.name]
+        for value in (passage.duration, *(travel.after for travel in passage.travels)):
+            if is_quantity(value) and value.name not in search.solver.solved:
+                with suppress(NoAnswer):
+                    search.answer(asked_letter(value.name), aside=True)
 
 
 def stops(rub: Rub, search: Search) -> bool:

@@ -64,6 +64,8 @@ def compare(scene: str, expected: dict[str, float], seed: int) -> None:
             assert law is not None
             continue
         for name, value in expected.items():
+            if law is not None and name not in found:
+                continue  # that law does not tell it
             assert abs(found[name] - value) < CLOSE * max(scale, abs(value)), (law, name, found[name], value, scene)
 
 
