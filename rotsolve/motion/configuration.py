@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING, Drive, along_line
 from rotsolve.core.facts import signed
@@ -95,8 +96,17 @@ class Configuration(Arrangement, frozen=True, dict=True):
         if shape_of(self.bodies[name]).slender:
             return None if angle is None else heading(angle)
         own = self.frame(name, state)
-        drawn = direction_of(own.cm) if own.cm.parts and self.pivot(name, state) is not None else RIGHT
+        drawn = self.direction(own.cm, name) if own.cm.parts and self.pivot(name, state) is not None else RIGHT
         return RIGHT if angle is None else heading(angle) - drawn
+
+    def direction(self, arm: Vector, name: str) -> Heading:
+        """The heading of the way to a body's centre of mass, whichever sign its size has."""
+        way = direction_of(arm)
+        if len(tidy(arm).parts) > 1 and way.terms:
+            return way  # atan2 of the components
+        question = f"on which side of its axis the centre of mass of `{name}` is"
+        along = simplify(arm.along(way))
+        return way.turned(180) if self.certain_sign(along, question, self.bodies[name].span) < 0 else way
 
     def host(self, name: str, state: str) -> str:
         """The body that stands for `name` at a state: itself, unless joined."""

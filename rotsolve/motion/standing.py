@@ -27,7 +27,7 @@ from rotsolve.core.vectors.heading import (
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.keys import varying_values
-from rotsolve.motion.rigid import Frame, direction_of, locate, rim_ways, tidy
+from rotsolve.motion.rigid import Frame, locate, rim_ways, tidy
 
 if TYPE_CHECKING:
     from rotsolve.language.bodies import Orbit
@@ -157,7 +157,7 @@ class Standing(Struct, frozen=True, dict=True):
             return seat.turned
         hung = self.configuration.hung(name, self.state)
         arm = own.cm if hung is None else tidy(own.reference + own.cm - locate(self.body(name), hung))
-        return direction_of(arm) if arm.parts else RIGHT
+        return self.configuration.direction(arm, name) if arm.parts else RIGHT
 
     def angle(self, name: str) -> Formula | None:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""

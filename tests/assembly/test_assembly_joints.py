@@ -46,3 +46,28 @@ def test_joints_at_rims(held: str, one: str, two: str) -> None:
     }
     for name, value in (*turning.items(), ("X", found.reactions["joint", "x"])):
         assert answers[name] == pytest.approx(value, rel=1e-9, abs=1e-9)
+
+
+SPOOL = """
+title: hinge off the axis
+given: {{r: 36 cm, M: 5.6 kg, R: {wide}, m: 2.9 kg, F: 7.2 N, a: 0.58 rad/s}}
+bodies:
+  one: {{mass: M, inertia: M*r^2, radii: {{big: 2*r, small: r}}}}
+  two: {{radius: R, parts: {{lump: {{mass: m, at: [R/2, 0]}}}}}}
+connections: {{pin: {{hinge: one.big}}, bolt: {{weld: [one.small, two.center]}}}}
+actions: {{pull: {{force: F, on: one.center, direction: left}}}}
+states: {{start: {{one.angle: -40 deg, one.angular_velocity: -a}}}}
+find: {{v: two.center.velocity.y at start, alpha: one.angular_acceleration at start, Y: pin.force.y at start}}
+"""
+
+
+@pytest.mark.parametrize("wide", ["30 cm", "130 cm", "500 cm"])
+def test_the_numbers_tell_on_which_side_of_its_hinge_a_body_is(wide: str) -> None:
+    text = SPOOL.format(wide=wide)
+    answers = {answer.name: answer.value.float for answer in solve(text).derivation.answers if answer.value is not None}
+    model = Model(configured(read_source(text)).problem, {}, "start")
+    found = moment(model, placed(model))
+    assert answers["alpha"] == pytest.approx(found.rates[model.seats["one"].turn], rel=1e-9)
+    assert answers["Y"] == pytest.approx(found.reactions["pin", "y"], rel=1e-9)
+    pose = found.placed.pose(model)
+    assert answers["v"] == pytest.approx(pose.place("two", (0.0, 0.0))[1].rate, rel=1e-9)

@@ -24,6 +24,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.language.problem import Find, Given, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
+ORDINARY = 0.1  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 SETS, DRAWS = 3, 9  # sets of numbers for letters, and how often one is drawn for them
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
 BUDGET = 600  # instants of one body that a scene may cost
@@ -200,7 +201,7 @@ def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> Ans
     size = max(found.size, *map(abs, own), *map(abs, answered))
     if found.sized:
         answered, own = (tuple(map(abs, values)) for values in (answered, own))
-    holds = all(abs(a - b) <= SAME * size for a, b in zip(answered, own, strict=True))
+    holds = all(abs(a - b) <= SAME * (size if a else max(size, ORDINARY)) for a, b in zip(answered, own, strict=True))
     return AnswerConfirmation(
         name, holds, "" if holds else "an assembly of all bodies' equations gives another value", answered, own
     )
