@@ -1,4 +1,4 @@
-"""Growth: how time and memory grow with the length of a chain of pulleys, and with what stands beside the scene that is asked."""
+"""Growth: how time and memory grow with a chain of pulleys, one of hinged rods, and what stands beside the scene that is asked."""
 
 from __future__ import annotations
 
@@ -11,13 +11,14 @@ from pathlib import Path
 from time import process_time
 
 from costs.clock import best
-from costs.machines import chain, page
+from costs.machines import chain, page, rods
 from costs.processes import run
 from costs.tables import Part, below, exponent, table
 
-CHAINS, PAGES = (1, 2, 5, 10, 20, 50, 100), (1, 10, 100, 1000)
+CHAINS, PAGES, RODS = (1, 2, 5, 10, 20, 50, 100), (1, 10, 100, 1000), (1, 2, 3, 5, 10, 20)
+TEN = RODS.index(10)
 ASYMPTOTIC = 10  # sizes from here on count for the power
-SCENES: dict[str, Callable[[int], str]] = {"chain": chain, "page": page}
+SCENES: dict[str, Callable[[int], str]] = {"chain": chain, "page": page, "rods": rods}
 
 WHOLE = "each part of the page is looked at for faults before what is asked is cut out of it"
 
@@ -65,9 +66,9 @@ def grown(kind: str, sizes: Sequence[int]) -> list[dict[str, float]]:
 
 
 def part(quick: bool) -> Part:
-    """Both tables with the powers fitted, and the targets."""
+    """The tables with the powers fitted, and the targets."""
     chains, pages = (CHAINS[:5], PAGES[:3]) if quick else (CHAINS, PAGES)
-    long, wide = grown("chain", chains), grown("page", pages)
+    long, linked, wide = grown("chain", chains), grown("rods", RODS), grown("page", pages)
     late = [index for index, size in enumerate(chains) if size >= ASYMPTOTIC]
     power = exponent([chains[index] for index in late], [long[index]["solve"] for index in late])
     memory = exponent([chains[index] for index in late], [long[index]["memory"] for index in late])
@@ -79,6 +80,9 @@ def part(quick: bool) -> Part:
             "that of a small scene.",
             table(("pulleys", "read", "solve", "render", "memory", "equations"), rows(chains, long)),
             f"From {ASYMPTOTIC} pulleys on the time to solve grows with the power {power:.2f} of their number, memory with {memory:.2f}.",
+            "A chain of hinged rods, all different and turning; all accelerations and all joint forces asked. What no page holds in "
+            "letters is solved together with the numbers.",
+            table(("rods", "read", "solve", "render", "memory", "equations"), rows(RODS, linked)),
             "A page of independent scenes (a block on a disc), the acceleration in the first asked; `solve` is the best of 5 once read.",
             table(("scenes", "read", "solve", "render", "memory", "equations"), rows(pages, wide)),
             f"Reading grows with the power {reading:.2f}; solving takes {ratio:.1f} × as long for {pages[-1]} scenes as for {pages[1]}.",
@@ -89,6 +93,7 @@ def part(quick: bool) -> Part:
         text,
         (
             below("chain of n pulleys: the power with which time grows", power, 2),
+            below("ten hinged rods, all joint forces, ms", linked[TEN]["solve"], 1000, "{:.0f}"),
             below(f"page of {pages[-1]} scenes, × a page of {pages[1]}, once read", ratio, 3, "{:.1f}", WHOLE),
         ),
     )

@@ -181,3 +181,16 @@ MACHINES = (
         lambda q, s: [q[0] / s[f"R{number}"] for number in range(1, CHAIN + 1)],
     ),
 )
+
+
+def rods(count: int) -> str:
+    """A chain of hinged rods, all different and turning, of which all accelerations and both components of all joint forces are asked."""
+    numbers = range(count)
+    bodies = "".join(f"  r{k}: {{shape: rod, mass: {1 + k % 4} kg, length: {3 + k % 5}0 cm}}\n" for k in numbers)
+    joints = "".join(f"  pin{k}: {{hinge: {f'[r{k - 1}.end, r{k}.start]' if k else 'r0.start'}}}\n" for k in numbers)
+    state = ", ".join(f"r{k}.angle: {(50 * k) % 360} deg, r{k}.angular_velocity: {k % 7 - 3} rad/s" for k in numbers)
+    asked = "".join(
+        f"  a{k}: r{k}.angular_acceleration at now\n  x{k}: pin{k}.force.x at now\n  y{k}: pin{k}.force.y at now\n"
+        for k in numbers
+    )
+    return f"bodies:\n{bodies}connections:\n{joints}states: {{now: {{{state}}}}}\nfind:\n{asked}"

@@ -48,7 +48,6 @@ SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numeric
 UNPRINTABLE: dict[
     frozenset[tuple[Formula, Formula]], None
 ] = {}  # equations of plans whose closed forms no page can hold
-MOST_IN_LETTERS = 30  # equations: of more than that no page can hold what is put in letters
 ENTANGLED = "no unknown can be told from the others"
 
 # equation, unknown, its value, and why it is this root; None where the elimination needs no line of its own
@@ -84,7 +83,7 @@ class Solver(Isolation, kw_only=True):
         kept, told = len(self.steps), dict(self.told)
         told_by = frozenset((self.pool[index].left, self.pool[index].right) for index in plan.equations)
         try:
-            if told_by not in UNPRINTABLE and len(plan.equations) <= MOST_IN_LETTERS:
+            if told_by not in UNPRINTABLE:
                 return self._solve(plan)
         except Unprintable:
             UNPRINTABLE[told_by] = None
