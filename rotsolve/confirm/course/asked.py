@@ -47,12 +47,21 @@ class Asker:
         """The value of a question; `said` is what the program answers, which a condition or an unknown letter is tried with."""
         if find.choice is not None:
             return Reckoned({}, 1.0, self.chosen(find.choice))
-        if find.where is not None or (find.extreme and not find.terms):
-            raise NotConfirmed("an extreme, or a condition of its own")
+        if find.where is not None and isinstance(said.get(""), float):
+            from rotsolve.confirm.course.conditions import tried
+
+            number_said = float(said[""])
+            return tried(find, number_said, self.course, lambda asked, course: self.beside(course).valued(asked).number)
+        if find.extreme and not find.terms:
+            raise NotConfirmed("an extreme over a letter")
         found = self.valued(find)
         if "" in found.values:
             self.earlier[find.name] = found.number
         return found
+
+    def beside(self, course: Course) -> Asker:
+        """One that asks of another course."""
+        return Asker(self.problem, course)
 
     def valued(self, find: Find) -> Reckoned:
         """A path, or arithmetic over paths, givens and earlier answers."""
@@ -62,6 +71,7 @@ class Asker:
         elif not terms and self.is_asked(find):
             return self.letter(find)
         else:
+            self.look_up(find)
             letters: dict[str, Any] = {**self.course.letters, **self.earlier}
             letters |= {f"#{index}": term.number for index, term in enumerate(terms)}
             size = max((abs(term.number) for term in terms), default=0.0) if isinstance(find.formula, Sum) else 0.0
@@ -70,6 +80,13 @@ class Asker:
         if find.modifier == "size of":
             return number(abs(found.number), found.size)
         return found
+
+    def look_up(self, find: Find) -> None:
+        """The answers that a question speaks of by name."""
+        for name in find.formula.symbols() - self.earlier.keys() - self.course.letters.keys():
+            other = next((item for item in self.problem.finds if item.name == name and item is not find), None)
+            if other is not None and other.where is None:
+                self.earlier[name] = self.valued(other).number
 
     def is_asked(self, find: Find) -> bool:
         """Whether it asks for a letter of the scene that has no number."""
@@ -91,7 +108,9 @@ class Asker:
     def timed(self, term: Term) -> Reckoned:
         path = term.path
         if path.quantity in OSCILLATING:
-            raise NotConfirmed("swings")
+            from rotsolve.confirm.course.swings import swinging
+
+            return swinging(self.course, term)
         if term.at == ANY_TIME:
             raise NotConfirmed("a function of time")
         if term.by is not None:

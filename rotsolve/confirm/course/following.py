@@ -3,15 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.blows import Blow
+from rotsolve.confirm.course.energy import by_energy
+from rotsolve.confirm.course.gauges import gauges
 from rotsolve.confirm.course.node import Budget, Node
-from rotsolve.confirm.course.phase import FollowedPhase, followed
+from rotsolve.confirm.course.phase import HOLDS, FollowedPhase, followed
 from rotsolve.confirm.instant import placed
 from rotsolve.confirm.model import Model
+from rotsolve.confirm.numbers import value_of
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import Problem, State
+
+
+class Broken(NotConfirmed):
+    """An answer with which a line of a state, or its own condition, does not hold."""
 
 
 class Course:
@@ -24,14 +33,19 @@ class Course:
         self.states = problem.states or (State(""),)
         self.names = [state.name for state in self.states]
         self._nodes: dict[str, Node | NotConfirmed] = {}
+        self._untimed: set[str] = set()  # what was reached by its energy, without steps in time
         self._phases: dict[str, FollowedPhase] = {}  # by the state at which each begins
-        self._blows: dict[str, Any] = {}
+        self._blows: dict[str, Blow] = {}  # by the state to which each leads
         self._models: dict[str, Model] = {}
 
     def model(self, name: str) -> Model:
         if name not in self._models:
             self._models[name] = Model(self.problem, self.numbers, name)
         return self._models[name]
+
+    def value(self, formula: Formula) -> float:
+        """The number of a formula of givens."""
+        return float(value_of(formula, self.letters))
 
     def node(self, name: str) -> Node:
         """The instant of a state."""
@@ -55,9 +69,28 @@ class Course:
         event = self.event(self.names[number - 1], state.name)
         if event is not None:
             return self._struck(before, event, model, state)
-        phase = followed(before, state)
+        found = None if before.adrift else by_energy(before, state)
+        if found is not None:
+            self._untimed.add(state.name)
+            return Node(model, found.placed, self.budget)
+        phase = followed(self.timed(self.names[number - 1]), state)
         self._phases[self.names[number - 1]] = phase
         return Node(model, phase.end.placed, self.budget)
+
+    def timed(self, name: str) -> Node:
+        """The instant of a state, reached by steps in time."""
+        self.node(name)
+        for number, state in enumerate(self.states[: self.names.index(name) + 1]):
+            if state.name not in self._untimed:
+                continue
+            before = self.names[number - 1]
+            self._phases[before] = phase = followed(self.node(before), state)
+            self._untimed.discard(state.name)
+            self._nodes[state.name] = Node(self.model(state.name), phase.end.placed, self.budget)
+            for later in self.names[number + 1 :]:
+                self._nodes.pop(later, None)
+                self._untimed.discard(later)
+        return self.node(name)
 
     def _alone(self, model: Model) -> Node:
         at = placed(model)
@@ -66,7 +99,10 @@ class Course:
         return Node(model, at, self.budget)
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
-        raise NotConfirmed(f"`{event.name}`: a blow")
+        blow = Blow(before, event, model)
+        self._blows[state.name] = blow
+        check_lines(state, blow.after, before)
+        return blow.after
 
     def event(self, first: str, last: str) -> Event | None:
         return next((event for event in self.problem.events if (event.from_, event.to) == (first, last)), None)
@@ -82,26 +118,49 @@ class Course:
         raise NotConfirmed(f"`{name}` is no phase and no event")
 
     def time(self, start: str, end: str) -> float:
-        return self.node(end).time - self.node(start).time
+        return self.timed(end).time - self.timed(start).time
 
-    def blow(self, start: str, end: str) -> Any:
+    def blow(self, start: str, end: str) -> Blow | None:
         """What the event between two neighbouring states did; None where none joins them."""
         self.node(end)
         return self._blows.get(end) if self.event(start, end) is not None else None
 
     def settle(self, name: str) -> None:
-        """All states are reached with the number of a letter that is asked for, and their lines hold."""
-        raise NotConfirmed(f"`{name}` is a letter of the scene")
+        """All states are reached with the number of a letter that is asked for, and not with another one."""
+        if name not in self.numbers:
+            raise NotConfirmed(f"`{name}` has no number")
+        try:
+            self.hold()
+        except Broken as reason:
+            raise Broken(f"with it {reason}") from None
+        for part in (1.001, 0.999):
+            other = Course(self.problem, {**self.numbers, name: self.numbers[name] * part}, self.budget)
+            try:
+                other.hold()
+            except NotConfirmed:
+                continue
+            raise NotConfirmed(f"the lines of the states do not tell `{name}`")
+
+    def hold(self) -> None:
+        """NotConfirmed where a line of a state does not hold, or nothing balances that should."""
+        for state in self.states:
+            at = self.node(state.name)
+            if state.balance:
+                size = max(self.model(state.name).gravity, 1.0)
+                if any(abs(rate) > 1e-5 * size for rate in at.moment.rates):
+                    raise Broken(f"`{state.name}` is not in balance")
+            check_lines(state, at, self.node(self.names[max(0, self.names.index(state.name) - 1)]))
 
     def integral(self, start: str, end: str, rate: Callable[[Node], float]) -> tuple[float, float]:
         """∫ rate dt from one state to a later one, and ∫ |rate| dt."""
-        self.node(end)
+        self.timed(end)
         names = self.names[self.names.index(start) : self.names.index(end)]
         parts = [self._phases[name].integral(rate) for name in names if name in self._phases]
         return sum(part for part, _ in parts), sum(size for _, size in parts)
 
 
-class Blow(NamedTuple):
-    """What an event did."""
-
-    impulses: Mapping[tuple[str, str], float]
+def check_lines(state: State, at: Node, before: Node) -> None:
+    """Broken where a line of a state does not hold."""
+    for gauge in gauges(state, at.model, before):
+        if gauge.words != "at rest" and abs(gauge.value(at)) > HOLDS * gauge.size:
+            raise Broken(f"`{gauge.words}` is not so at `{state.name}`")

@@ -120,4 +120,4 @@ def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
             return reading(at, path).number - value
         return place.value - value
 
-    return Gauge(gap, max(abs(value), 1e-3), words)
+    return Gauge(gap, max(abs(value), 0.1 if path.quantity in ("displacement", "height", "elongation") else 1.0), words)

@@ -21,6 +21,10 @@ from rotsolve.language.problem import Term
 Load = tuple[str, str, Slope]
 
 
+class TooLong(NotConfirmed):
+    """A motion that costs more than the budget."""
+
+
 class Budget:
     """How much a scene may cost: so many instants of one body, of which a larger scene costs more. Clocks would make answers differ."""
 
@@ -30,7 +34,7 @@ class Budget:
     def spend(self, model: Model) -> None:
         self.left -= 0.5 + 0.5 * len(model.seats)
         if self.left < 0:
-            raise NotConfirmed("its motion takes too long to follow")
+            raise TooLong("its motion takes too long to follow")
 
 
 class Node:

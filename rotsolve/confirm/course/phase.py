@@ -219,7 +219,7 @@ class NextState:
             return min(part, 1.0)
         for part in self.crossings(self.gauges[0], lap):
             at = instant(self.first, lap, part)
-            if all(abs(gauge.value(at)) <= HOLDS * max(gauge.size, 1e-6) for gauge in self.gauges[1:]):
+            if all(abs(gauge.value(at)) <= HOLDS * gauge.size for gauge in self.gauges[1:]):
                 return part
         return None
 
@@ -241,7 +241,7 @@ class NextState:
     def confirm_lines(self, at: Node) -> None:
         """All lines hold at the instant that is told by its time."""
         for gauge in self.gauges:
-            if abs(gauge.value(at)) > HOLDS * max(gauge.size, 1e-6):
+            if abs(gauge.value(at)) > HOLDS * gauge.size:
                 raise NotConfirmed(f"`{gauge.words}` does not hold at `{self.state.name}`")
 
     def ended(self, lap: Lap) -> FollowedPhase:

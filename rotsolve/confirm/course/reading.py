@@ -280,6 +280,21 @@ def own_data(at: Node, path: Path, term: Term | None) -> Reckoned:
     raise NotConfirmed(f"the {path.quantity} of `{path.owner}`")
 
 
+def inertia(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """About the centre of mass, or I + m d² about a named point; the radius of gyration √(I/m)."""
+    if (term is not None and term.along is not None) or path.point is not None:
+        raise NotConfirmed("a moment of inertia about an axis in the plane, or of a part")
+    rigid, moment = at.model.seats[path.owner].rigid, at.model.seats[path.owner].rigid.inertia
+    if term is not None and term.about is not None:
+        middle, centre = at.reference(path.owner, term), values(point_place(at, path.owner, "cm"))
+        moment += rigid.mass * ((centre[0] - middle[0]) ** 2 + (centre[1] - middle[1]) ** 2)
+    return number(moment if path.quantity == "inertia" else math.sqrt(moment / rigid.mass))
+
+
+def body_height(at: Node, path: Path, term: Term | None) -> Reckoned:
+    return number(at.height(path.owner))
+
+
 Reading = Callable[[Node, Path, "Term | None"], Reckoned]
 OF_BODIES: dict[str, Reading] = {
     **dict.fromkeys(("velocity", "speed", "acceleration"), point_motion),
@@ -296,5 +311,7 @@ OF_BODIES: dict[str, Reading] = {
     "power": power,
     "instantaneous_centre": instantaneous_centre,
     "period": period,
+    "height": body_height,
+    **dict.fromkeys(("inertia", "gyration"), inertia),
     **dict.fromkeys(("mass", "radius", "length"), own_data),
 }

@@ -153,7 +153,7 @@ def adapted(
     for _ in range(60):
         try:
             step = stretch(law, time, place, speed, width, push, before)
-        except NotConfirmed:
+        except ArithmeticError:
             step = None
         if step is not None:
             rough = roughness(step)

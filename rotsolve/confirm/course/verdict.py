@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker, related
-from rotsolve.confirm.course.following import Course
+from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.reading import Reckoned
 from rotsolve.confirm.numbers import value_of
@@ -123,10 +123,18 @@ def at_numbers(
         try:
             found = asker.answer(finds[answer.name][0], said)
             yield answer.name, compared(answer.name, said, found)
+        except Broken as reason:
+            against = asks_for_letter(finds[answer.name][0])
+            yield answer.name, AnswerConfirmation(answer.name, False if against else None, str(reason))
         except NotConfirmed as reason:
             yield answer.name, AnswerConfirmation(answer.name, None, str(reason))
         except (ArithmeticError, ValueError) as error:
             yield answer.name, AnswerConfirmation(answer.name, None, f"the assembly has no number ({error})")
+
+
+def asks_for_letter(find: Find) -> bool:
+    """Whether the answer itself was put into the scene, so that a line that does not hold speaks against it."""
+    return not find.terms and isinstance(find.formula, Symbol)
 
 
 def holding(answer: Answer, numbers: Numbers) -> Answer | None:
@@ -198,6 +206,8 @@ def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> Ans
         return AnswerConfirmation(name, None, "its parts are not known to the assembly")
     answered = tuple(float(said[key]) for key in parts)
     own = tuple(found.values[key] for key in parts)
+    if "x" in found.values:  # of a vector its size, which has no sign
+        answered = tuple(abs(a) if key == "" else a for key, a in zip(parts, answered, strict=True))
     size = max(found.size, *map(abs, own), *map(abs, answered))
     if found.sized:
         answered, own = (tuple(map(abs, values)) for values in (answered, own))

@@ -1,0 +1,79 @@
+"""Conditions: `x where Q = c`, `x where Q is largest`, `largest F where touch sticks`: the answer is tried, and what lies beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rotsolve.algebra.formula import Symbol
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.following import Broken, Course
+from rotsolve.confirm.course.reading import Reckoned, number
+from rotsolve.confirm.instant import STICKS
+from rotsolve.language.problem import EXTREMES, Condition, Find
+
+NEAR, BESIDE = 1e-5, 2e-3  # how far beside the answer a condition is tried, and an extreme
+LEVEL = 0.06  # how far an extreme may lie from the middle of what lies beside it, as a share of the drop there
+
+Value = Callable[[Find, Course], float]
+
+
+def tried(find: Find, said: float, course: Course, value: Value) -> Reckoned:
+    """The answer itself, where its condition holds with it and not beside it; Broken where it does not hold."""
+    condition = find.where
+    if condition is None or find.terms or not isinstance(find.formula, Symbol):
+        raise NotConfirmed("a quantity under a condition of its own")
+    letter = find.formula.name
+    if letter not in {given.name for given in course.problem.givens}:
+        raise NotConfirmed("an answer under a condition of its own")
+
+    def at(number: float) -> Course:
+        return Course(course.problem, {**course.numbers, letter: number}, course.budget)
+
+    if condition.word in EXTREMES and condition.phrase is not None:
+        extreme(condition.phrase, condition.word == "largest", said, lambda found: value(condition.phrase, at(found)))  # type: ignore[arg-type]
+    elif condition.phrase is not None and condition.value is not None:
+        goal = course.value(condition.value)
+        zero(said, lambda found: value(condition.phrase, at(found)) - goal)  # type: ignore[arg-type]
+    elif condition.word in ("sticks", "rolls"):
+        verge(find, condition, said, at)
+    else:
+        raise NotConfirmed(f"a condition that says `{condition.word}`")
+    return number(said)
+
+
+def zero(said: float, gap: Callable[[float], float]) -> None:
+    """The gap changes its sign at the answer."""
+    step = NEAR * (abs(said) or 1.0)
+    low, high = gap(said - step), gap(said + step)
+    if low * high > 0 and abs(gap(said)) > 1e-3 * min(abs(low), abs(high)):
+        raise Broken("its condition does not hold with it")
+
+
+def extreme(phrase: Find, largest: bool, said: float, value: Callable[[float], float]) -> None:
+    """What lies beside the answer is smaller on both sides, and by as much."""
+    step = BESIDE * (abs(said) or 1.0)
+    sign = 1.0 if largest else -1.0
+    low, here, high = (sign * value(said + part * step) for part in (-1.0, 0.0, 1.0))
+    drop = here - 0.5 * (low + high)
+    if drop <= 0.0 or abs(high - low) > LEVEL * drop:
+        raise NotConfirmed("an extreme at the end of a range")
+
+
+def verge(find: Find, condition: Condition, said: float, at: Callable[[float], Course]) -> None:
+    """It sticks on one side of the answer, and slips on the other."""
+    step = NEAR * (abs(said) or 1.0) * (-1.0 if find.modifier != "smallest" else 1.0)
+    inside, outside = at(said + step), at(said - step)
+    told = [(sticks(condition, inside, name), sticks(condition, outside, name)) for name in inside.names]
+    if (True, False) not in told:
+        if len(told) > 1:
+            raise NotConfirmed(f"the state at which `{condition.owner}` is to stick")
+        beside = "a little less" if step < 0 else "a little more"
+        raise Broken(f"`{condition.owner}` {'sticks beyond it' if told[0][0] else f'does not stick with {beside}'}")
+
+
+def sticks(condition: Condition, course: Course, state: str) -> bool:
+    modes = course.node(state).moment.modes
+    found = [mode for name, mode in modes.items() if name == condition.owner or name.startswith(f"{condition.owner}.")]
+    if not found:
+        raise NotConfirmed(f"`{condition.owner}` does not rub")
+    return all(mode == STICKS for mode in found)

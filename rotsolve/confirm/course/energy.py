@@ -1,0 +1,160 @@
+"""Energy: from place to place where bodies have one way to go and only weights, springs and wires work: ½ m q̇² = E − U, without steps.
+
+That is cheap, and it is the only way away from a place where nothing pushes: a rod that falls from upright.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.constraints import held_by
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.instant import STICKS, Placed, split
+from rotsolve.confirm.jet import Jet, Slope
+from rotsolve.confirm.linear import solved
+from rotsolve.confirm.lines import placed_value
+from rotsolve.confirm.pose import Pose
+from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.language.problem import Condition, State
+
+NEWTON, EXACT, SAMPLES = 30, 1e-13, (0.35, 0.7, 1.0)
+
+
+def by_energy(first: Node, state: State) -> Node | None:
+    """The node at which a place is reached that a state tells; None where it takes steps in time to know."""
+    line = only_place(state)
+    if line is None or line.path is None or line.value is None or not conserves(first):
+        return None
+    target = placed_value(line.path, told_from(first), first.model)
+    if target is None:
+        return None
+    start, goal = target.value, first.model.value(line.value)
+    way = rates_along(first, first.placed.q, line)
+    if way is None or goal == start or not heads_for(first, way, goal - start, target):
+        return None
+    whole = kinetic(first, first.placed.speed) + stored(first)
+    q = list(first.placed.q)
+    for part in SAMPLES:
+        found = placed_at(first, q, line, start + part * (goal - start))
+        if found is None:
+            return None
+        q = found
+        at = moving(first, q, line, whole, goal - start)
+        if at is None or at.moment.lifted or not sticks(at):
+            return None
+    return at
+
+
+def only_place(state: State) -> Condition | None:
+    """The line of a state that tells a place, where it is the only one."""
+    if len(state.conditions) != 1 or state.balance or state.steady:
+        return None
+    line = state.conditions[0]
+    places = ("angle", "rotation", "displacement", "height")
+    return line if line.path is not None and line.word is None and line.path.quantity in places else None
+
+
+def conserves(first: Node) -> bool:
+    """Whether only weights, springs and wires do work, and nothing is driven or slips."""
+    now = first.moment
+    stores = {item.name for item in first.model.acting.connections if isinstance(item, (Spring, Torsion))}
+    if any(not name.startswith("weight of ") and name not in stores for name in now.loads):
+        return False
+    if any(mode != STICKS for mode in now.modes.values()):
+        return False
+    return not any(row.speed for row in now.rows.values()) and not now.lifted
+
+
+def sticks(at: Node) -> bool:
+    """Whether nothing begins to slip there, and nothing pulls that only pushes."""
+    return all(mode == STICKS for mode in at.moment.modes.values())
+
+
+def told_from(first: Node) -> Pose:
+    """The pose at the start of the phase, from which ways count."""
+    return replace(first.placed, origin=first.placed.q).pose(first.model)
+
+
+def slope_of(first: Node, q: Sequence[float], line: Condition) -> Jet:
+    pose = Pose(first.model.seats, q, [0.0] * len(q), first.time, first.placed.offsets, first.placed.q)
+    assert line.path is not None
+    found = placed_value(line.path, pose, first.model)
+    if found is None:
+        raise NotConfirmed("a place that is not told")
+    return found
+
+
+def kept_rows(first: Node, q: Sequence[float]) -> list[tuple[Slope, float]]:
+    """What is held, as functions of the places with their values."""
+    pose = Pose(first.model.seats, q, [0.0] * len(q), first.time, first.placed.offsets, first.placed.origin)
+    rows, grips = split(held_by(first.model, pose))
+    return [(row.slope, row.gap) for row in (*rows, *(grip.row for grip in grips))]
+
+
+def placed_at(first: Node, q: Sequence[float], line: Condition, value: float) -> list[float] | None:
+    """Places near q at which the line's place has a value, and all that is held is as it was."""
+    before = [gap for _, gap in kept_rows(first, first.placed.q)]
+    q = list(q)
+    for _ in range(NEWTON):
+        first.budget.spend(first.model)
+        rows, place = kept_rows(first, q), slope_of(first, q, line)
+        gaps = [old - gap for (_, gap), old in zip(rows, before, strict=True)] + [value - place.value]
+        if max(map(abs, gaps)) < EXACT * 100:
+            return q
+        step = solved([*[slope for slope, _ in rows], place.slope], gaps, len(q))
+        q = [old + change for old, change in zip(q, step.values, strict=True)]
+    return None
+
+
+def rates_along(first: Node, q: Sequence[float], line: Condition) -> list[float] | None:
+    """The rates of all coordinates where the line's place grows by one; None where there is more than one way to go."""
+    rows = kept_rows(first, q)
+    slopes = [*[slope for slope, _ in rows], slope_of(first, q, line).slope]
+    found = solved(slopes, [*[0.0 for _ in rows], 1.0], len(q))
+    if found.clash > 1e-9 or any(first.model.masses[index] for index in found.open):
+        return None
+    return found.values
+
+
+def heads_for(first: Node, way: Sequence[float], gap: float, target: Jet) -> bool:
+    """Whether it moves, or is pushed, towards the place that is told; where nothing pushes, the least push may."""
+    rate = sum([part * first.placed.speed[index] for index, part in target.slope.items()])
+    if rate:
+        return rate * gap > 0
+    push = sum([part * first.moment.rates[index] for index, part in target.slope.items()])
+    size = max(map(abs, first.moment.rates), default=0.0)
+    return push * gap > 0 or abs(push) <= 1e-9 * max(size, first.model.gravity, 1.0)
+
+
+def kinetic(first: Node, speed: Sequence[float]) -> float:
+    return 0.5 * math.fsum(mass * rate * rate for mass, rate in zip(first.model.masses, speed, strict=True))
+
+
+def stored(at: Node) -> float:
+    """Energy of weights, springs and wires."""
+    loads = at.moment.loads
+    weights = [
+        -part * at.placed.q[index]
+        for name, load in loads.items()
+        if name.startswith("weight of ")
+        for index, part in load.items()
+    ]
+    return math.fsum(weights) + at.stored()
+
+
+def moving(first: Node, q: list[float], line: Condition, whole: float, gap: float) -> Node | None:
+    """How fast it moves at some places, towards what is told; None where it does not come so far."""
+    way = rates_along(first, q, line)
+    if way is None:
+        return None
+    placed = Placed(q, way, first.time, first.placed.offsets, first.placed.origin)
+    probe = Node(first.model, placed, first.budget, first.moment.modes)
+    left, share = whole - stored(probe), kinetic(first, way)
+    if left <= 1e-12 * abs(whole) or share <= 0.0:
+        return None
+    rate = math.copysign(math.sqrt(left / share), gap)
+    return Node(first.model, replace(placed, speed=[rate * part for part in way]), first.budget)

@@ -1,0 +1,140 @@
+"""Swings: the period of small ones by how the accelerations change beside the equilibrium, of large ones from rest to rest."""
+
+from __future__ import annotations
+
+import math
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.constraints import held_by
+from rotsolve.confirm.course.following import Course
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.phase import followed
+from rotsolve.confirm.course.reading import Reckoned, number
+from rotsolve.confirm.instant import Placed, gathered, moment, split
+from rotsolve.confirm.linear import solved
+from rotsolve.confirm.model import Model
+from rotsolve.language.problem import Condition, State, Term
+
+STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
+STARTS = (0.0, 1.0, -1.0, 2.0, -2.0, 0.3, -0.3)
+
+
+def period(course: Course, term: Term) -> float:
+    """The time of one swing to and fro."""
+    if term.modifier == "swings":
+        return large(course, term)
+    name = term.at or course.names[0]
+    state = course.states[course.names.index(name)]
+    first = course.node(name)
+    return Small(first, term.path.owner).period(told=term.at is not None and state.balance)
+
+
+def large(course: Course, term: Term) -> float:
+    """From rest to rest and back, as long each way."""
+    start = course.timed(term.start or course.names[0])
+    if any(abs(part) > 1e-12 for part in start.placed.speed):
+        raise NotConfirmed("swings that do not start from rest")
+    owner = term.path.owner or "all"
+    rest = State("the other side", (Condition(None, rest=True, owner=owner),))
+    return 2.0 * (followed(start, rest).end.time - start.time)
+
+
+class Small:
+    """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
+
+    def __init__(self, first: Node, owner: str) -> None:
+        self.first, self.model = first, first.model
+        self.mode: Model = first.model
+        self.before = [gap for _, gap in self.rows(first.placed.q)]
+        self.index = self.free_index(owner)
+
+    def rows(self, q: list[float]) -> list[tuple[dict[int, float], float]]:
+        pose = replace(self.first.placed, q=q, speed=[0.0] * len(q)).pose(self.model)
+        rows, grips = split(held_by(self.model, pose))
+        return [(row.slope, row.gap) for row in (*rows, *(grip.row for grip in grips))]
+
+    def free_index(self, owner: str) -> int:
+        """The coordinate that swings: of the body that is named, else of the only one that nothing holds."""
+        rows = self.rows(self.first.placed.q)
+        found = solved([slope for slope, _ in rows], [0.0] * len(rows), self.model.size)
+        loose = [index for index in sorted(found.open) if self.model.masses[index]]
+        names = [owner] if owner in self.model.seats else list(self.model.seats)
+        places = [self.model.seats[name].first + k for name in names for k in (2, 0, 1)]
+        own = [index for index in places if index in loose]
+        if not own:
+            raise NotConfirmed("nothing of it can swing")
+        again = solved([*[slope for slope, _ in rows], {own[0]: 1.0}], [0.0] * (len(rows) + 1), self.model.size)
+        if not owner and any(self.model.masses[index] for index in again.open):
+            raise NotConfirmed("more than one body may swing")
+        return own[0]
+
+    def at(self, value: float) -> list[float]:
+        """The places where the coordinate has a value."""
+        q = list(self.first.placed.q)
+        for _ in range(30):
+            rows = self.rows(q)
+            gaps = [old - gap for (_, gap), old in zip(rows, self.before, strict=True)] + [value - q[self.index]]
+            if max(map(abs, gaps)) < 1e-12:
+                break
+            found = solved([*[slope for slope, _ in rows], {self.index: 1.0}], gaps, len(q))
+            q = [old + change for old, change in zip(q, found.values, strict=True)]
+        return q
+
+    def push(self, value: float, rate: float = 0.0) -> float:
+        """The second rate of the coordinate at a place and a rate."""
+        self.first.budget.spend(self.model)
+        q = self.at(value)
+        rows = self.rows(q)
+        speed = solved([*[slope for slope, _ in rows], {self.index: 1.0}], [*[0.0 for _ in rows], rate], len(q)).values
+        placed = Placed(q, speed, self.first.time, self.first.placed.offsets, self.first.placed.origin)
+        grips = gathered(self.model, placed.pose(self.model))[1]
+        if any(grip.normal is None for grip in grips):
+            raise NotConfirmed("dry friction, by which small swings stick")
+        return moment(self.model, placed, {grip.name: "sticks" for grip in grips}).rates[self.index]
+
+    def slope(self, value: float) -> float:
+        return (self.push(value + STEP) - self.push(value - STEP)) / (2.0 * STEP)
+
+    def equilibrium(self, start: float) -> float | None:
+        """Where nothing pushes, by Newton's way from a start."""
+        value = start
+        for _ in range(40):
+            push, slope = self.push(value), self.slope(value)
+            if slope == 0.0:
+                return None
+            change = -push / slope
+            value += max(-0.5, min(0.5, change))
+            if abs(change) < 1e-11 * max(1.0, abs(value)):
+                return value
+        return None
+
+    def period(self, *, told: bool) -> float:
+        """2π/√(ω² − γ²), with −ω² the slope of the push by the place and −2 γ by the rate, where the equilibrium is stable."""
+        start = self.first.placed.q[self.index]
+        values = (
+            [start]
+            if told
+            else [value for part in STARTS for value in [self.equilibrium(start + part)] if value is not None]
+        )
+        stable: list[float] = []
+        for value in values:
+            slope = self.slope(value)
+            if slope < 0.0:
+                damping = -(self.push(value, STEP) - self.push(value, -STEP)) / (4.0 * STEP)
+                square = -slope - damping * damping
+                if square <= 0.0:
+                    raise NotConfirmed("swings that die out without a turn")
+                stable.append(2.0 * math.pi / math.sqrt(square))
+                if not told:
+                    break
+        if not stable:
+            raise NotConfirmed("no stable equilibrium was found")
+        return stable[0]
+
+
+def swinging(course: Course, term: Term) -> Reckoned:
+    """The period of swings, or their frequency, or 2π times that."""
+    time = period(course, term)
+    return number({"swing_period": time, "frequency": 1.0 / time}.get(term.path.quantity, 2.0 * math.pi / time))
