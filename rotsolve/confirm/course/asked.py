@@ -18,6 +18,7 @@ from rotsolve.confirm.course.reading import OF_BODIES, Reckoned, number, vector
 from rotsolve.confirm.course.spans import SPANS, Between
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.quantity import OSCILLATING, SPANNED
+from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term, WhichOf
 
 MEANS = {  # what the mean of a quantity is the mean of, over time
@@ -225,13 +226,13 @@ def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:
     if path.owner in at.model.seats:
         function = OF_BODIES.get(path.quantity)
         if function is None:
-            raise NotConfirmed(f"`{path.quantity}` of a body")
+            raise NotConfirmed(f"{spoken(path.quantity)} of a body")
         return function(at, path, term)
     if not path.owner:
         return of_scene(at, path)
     found = OF_ELEMENTS.get(path.quantity)
     if found is None:
-        raise NotConfirmed(f"`{path.quantity}` of a connection or an action")
+        raise NotConfirmed(f"{spoken(path.quantity)} of a connection or an action")
     return found(at, path, term)
 
 

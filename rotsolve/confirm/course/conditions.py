@@ -29,11 +29,12 @@ def tried(find: Find, said: float, course: Course, value: Value) -> Reckoned:
     def at(number: float) -> Course:
         return Course(course.problem, {**course.numbers, letter: number}, course.budget)
 
-    if condition.word in EXTREMES and condition.phrase is not None:
-        extreme(condition.phrase, condition.word == "largest", said, lambda found: value(condition.phrase, at(found)))  # type: ignore[arg-type]
-    elif condition.phrase is not None and condition.value is not None:
+    phrase = condition.phrase
+    if condition.word in EXTREMES and phrase is not None:
+        extreme_beside(condition.word == "largest", said, lambda found: value(phrase, at(found)))
+    elif phrase is not None and condition.value is not None:
         goal = course.value(condition.value)
-        zero(said, lambda found: value(condition.phrase, at(found)) - goal)  # type: ignore[arg-type]
+        zero(said, lambda found: value(phrase, at(found)) - goal)
     elif condition.word in ("sticks", "rolls"):
         verge(find, condition, said, at)
     else:
@@ -49,7 +50,7 @@ def zero(said: float, gap: Callable[[float], float]) -> None:
         raise Broken("its condition does not hold with it")
 
 
-def extreme(phrase: Find, largest: bool, said: float, value: Callable[[float], float]) -> None:
+def extreme_beside(largest: bool, said: float, value: Callable[[float], float]) -> None:
     """What lies beside the answer is smaller on both sides, and by as much."""
     step = BESIDE * (abs(said) or 1.0)
     sign = 1.0 if largest else -1.0
@@ -63,7 +64,7 @@ def verge(find: Find, condition: Condition, said: float, at: Callable[[float], C
     """It sticks on one side of the answer, and slips on the other."""
     step = NEAR * (abs(said) or 1.0) * (-1.0 if find.modifier != "smallest" else 1.0)
     inside, outside = at(said + step), at(said - step)
-    told = [(sticks(condition, inside, name), sticks(condition, outside, name)) for name in inside.names]
+    told = [(grip_holds(condition, inside, name), grip_holds(condition, outside, name)) for name in inside.names]
     if (True, False) not in told:
         if len(told) > 1:
             raise NotConfirmed(f"the state at which `{condition.owner}` is to stick")
@@ -71,7 +72,7 @@ def verge(find: Find, condition: Condition, said: float, at: Callable[[float], C
         raise Broken(f"`{condition.owner}` {'sticks beyond it' if told[0][0] else f'does not stick with {beside}'}")
 
 
-def sticks(condition: Condition, course: Course, state: str) -> bool:
+def grip_holds(condition: Condition, course: Course, state: str) -> bool:
     modes = course.node(state).moment.modes
     found = [mode for name, mode in modes.items() if name == condition.owner or name.startswith(f"{condition.owner}.")]
     if not found:

@@ -36,14 +36,14 @@ def by_energy(first: Node, state: State) -> Node | None:
     way = rates_along(first, first.placed.q, line)
     if way is None or goal == start or not heads_for(first, way, goal - start, target):
         return None
-    whole = kinetic(first, first.placed.speed) + stored(first)
+    whole = rate_energy(first, first.placed.speed) + stored(first)
     q = list(first.placed.q)
     for part in SAMPLES:
         found = placed_at(first, q, line, start + part * (goal - start))
         if found is None:
             return None
         q = found
-        at = moving(first, q, line, whole, goal - start)
+        at = with_its_speed(first, q, line, whole, goal - start)
         if at is None or at.moment.lifted or not sticks(at):
             return None
     return at
@@ -130,7 +130,7 @@ def heads_for(first: Node, way: Sequence[float], gap: float, target: Jet) -> boo
     return push * gap > 0 or abs(push) <= 1e-9 * max(size, first.model.gravity, 1.0)
 
 
-def kinetic(first: Node, speed: Sequence[float]) -> float:
+def rate_energy(first: Node, speed: Sequence[float]) -> float:
     return 0.5 * math.fsum(mass * rate * rate for mass, rate in zip(first.model.masses, speed, strict=True))
 
 
@@ -146,14 +146,14 @@ def stored(at: Node) -> float:
     return math.fsum(weights) + at.stored()
 
 
-def moving(first: Node, q: list[float], line: Condition, whole: float, gap: float) -> Node | None:
+def with_its_speed(first: Node, q: list[float], line: Condition, whole: float, gap: float) -> Node | None:
     """How fast it moves at some places, towards what is told; None where it does not come so far."""
     way = rates_along(first, q, line)
     if way is None:
         return None
     placed = Placed(q, way, first.time, first.placed.offsets, first.placed.origin)
     probe = Node(first.model, placed, first.budget, first.moment.modes)
-    left, share = whole - stored(probe), kinetic(first, way)
+    left, share = whole - stored(probe), rate_energy(first, way)
     if left <= 1e-12 * abs(whole) or share <= 0.0:
         return None
     rate = math.copysign(math.sqrt(left / share), gap)

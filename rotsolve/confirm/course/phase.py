@@ -20,6 +20,7 @@ from rotsolve.confirm.instant import FORWARD, OPEN, STICKS, Dynamics, Placed, ga
 from rotsolve.language.problem import State
 
 MOST = 400  # steps of a phase
+STILL = 1e-8  # share of the rates below which slip is rounding
 FAR = 1e6  # seconds after which nothing is waited for any more
 HOLDS = 1e-6  # how well all lines of a state have to hold at once
 SAMPLES = (0.25, 0.5, 0.75, 1.0)
@@ -132,7 +133,7 @@ class NextState:
             self.laps.append(Lap(step, modes))
             self.node = instant(self.first, self.laps[-1], 1.0)
             if cut is not None:
-                self.node.modes = None
+                self.node = stilled(self.node)
         raise NotConfirmed(f"`{self.state.name}` is not reached")
 
     def settled(self) -> dict[str, str]:
@@ -247,8 +248,20 @@ class NextState:
     def ended(self, lap: Lap) -> FollowedPhase:
         """The phase up to where the state is reached."""
         self.laps.append(lap)
-        end = instant(self.first, lap, 1.0)
+        end = stilled(instant(self.first, lap, 1.0))
         return FollowedPhase(self.first, self.laps, end, lap.modes)
+
+
+def stilled(at: Node) -> Node:
+    """The same instant where what has all but ceased to slip does not slip: what is left is the rounding of the steps."""
+    speed = list(at.placed.speed)
+    size = max(map(abs, speed), default=0.0)
+    for grip in gathered(at.model, at.pose)[1]:
+        slip, square = slip_speed(grip, speed), sum(part * part for part in grip.row.slope.values())
+        if slip and abs(slip) <= STILL * max(size, 1.0) * math.sqrt(square):
+            for index, part in grip.row.slope.items():
+                speed[index] -= slip * part / square
+    return Node(at.model, replace(at.placed, speed=speed), at.budget)
 
 
 def pace(at: Placed, push: Sequence[float]) -> float:

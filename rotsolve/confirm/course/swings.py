@@ -21,17 +21,17 @@ STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
 STARTS = (0.0, 1.0, -1.0, 2.0, -2.0, 0.3, -0.3)
 
 
-def period(course: Course, term: Term) -> float:
+def swing_time(course: Course, term: Term) -> float:
     """The time of one swing to and fro."""
     if term.modifier == "swings":
-        return large(course, term)
+        return rest_to_rest(course, term)
     name = term.at or course.names[0]
     state = course.states[course.names.index(name)]
     first = course.node(name)
     return Small(first, term.path.owner).period(told=term.at is not None and state.balance)
 
 
-def large(course: Course, term: Term) -> float:
+def rest_to_rest(course: Course, term: Term) -> float:
     """From rest to rest and back, as long each way."""
     start = course.timed(term.start or course.names[0])
     if any(abs(part) > 1e-12 for part in start.placed.speed):
@@ -136,5 +136,5 @@ class Small:
 
 def swinging(course: Course, term: Term) -> Reckoned:
     """The period of swings, or their frequency, or 2π times that."""
-    time = period(course, term)
+    time = swing_time(course, term)
     return number({"swing_period": time, "frequency": 1.0 / time}.get(term.path.quantity, 2.0 * math.pi / time))

@@ -1,0 +1,199 @@
+"""The course of a scene, followed by the assembly from state to state, held against what is found by hand."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.asked import Asker
+from rotsolve.confirm.course.following import Broken, Course
+from rotsolve.confirm.course.node import Budget
+from rotsolve.confirm.course.verdict import sets_of_numbers
+from rotsolve.motion.complete import configured
+from rotsolve.scene.read import read_source
+
+G = 9.8
+CLOSE = 1e-8
+
+
+def asked(text: str, said: float = math.nan, instants: int = 5000, **numbers: float) -> dict[str, float]:
+    """What the assembly answers to the questions of a scene; `said` is tried where a letter is asked for."""
+    problem = configured(read_source("title: by hand\n" + text)).problem
+    known = {**next(sets_of_numbers(problem)), **numbers}
+    asker = Asker(problem, Course(problem, known, Budget(instants)))
+    return {find.name: asker.answer(find, {"": said}).number for find in problem.finds}
+
+
+BLOCK = """
+given: {m: 2 kg, mu: 0.25, u: 6 m/s}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: right}}
+connections: {base: {contact: [block, floor], friction: mu}}
+"""
+
+
+def test_what_slides_stops_and_stays() -> None:
+    """v²/(2 μ g) from u to rest, however long one waits; its friction has then done − ½ m u²."""
+    text = f"""{BLOCK}
+states: {{start: {{block.velocity: u}}, end: {{time: 30 s}}}}
+find: {{v: block.velocity at end, x: block.displacement from start to end, W: base.work from start to end}}
+"""
+    found = asked(text)
+    assert found["v"] == pytest.approx(0.0, abs=1e-9)
+    assert found["x"] == pytest.approx(36 / (2 * 0.25 * G), rel=CLOSE)
+    assert found["W"] == pytest.approx(-36.0, rel=CLOSE)
+
+
+def test_a_ball_slides_and_then_rolls() -> None:
+    """v = 5 u/7 from t = 2 u/(7 μ g) on."""
+    text = """
+given: {R: 11 cm, u: 5 m/s, mu: 0.2, T: 9 s}
+surfaces: {lane: level}
+bodies: {bowl: {shape: sphere, mass: 3 kg, radius: R, moves: right, turns: clockwise}}
+connections: {grip: {contact: [bowl, lane], friction: mu}}
+states: {thrown: {bowl.velocity: u, bowl.angular_velocity: 0}, rolling: {grip: rolls}, late: {time: T}}
+find: {t: time from thrown to rolling, v: bowl.velocity at late, w: bowl.angular_velocity at late}
+"""
+    found = asked(text)
+    assert found["t"] == pytest.approx(2 * 5 / (7 * 0.2 * G), rel=CLOSE)
+    assert found["v"] == pytest.approx(25 / 7, rel=CLOSE)
+    assert found["w"] == pytest.approx(25 / 7 / 0.11, rel=CLOSE)
+
+
+def test_a_slip_turns_round_on_a_slope() -> None:
+    """Up against gravity and friction, down against friction alone: each leg by its own deceleration."""
+    text = """
+given: {beta: 30 deg, mu: 0.2, u: 7 m/s}
+surfaces: {ramp: {slope: beta, down: left}}
+bodies: {crate: {mass: 4 kg, moves: up}}
+connections: {base: {contact: [crate, ramp], friction: mu}}
+states: {start: {crate.velocity: u}, back: {crate.displacement: 0}}
+find: {v: crate.velocity at back, t: time from start to back}
+"""
+    up, down = (G * (math.sin(math.pi / 6) + sign * 0.2 * math.cos(math.pi / 6)) for sign in (1, -1))
+    way = 49 / (2 * up)
+    found = asked(text)
+    assert found["v"] == pytest.approx(-math.sqrt(2 * down * way), rel=CLOSE)
+    assert found["t"] == pytest.approx(7 / up + math.sqrt(2 * way / down), rel=CLOSE)
+
+
+def test_a_state_that_repeats_the_first_is_the_next_one() -> None:
+    text = """
+given: {u: 6 m/s}
+bodies: {stone: {mass: 1 kg, moves: up}}
+states: {thrown: {stone.velocity: u}, caught: {stone.displacement: 0}}
+find: {v: stone.velocity at caught, t: time from thrown to caught}
+"""
+    assert asked(text) == pytest.approx({"v": -6.0, "t": 12 / G}, rel=CLOSE)
+
+
+ROD = """
+given: {L: 1.2 m}
+bodies: {rod: {shape: rod, mass: 2 kg, length: L}}
+connections: {pin: {hinge: rod.start}}
+"""
+
+
+def test_a_rod_swings_down_by_its_energy_and_in_steps() -> None:
+    """ω² = 3 g/L (sin φ₀ − sin φ) without the time, and the time by the elliptic integral."""
+    states = "states: {up: {rod.angle: -20 deg, at rest: all}, low: {rod.angle: -90 deg}}"
+    speed = asked(f"{ROD}{states}\nfind: {{w: rod.angular_velocity at low}}", instants=80)["w"]
+    square = 3 * G / 1.2 * (1 - math.sin(math.radians(20)))
+    assert speed == pytest.approx(-math.sqrt(square), rel=CLOSE)
+    found = asked(f"{ROD}{states}\nfind: {{t: time from up to low, w: rod.angular_velocity at low}}")
+    assert found["w"] == pytest.approx(-math.sqrt(square), rel=CLOSE)
+    assert found["t"] == pytest.approx(agm_period(math.radians(70), math.sqrt(1.5 * G / 1.2)) / 4, rel=CLOSE)
+
+
+def agm_period(largest: float, omega: float) -> float:
+    """T = 2π/(ω agm(1, cos ½θ)): the period of a pendulum of any size."""
+    a, b = 1.0, math.cos(largest / 2)
+    for _ in range(30):
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return 2 * math.pi / (omega * a)
+
+
+def test_swings_small_and_large() -> None:
+    text = f"""{ROD}
+states: {{up: {{rod.angle: 10 deg, at rest: all}}}}
+find: {{T: period of small swings, T1: period of swings from up, f: frequency of small swings}}
+"""
+    found, omega = asked(text), math.sqrt(1.5 * G / 1.2)
+    assert found["T"] == pytest.approx(2 * math.pi / omega, rel=1e-6)
+    assert found["f"] == pytest.approx(omega / (2 * math.pi), rel=1e-6)
+    assert found["T1"] == pytest.approx(agm_period(math.radians(100), omega), rel=1e-6)
+
+
+def test_a_force_that_varies_with_the_way_and_a_drag() -> None:
+    """v = √(k/m) d for a force k (d − x) over d; v = u exp(−c t/m) against a drag c v."""
+    text = """
+given: {m: 2 kg, k: 50 N/m, d: 0.3 m, c: 3 N s/m, u: 4 m/s}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: right}, sled: {mass: m, moves: right}}
+connections: {base: {contact: [block, floor]}, road: {contact: [sled, floor]}}
+actions:
+  pull: {force: k*(d - block.displacement), on: block, direction: right}
+  drag: {force: -c*sled.velocity, on: sled, direction: right}
+states: {start: {block.velocity: 0, sled.velocity: u}, end: {time: 0.3 s}}
+find: {x: block.displacement from start to end, v: sled.velocity at end, W: drag.work from start to end}
+"""
+    found = asked(text)
+    assert found["x"] == pytest.approx(0.3 * (1 - math.cos(math.sqrt(25) * 0.3)), rel=1e-7)
+    assert found["v"] == pytest.approx(4 * math.exp(-0.45), rel=1e-7)
+    assert found["W"] == pytest.approx(16 * (math.exp(-0.9) - 1), rel=1e-7)
+
+
+def test_a_blow_and_what_the_hinge_takes_of_it() -> None:
+    """ω = 3 m u/((M + 3 m) L) for a bullet into the end of a hanging rod; the pin gives − ½ M m u/(M + 3 m)."""
+    text = """
+given: {M: 2 kg, L: 80 cm, m: 50 g, u: 100 m/s}
+bodies: {rod: {shape: rod, mass: M, length: L}, bullet: {mass: m, moves: right}}
+connections: {pin: {hinge: rod.start}}
+states: {before: {rod.angle: -90 deg, rod.angular_velocity: 0, bullet.velocity: u}, after: {}}
+events: {hit: {joins: [bullet, rod.end], from: before, to: after}}
+find: {w: rod.angular_velocity at after, J: pin.impulse.x during hit, Q: lost kinetic_energy during hit}
+"""
+    found, w = asked(text), 3 * 0.05 * 100 / (2.15 * 0.8)
+    assert found["w"] == pytest.approx(w, rel=CLOSE)
+    assert found["J"] == pytest.approx(2 * 0.4 * w + 0.05 * 0.8 * w - 5, rel=CLOSE)
+    assert found["Q"] == pytest.approx(250 - 0.5 * (2 / 3 + 0.05) * 0.64 * w**2, rel=CLOSE)
+
+
+LEAN = """
+given: {m: 3 kg, F: unknown, mu: 0.4, s: 400 cm}
+surfaces: {floor: level}
+bodies: {crate: {mass: m, moves: right}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+actions: {push: {force: F, on: crate, direction: right}}
+"""
+
+
+def test_a_verge_is_tried_on_both_sides() -> None:
+    text, verge = f"{LEAN}\nfind: {{F: largest F where base sticks}}", 0.4 * 3 * G
+    assert asked(text, verge, F=verge) == {"F": verge}
+    for wrong in (0.9 * verge, 1.1 * verge):
+        with pytest.raises(Broken, match="base"):
+            asked(text, wrong, F=wrong)
+
+
+def test_a_letter_that_is_asked_for_makes_all_lines_hold() -> None:
+    """The push that gives 2 m/s after 4 m against friction: F = m (v²/2s + μ g)."""
+    text = f"""{LEAN}
+states: {{start: at rest, end: {{crate.displacement: s, crate.velocity: 2 m/s}}}}
+find: {{F: F}}
+"""
+    right = 3 * (0.5 + 0.4 * G)
+    assert asked(text, right, F=right) == {"F": right}
+    with pytest.raises(NotConfirmed):
+        asked(text, 1.01 * right, F=1.01 * right)
+
+
+def test_a_motion_that_costs_too_much_is_not_followed() -> None:
+    text = f"""{ROD}
+states: {{up: {{rod.angle: 80 deg, at rest: all}}, late: {{time: 60 s}}}}
+find: {{w: rod.angular_velocity at late}}
+"""
+    with pytest.raises(NotConfirmed, match="too long"):
+        asked(text, instants=300)
