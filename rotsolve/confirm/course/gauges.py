@@ -18,11 +18,15 @@ OWN = ("mass", "inertia", "gyration", "radius", "length")
 
 
 class Gauge(NamedTuple):
-    """A function of an instant that vanishes where a line holds; `size` is what it is small against."""
+    """A function of an instant that vanishes where a line holds; `size` is what it is small against.
+
+    `passing` marks one that only tells when it changes its sign, not how far it is from zero.
+    """
 
     value: Callable[[Node], float]
     size: float
     words: str
+    passing: bool = False
 
 
 def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
@@ -55,7 +59,7 @@ def resting_gauge(line: Condition, model: Model) -> Gauge:
         size = max(map(abs, ahead), default=0.0) or 1.0
         return sum(a * b for a, b in zip(speed, ahead, strict=False)) / size
 
-    return Gauge(value, 1.0, "at rest")
+    return Gauge(value, 1.0, "at rest", passing=True)
 
 
 def word_gauge(line: Condition, model: Model) -> Gauge:

@@ -21,7 +21,7 @@ from rotsolve.language.problem import Term
 Load = tuple[str, str, Slope]
 
 
-class TooLong(NotConfirmed):
+class OverBudget(NotConfirmed):
     """A motion that costs more than the budget."""
 
 
@@ -34,7 +34,7 @@ class Budget:
     def spend(self, model: Model) -> None:
         self.left -= 0.5 + 0.5 * len(model.seats)
         if self.left < 0:
-            raise TooLong("its motion takes too long to follow")
+            raise OverBudget("its motion takes too long to follow")
 
 
 class Node:
