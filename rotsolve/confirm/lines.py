@@ -230,7 +230,7 @@ def direction(path: Path, place: Pair, pose: Pose, model: Known) -> tuple[float,
         away = from_axis(path.owner, pose, model)
         first = model.seats[path.owner].first
         return None if away is None else (away.slope.get(first, 0.0), away.slope.get(first + 1, 0.0))
-    way = model.line(path.owner)
+    way = model.way(path.owner)
     if way is not None and path.point is None:
         return way
     found = bent(path.owner, model)

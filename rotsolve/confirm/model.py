@@ -92,8 +92,37 @@ class Model:
     def line(self, name: str) -> Way | None:
         """The positive direction of a body's travel; None where it is free, or turns about an axis."""
         if name not in self._lines:
-            self._lines[name] = line(name, self)
+            self._lines[name] = self._led(name, line(name, self))
         return self._lines[name]
+
+    def _led(self, name: str, own: Way | None) -> Way | None:
+        """A line of travel, along the surface on which something lies that is joined to the body."""
+        lying = {item.lying() for item in self.acting.connections if isinstance(item, Touch)}
+        if own is None or name in lying:
+            return own
+        ways = (line(other, self) for other in self.joined_to(name) if other in lying)
+        led = next((way for way in ways if way is not None), own)
+        return led if led[0] * own[0] + led[1] * own[1] >= 0 else (-led[0], -led[1])
+
+    def way(self, name: str) -> Way | None:
+        """The line along which a body travels: its own, else that of what it is joined to, where that does not turn."""
+        group = self.joined_to(name)
+        if self.line(name) is not None or any(self.turns(other) for other in group):
+            return self.line(name)
+        return next((way for other in group if (way := self.line(other)) is not None), None)
+
+    def turns(self, name: str) -> bool:
+        """Whether a body on a line turns: a round one, or one that is said to."""
+        body = self.body(name)
+        return body.turns is not None or radius_of(body, None, self.value) is not None
+
+    def joined_to(self, name: str) -> tuple[str, ...]:
+        """A body and all that are one with it."""
+        group = [name]
+        for own in group:
+            for pair in self.unions:
+                group += [other for other in pair if own in pair and other not in group]
+        return tuple(group)
 
     def sense(self, name: str) -> int:
         """+1 where a body's positive turn is counterclockwise."""
@@ -142,7 +171,8 @@ class Model:
     @cached_property
     def guided(self) -> tuple[str, ...]:
         """Bodies that travel along a line without a surface that would lead them, and are not joined to what goes another way."""
-        lying = {item.lying() for item in self.acting.connections if isinstance(item, Touch)} | self.hung
+        touching = {item.lying() for item in self.acting.connections if isinstance(item, Touch)}
+        lying = {other for name in touching if name in self.seats for other in self.joined_to(name)} | self.hung
         free = {name for name in self.seats if self.line(name) is not None and name not in lying}
         for first, second in self.met:
             ways = self.line(first), self.line(second)

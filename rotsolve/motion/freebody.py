@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TypeVar
 
 from msgspec.structs import replace
 
@@ -36,6 +37,8 @@ from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rigid import Frame, mass_of, moment_about, product_about
 
+Told = TypeVar("Told", Rule, Potential)
+
 
 def free_bodies(instant: Instant) -> Facts:
     """The facts of all bodies that are present at an instant, as they are changed where that is done on purpose."""
@@ -66,12 +69,18 @@ def facts_at(instant: Instant) -> Facts:
         instant.state,
         instant.when,
         tuple(bodies),
-        tuple(fact for fact in stated if isinstance(fact, Rule)),
+        tuple(of_hosts(fact, instant) for fact in stated if isinstance(fact, Rule)),
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
-        tuple(fact for fact in stated if isinstance(fact, Potential)),
+        tuple(of_hosts(fact, instant) for fact in stated if isinstance(fact, Potential)),
         given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
         cuts=cuts,
     )
+
+
+def of_hosts(fact: Told, instant: Instant) -> Told:
+    """A rule or a stored energy told of the bodies that stand for those that an element names."""
+    hosts = tuple(dict.fromkeys(map(instant.host, fact.bodies)))
+    return fact if hosts == fact.bodies else replace(fact, bodies=hosts)
 
 
 def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:

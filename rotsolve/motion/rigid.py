@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Number, Quotient, Sum, add, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
@@ -200,7 +200,8 @@ def polar(arm: Vector) -> Vector:
     if any(angle.symbols() for angle, _ in direction.terms):
         return arm
     x, y = arm.along(RIGHT), arm.along(UP)
-    return Vector(((simplify(sqrt(x**2 + y**2), positive=(x + y).symbols()), direction),))
+    size = simplify(sqrt(x**2 + y**2), positive=(x + y).symbols())
+    return arm if size.holds("abs") else Vector(((size, direction),))  # which way it points hangs on numbers
 
 
 def direction_of(arm: Vector) -> Heading:
@@ -212,6 +213,8 @@ def direction_of(arm: Vector) -> Heading:
     if not arm.parts:
         return RIGHT
     x, y = arm.along(RIGHT), arm.along(UP)
+    if isinstance(x, Quotient) and isinstance(y, Quotient) and x.denominator == y.denominator:
+        x, y = x.numerator, y.numerator  # of a centre of mass the common mass, which is positive
     slope = simplify(y / x) if x != ZERO else None
     if isinstance(slope, Number):  # sizes are positive, so the signs as written tell the quadrant
         x = Number(Fraction(-1 if is_negative(x) else 1))

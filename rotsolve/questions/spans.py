@@ -30,7 +30,7 @@ def impulse(path: Path, interval: str, scene: SceneEquations) -> Formula:
     """The impulse of a support or blow in an event, or of an action or connection over a phase."""
     encounter = scene.encounters.get(interval)
     if encounter is None and interval in scene.passages:
-        return impulse_over(path, scene.passages[interval])
+        return impulse_over(path, scene.passages[interval], scene)
     if encounter is None:
         raise NotYet("an impulse is asked of an event or a phase")
     if path.quantity == "angular_impulse":
@@ -101,11 +101,12 @@ def last_named(owner: str, interval: str, scene: SceneEquations) -> str:
     return instant.host(bodies[-1]) if bodies else ""
 
 
-def impulse_over(path: Path, passage: Passage) -> Formula:
+def impulse_over(path: Path, passage: Passage, scene: SceneEquations) -> Formula:
     """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time."""
     pairs: list[tuple[Formula, Formula]] = []
     for first, body in zip(passage.start.bodies, passage.midst.bodies, strict=True):
-        pairs += zip(efforts(path, first), efforts(path, body), strict=True)
+        sense = sense_on(path.owner, body, scene.instant(passage.start.state))
+        pairs += zip(efforts(path, first, sense), efforts(path, body, sense), strict=True)
     if any(running(effort.symbols()) for _, effort in pairs):
         word = path.quantity.replace("_", " ")
         raise NotYet(f"the {word} of `{path.owner}`, which varies with the motion, is not solved yet")
@@ -115,10 +116,17 @@ def impulse_over(path: Path, passage: Passage) -> Formula:
     return result
 
 
-def efforts(path: Path, body: BodyFacts) -> list[Formula]:
-    """What an action or connection does to a body: its torques along the body's positive turn, or the sizes of its forces."""
+def sense_on(owner: str, body: BodyFacts, instant: Instant) -> int:
+    """The positive turn of the body that an action or connection names, of several that are joined into one the last."""
+    items = (item for item in instant.configuration.acting(instant.state) if item.name == owner)
+    named = [ref.owner for item in items for ref in item.touches() if ref.owner in instant.configuration.bodies]
+    return next((instant.sense(name) for name in reversed(named) if instant.host(name) == body.name), body.motion.sense)
+
+
+def efforts(path: Path, body: BodyFacts, sense: int) -> list[Formula]:
+    """What an action or connection does to a body: its torques along a sense, or the sizes of its forces."""
     if path.quantity == "angular_impulse":
-        return [signed(body.torque_of(item), body.motion.sense) for item in body.acting if item.owner == path.owner]
+        return [signed(body.torque_of(item), sense) for item in body.acting if item.owner == path.owner]
     return [force.size for force in body.forces if force.owner == path.owner]
 
 

@@ -28,6 +28,7 @@ HARMLESS = {  # fields of which nobody needs to read anything
     "holes": "names, of which a question may speak",
     "span": "where it stands",
     "density": "has become a mass",  # by `motion/complete`
+    "inertia_about": "has become the moment of inertia about the centre of mass",
     "moved": "has become a connection that leads the body",
 }
 ASKED_ALONE = ("mass", "inertia", "cm", "radius")  # what a question may ask of a body that stands for itself

@@ -152,6 +152,78 @@ def test_torques_and_angular_momenta_are_about_the_point_that_is_named() -> None
     )
 
 
+def test_the_side_of_the_centre_of_mass_is_told_by_numbers_not_by_how_it_is_written() -> None:
+    """From the ball at the right end the centre of mass lies to the left, though (x_rod − 2 x_ball)/… is written without a minus."""
+    inertia = 1 / 3 + 0.4 * 2 * 0.01
+    holds(
+        "bodies: {p: {parts: {rod: {shape: rod, mass: 1 kg, length: 1 m, start: [0, 0], end: [1 m, 0]},\n"
+        "  ball: {shape: sphere, mass: 2 kg, radius: 0.1 m, at: [1 m, 0]}}}}\nconnections: {pin: {hinge: p.ball}}\n"
+        "states: {now: {p.angle: 180 deg, at rest: all}}\nfind: {al: p.angular_acceleration at now, I: p.inertia about pin at now}\n",
+        {"al": G / 2 / inertia, "I": inertia},
+    )
+
+
+def test_a_spring_at_a_joined_body_stores_the_energy_of_all() -> None:
+    holds(
+        "surfaces: {floor: level}\nbodies: {x: {mass: 3 kg, moves: right}, y: {mass: 1 kg}}\n"
+        "connections: {below: {contact: [x, floor]}, tie: {weld: [x, y]}, coil: {spring: [ground, y], stiffness: 100 N/m}}\n"
+        "states: {s: {coil.elongation: 0.2 m, at rest: all}, m: {coil.elongation: 0}}\n"
+        "find: {v: x.velocity at m, u: y.velocity at m, K: y.kinetic_energy at m}\n",
+        {"v": -1, "u": -1, "K": 0.5},
+    )
+
+
+def test_what_is_welded_to_a_rolling_wheel_goes_its_own_way() -> None:
+    """A lump from the top of a wheel to its front: R/2 (π + 2) forward, R down; (½ M R² + M R² + 2 n R²) ω² at the front."""
+    start, end = (0.5 + 1) * 3 * 0.16 + 0.16 * 4, (0.5 + 1) * 3 * 0.16 + 0.16 * 2
+    w = math.sqrt((start + 2 * 0.4 * G) / end)
+    holds(
+        "surfaces: {road: level}\n"
+        "bodies: {wheel: {shape: disc, mass: 3 kg, radius: 0.4 m, moves: right, turns: clockwise,\n"
+        "  points: {P: [0, 0.4 m]}}, lump: {mass: 1 kg}}\n"
+        "connections: {touch: {rolls: [wheel, road]}, tie: {weld: [wheel.P, lump]}}\n"
+        "states: {now: {wheel.angular_velocity: 1 rad/s}, then: {wheel.rotation: 90 deg}}\n"
+        "find: {w: wheel.angular_velocity at then, v: lump.velocity.x at then, x: lump.displacement.x from now to then,\n"
+        "  y: lump.displacement.y from now to then, U: change of lump.potential_energy from now to then,\n"
+        "  E: change of kinetic_energy from now to then}\n",
+        {"w": w, "v": 0.4 * w, "x": 0.4 * (math.pi / 2 + 1), "y": -0.4, "U": -0.4 * G, "E": 0.4 * G},
+    )
+
+
+@pytest.mark.parametrize("on", ["rod.start", "one"])
+def test_a_light_rod_holds_two_masses_apart(on: str) -> None:
+    """A blow on the one leaves the other at rest."""
+    holds(
+        "gravity: none\nbodies: {rod: {shape: rod, mass: 0, length: 1 m}, one: {mass: 1 kg}, other: {mass: 2 kg}}\n"
+        "connections: {u: {weld: [rod.start, one]}, v: {weld: [rod.end, other]}}\nstates: {b: {rod.angle: 0, at rest: all}, c: {}}\n"
+        f"events: {{hit: {{impulse: 3 N s, on: {on}, direction: up, from: b, to: c}}}}\n"
+        "find: {w: rod.angular_velocity at c, p: one.velocity.y at c, q: other.velocity.y at c}\n",
+        {"w": -3, "p": 3, "q": 0},
+    )
+
+
+def test_rods_that_an_event_joins_stay_at_their_angle() -> None:
+    inertia = 2 / 3 + 0.03 + 1 + 0.09
+    holds(
+        "gravity: none\nbodies: {a: {shape: rod, mass: 2 kg, length: 1 m}, b: {shape: rod, mass: 1 kg, length: 0.6 m}}\n"
+        "connections: {pin: {hinge: a.start}}\n"
+        "states: {before: {a.angle: 0, b.angle: 90 deg, at rest: a, b.velocity.x: 0 m/s, b.velocity.y: 4 m/s,\n"
+        "  b.angular_velocity: 0}, after: {}}\n"
+        "events: {hit: {joins: [b.start, a.end], from: before, to: after}}\n"
+        "find: {w: a.angular_velocity at after, v: b.end.velocity.x at after}\n",
+        {"w": 4 / inertia, "v": -0.6 * 4 / inertia},
+    )
+
+
+def test_bodies_of_opposite_senses_are_joined() -> None:
+    holds(
+        "bodies: {p: {inertia: 2 kg m^2}, q: {inertia: 3 kg m^2, turns: clockwise}}\nconnections: {x: {axle: [p, q]}}\n"
+        "states: {b: {p.angular_velocity: 5 rad/s, q.angular_velocity: 5 rad/s}, c: {}}\nevents: {j: {joins: [p, q], from: b, to: c}}\n"
+        "find: {w: p.angular_velocity at c, u: q.angular_velocity at c, L: q.angular_momentum at c, K: q.kinetic_energy at c}\n",
+        {"w": -1, "u": 1, "L": 3, "K": 1.5},
+    )
+
+
 REFUSED = {
     "nothing tells what keeps": "bodies: {y: {shape: disc, mass: 2 kg, radius: 0.1 m, moves: down}, l: {mass: 0.5 kg}}\n"
     "connections: {s: {string: [ceiling, y]}, tie: {weld: [y.rim, l]}}\nfind: {a: y.acceleration}\n",

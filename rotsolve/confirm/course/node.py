@@ -132,14 +132,15 @@ class Node:
         """The positive direction of a body's travel just now: along its line, or along the circle on which it goes."""
         found = bent(name, self.model)
         if found is None:
-            return self.model.line(name)
+            return self.model.way(name)
         x, y = (part.value for part in self.pose.place(name, (0.0, 0.0)))
         size, sign = math.hypot(x, y), round_way(found[1], self.model.body(name).moves)
         return (-y * sign / size, x * sign / size)
 
     def axis(self, name: str) -> Pair | None:
-        """The place about which a body turns; None where nothing holds it."""
-        return self.pose.place(name, self.model.axis(name)) if name in self.model.held else None
+        """The place about which a body turns, with all that is joined to it; None where nothing holds it."""
+        held = next((other for other in self.model.joined_to(name) if other in self.model.held), None)
+        return None if held is None else self.pose.place(held, self.model.axis(held))
 
     def orbit_centre(self, name: str) -> Way | None:
         """The centre of the circle on which a body goes."""

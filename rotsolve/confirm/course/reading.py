@@ -235,6 +235,8 @@ def torque(at: Node, path: Path, term: Term | None) -> Reckoned:
     arm = (centre[0].value - middle[0], centre[1].value - middle[1])
     if path.component == "gravity":
         found = -arm[0] * rigid.mass * at.model.gravity
+    elif path.component not in (None, "net"):
+        raise NotConfirmed(f"the torque of `{path.component}` alone")
     else:
         push = bends(centre, at)
         found = rigid.mass * cross(arm, push) + rigid.inertia * second_rate(at.pose.turn(path.owner), at)
@@ -247,6 +249,8 @@ def power(at: Node, path: Path, term: Term | None) -> Reckoned:
     speed = rates(centre)
     if path.component == "gravity":
         return number(-rigid.mass * at.model.gravity * speed[1])
+    if path.component not in (None, "net"):
+        raise NotConfirmed(f"the power of `{path.component}` alone")
     turn = at.pose.turn(path.owner)
     return number(rigid.mass * scalar(bends(centre, at), speed) + rigid.inertia * second_rate(turn, at) * turn.rate)
 

@@ -79,7 +79,7 @@ class Spring(Connection, frozen=True):
         if straight is not None:
             return straight
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
-        line = configuration.line(body.owner, instant.state) if body.owner in configuration.bodies else None
+        line = instant.line(instant.host(body.owner)) if body.owner in configuration.bodies else None
         question = f"in which direction `{self.name}` pulls `{body.owner}`"
         side = configuration.certain_sign(line[0].cos(), question, body.span) if line is not None else 0
         if line is not None and side:

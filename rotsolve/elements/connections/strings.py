@@ -117,7 +117,7 @@ class Routing(Struct, frozen=True, dict=True):
     def hangs_down(self, index: int) -> bool:
         """Whether a neighbour is a block that travels up and down, which a string pulls up."""
         line = (
-            self.instant.configuration.line(self.points[index].owner, self.instant.state)
+            self.instant.configuration.line(self.instant.host(self.points[index].owner), self.instant.state)
             if self.same_line(index)
             else None
         )
@@ -128,7 +128,7 @@ class Routing(Struct, frozen=True, dict=True):
         owner = self.points[index].owner
         if owner not in self.instant.configuration.bodies or self.wraps(index):
             return False
-        return self.instant.configuration.line(owner, self.instant.state) is not None
+        return self.instant.line(self.instant.host(owner)) is not None
 
     def wraps(self, index: int) -> bool:
         """Whether the string runs on a rim there: a round body named alone, by `rim`, or by one of its radii."""
@@ -271,9 +271,11 @@ class String(Connection, frozen=True):
     def pace(self, configuration: Surroundings, state: str) -> str:
         """Constant while all its legs keep their directions: bodies on lines and wheels turning about their centres."""
         for ref in self.string:
-            if ref.owner in configuration.bodies and configuration.line(ref.owner, state) is None:
-                pivot = configuration.pivot(ref.owner, state)
-                if pivot is None or not configuration.balanced(ref.owner, state):
+            host = configuration.host(ref.owner, state)
+            if host in configuration.bodies and configuration.line(host, state) is None:
+                place = ref if round_part(configuration.bodies[ref.owner], ref.point) else PointRef(ref.owner, "center")
+                off = not configuration.balanced(host, state) or configuration.swings_round(place, state)
+                if configuration.pivot(host, state) is None or off:
                     return "position"
         return "constant"
 
