@@ -246,12 +246,15 @@ def attempt(search: Search) -> Found | Unsolvable:
 
 
 def following(search: Search, *, stuck: bool) -> Problem | None:
-    """The problem with a state more, where the laws of a phase end before it does."""
+    """The problem with a state more, where the laws of a phase end before it does; or told what friction there is, where that matters."""
     from rotsolve.search.endings import Endings, going_on
+    from rotsolve.search.friction import with_friction_found
 
     with stage("solve"):
         ending = Endings(search, stuck).first()
-        return None if ending is None else going_on(search.scene.configuration.problem, ending)
+        if ending is not None:
+            return going_on(search.scene.configuration.problem, ending)
+        return None if stuck else with_friction_found(search)
 
 
 def refuse_idle(solutions: Sequence[Solution], problem: Problem) -> None:

@@ -6,19 +6,20 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate
 from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
-from rotsolve.core.facts import Force, signed
+from rotsolve.core.facts import Force, Requirement, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import RATES, has_quantities, of_kinds, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
-from rotsolve.language.problem import Find
+from rotsolve.language.problem import Find, Problem
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
@@ -206,9 +207,7 @@ class Trials:
             number, words = self.speeding_up(rub, trial, sense) if sense else (None, ())
             return number is not None and number > 0, words
         search = self.search({**self.modes, **trial})
-        needs = search.scene.facts(rub.state).requirements
-        own = [need for need in needs if need.owner == rub.contact.name and need.kind.grips]
-        room = [search.settled(need.left - need.right) for need in own]
+        room = [search.settled(need.left - need.right) for need in own_needs(rub, search.scene)]
         numbers = [search.number(value) if value is not None else None for value in room]
         left = [value for value in room if value is not None]
         told: Words = (f"{spoken(rub.name)} has friction to spare: ", left[0]) if left else ()
@@ -296,6 +295,37 @@ def question(size: Formula, name: str) -> Asked:
     """A force as a question, to be answered aside."""
     letter = next(iter(size.symbols())) if size.symbols() else name
     return Asked(Find(name, size, ()), size, letter, None)
+
+
+def with_friction_found(search: Search) -> Problem | None:
+    """The problem in the case of the coefficients that its answers give, where by these some contact can not stick; else None.
+
+    A coefficient that the scene asks for is settled by what one contact needs; whether others stick shows afterwards.
+    """
+    problem, numbers = search.scene.configuration.problem, search.numbers
+    found = {name: item.formula for name, item in search.solver.solved.items() if item.formula is not None}
+    asked = {given.name: given for given in problem.givens if given.asked and given.name in found}
+    for name, given in asked.items():
+        if given.trial is not None and numbers.side(found[name] - given.trial) != 0:
+            message = (
+                f"which contacts slip hangs on `{name}`, and `{name}` on which of them slip: that is not told apart"
+            )
+            raise unsolvable(problem, message, None, f"give a number to `{name}`")
+    open_ = {name for name, given in asked.items() if given.trial is None}
+    needs = [need for rub in rubs(search.scene.configuration) for need in own_needs(rub, search.scene)]
+    needs = [need for need in needs if (need.left - need.right).symbols() & open_]
+    aside = search.apart() if needs else search
+    room = [aside.settled(need.left - need.right) for need in needs]
+    if not any(value is not None and numbers.side(search.solver.with_found(value)) == -1 for value in room):
+        return None
+    givens = [replace(item, trial=found[item.name]) if item.name in open_ else item for item in problem.givens]
+    return replace(problem, givens=tuple(givens))
+
+
+def own_needs(rub: Rub, scene: SceneEquations) -> list[Requirement]:
+    """What friction of a contact that sticks has to suffice for."""
+    needs = scene.facts(rub.state).requirements if rub.contact is not None else ()
+    return [need for need in needs if need.owner == rub.owner and need.kind.grips]
 
 
 def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> Iterator[Unsolvable]:
