@@ -13,6 +13,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, SceneError, Unsolvable
+from rotsolve.core.symbols import POSITION
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
@@ -203,13 +204,18 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
             found = found if isinstance(again, Unsolvable) else again
         stuck = isinstance(found, Unsolvable)
         reached = search if isinstance(found, Unsolvable) else found[0]
-        further = following(reached, stuck=stuck) if decision is not None else None
+        further = following(reached, stuck=stuck) if decision is not None or turnable(reached) else None
         if further is None:
             break
         first, configuration = first or (found if isinstance(found, Unsolvable) else None), Configuration(further)
     if isinstance(found, Unsolvable):
         raise found if isinstance(found, Contradicted) else first or found
     return decision, found
+
+
+def turnable(search: Search) -> bool:
+    """Whether a motion goes by its place, so that it may turn back on its way."""
+    return any(travel.pace == POSITION for over in search.scene.passages.values() for travel in over.travels)
 
 
 def doubtful(found: Found | Unsolvable) -> bool:

@@ -12,23 +12,23 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
-from rotsolve.core.symbols import CONSTANT, has_quantities, is_quantity
+from rotsolve.core.symbols import CONSTANT, POSITION, has_quantities, is_quantity
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer, unsolvable
+from rotsolve.search.explain import clash
 from rotsolve.search.search import Search, asked_letter
 
 MOST = 12  # states that are opened in one scene
 
 
 class Ending(Struct, frozen=True):
-    """What in a phase comes to rest on what it rubs, how long after its start, and the senses in which all else that rubs goes on."""
+    """What ends in a phase before it does: the lines that hold then, and the senses in which all that rubs goes on."""
 
     interval: Interval
-    resting: tuple[Rub, ...]
-    after: Formula
+    lines: tuple[Condition, ...]
     senses: tuple[tuple[str, int], ...]
     name: str
     words: str
@@ -48,10 +48,33 @@ class Endings(Struct, dict=True):
     def first(self) -> Ending | None:
         """The first phase that its laws do not describe up to its end, with what ends them."""
         for interval in self.configuration.timeline.intervals:
-            found = self.within(interval) if interval.event is None else None
+            found = (self.within(interval) or self.turning(interval)) if interval.event is None else None
             if found is not None:
                 return found
         return None
+
+    def turning(self, interval: Interval) -> Ending | None:
+        """The moment at which a motion that goes by its place turns back, where it has to before the phase ends."""
+        passage = self.scene.passages[interval.name]
+        if all(travel.pace != POSITION for travel in passage.travels):
+            return None
+        from rotsolve.search.turning import NEVER, turns
+
+        found = turns(passage, self.settled, self.search)
+        if found is None:
+            return None
+        travel, how = found
+        start, end = self.configuration.timeline.told(interval)
+        if self.configuration.timeline.state(interval.end).opened:
+            return None  # the state at which it turns back is not found
+        if how == NEVER or self.configuration.timeline.state(interval.start).opened:
+            state = self.configuration.timeline.state(end)
+            help = f"{spoken(travel.body)} comes to rest before, and turns back"
+            raise clash(self.configuration.problem, f"`{end}` is never reached from `{start}`", state.span, help)
+        word = "velocity" if travel.kind == "line" else "angular_velocity"
+        senses = tuple((rub.name, 0) for rub in rubs_at(self.configuration, interval.start))
+        line = Condition(Path(travel.body, word), ZERO)
+        return Ending(interval, (line,), senses, "turn", f"{spoken(travel.body)} turns back")
 
     def within(self, interval: Interval) -> Ending | None:
         """What ends first in a phase, where that is before the phase does."""
@@ -68,7 +91,7 @@ class Endings(Struct, dict=True):
         senses = tuple((rub.name, 0 if rub in resting else sense) for rub, sense in rubbing)
         words = " and ".join(dict.fromkeys(words_for(rub, self.search) for rub in resting))
         name = "rest" if all(stops(rub, self.search) for rub in resting) else "hold"
-        return Ending(interval, resting, first, senses, name, words)
+        return Ending(interval, tuple(map(resting_line, resting)), senses, name, words)
 
     def sense(self, rub: Rub) -> int:
         """The sense in which it slips or turns in its phase; 0 where it sticks or is held."""
@@ -115,15 +138,19 @@ class Endings(Struct, dict=True):
 
 def tell_openings(search: Search) -> None:
     """Work out how long it takes to the states that the scene does not name, and how fast all moves then: the next phase begins so."""
-    scene = search.scene
-    for interval in scene.configuration.timeline.intervals:
-        if not scene.configuration.timeline.state(interval.end).opened:
-            continue
-        passage = scene.passages[interval.name]
-        for value in (passage.duration, *(travel.after for travel in passage.travels)):
-            if is_quantity(value) and value.name not in search.solver.solved:
-                with suppress(NoAnswer):
-                    search.answer(asked_letter(value.name), aside=True)
+    for interval in search.scene.configuration.timeline.intervals:
+        if search.scene.configuration.timeline.state(interval.end).opened:
+            tell_ends(search, interval)
+
+
+def tell_ends(search: Search, interval: Interval) -> None:
+    """The speeds at both ends of a phase, and how long it takes, as far as the laws of a search tell them."""
+    passage = search.scene.passages[interval.name]
+    speeds = [speed for travel in passage.travels for speed in (travel.before, travel.after)]
+    for value in (*speeds[::2], passage.duration, *speeds[1::2]):
+        if is_quantity(value) and value.name not in search.solver.solved:
+            with suppress(NoAnswer):
+                search.answer(asked_letter(value.name), aside=True)
 
 
 def stops(rub: Rub, search: Search) -> bool:
@@ -146,8 +173,7 @@ def going_on(problem: Problem, ending: Ending) -> Problem:
     if sum(bool(state.opened) for state in states) == MOST:
         raise unsolvable(problem, f"what rubs starts and stops more than {MOST} times: that is not followed further")
     place = next(number for number, state in enumerate(states) if state.name == ending.interval.start) + 1
-    lines = tuple(map(resting_line, ending.resting))
-    state = State(free_name(ending.name, problem), lines, opened=ending.words, senses=ending.senses)
+    state = State(free_name(ending.name, problem), ending.lines, opened=ending.words, senses=ending.senses)
     return replace(problem, states=(*states[:place], state, *states[place:]))
 
 

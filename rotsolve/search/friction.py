@@ -25,6 +25,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
+from rotsolve.search.endings import tell_ends
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
@@ -140,6 +141,12 @@ class Trials:
         """Take a contact to stick: whether the numbers tell if the friction that this takes is more than there can be."""
         search = Search(self.scene.where(self.modes), (NEWTON,))  # its steps may be shown
         found = sticking(search, rub, contact)
+        if found is None and rub.state != self.configuration.timeline.states[0].name:
+            search = Search(self.scene.where(self.modes), families_for(None), careful=True)  # where it is hangs on the way
+            before = self.configuration.timeline.before(rub.state)
+            if before is not None and before.name in search.scene.passages:
+                tell_ends(search, before)
+            found = sticking(search, rub, contact)
         if found is None:
             return False
         friction, normal = found
