@@ -198,9 +198,9 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
     first: Unsolvable | None = None
     while True:
         decision, search = prepared(configuration, law)
-        found = attempt(search)
+        found = answered_fully(search)
         if search.ground and search.ground.chose and doubtful(found):  # perhaps by a root that is not meant
-            again = attempt(Search(search.scene, search.families, search.spare, careful=True))
+            again = answered_fully(Search(search.scene, search.families, search.spare, careful=True))
             found = found if isinstance(again, Unsolvable) else again
         stuck = isinstance(found, Unsolvable)
         reached = search if isinstance(found, Unsolvable) else found[0]
@@ -235,7 +235,7 @@ def prepared(configuration: Configuration, law: str | None) -> tuple[Decision | 
         raise unsolvable(configuration.problem, str(error), error.span, error.help) from None
 
 
-def attempt(search: Search) -> Found | Unsolvable:
+def answered_fully(search: Search) -> Found | Unsolvable:
     """Answer all questions, and hold the answers against everything else; or why that fails."""
     problem = search.scene.configuration.problem
     try:
@@ -253,13 +253,13 @@ def attempt(search: Search) -> Found | Unsolvable:
 
 def following(search: Search, *, stuck: bool) -> Problem | None:
     """The problem with a state more, where the laws of a phase end before it does; or told what friction there is, where that matters."""
-    from rotsolve.search.endings import Endings, going_on
+    from rotsolve.search.endings import Endings, with_state_at
     from rotsolve.search.friction import with_friction_found
 
     with stage("solve"):
         ending = Endings(search, stuck).first()
         if ending is not None:
-            return going_on(search.scene.configuration.problem, ending)
+            return with_state_at(search.scene.configuration.problem, ending)
         return None if stuck else with_friction_found(search)
 
 

@@ -60,13 +60,13 @@ def untimely(search: Search, numbers: KnownBalls) -> bool:
     all along it, bodies that pass through each other where they meet."""
     for passage in search.scene.passages.values():
         duration = numbers.size(passage.duration)
-        if duration is not None and side(duration) in (0, -1):
+        if duration is not None and side_of(duration) in (0, -1):
             return True
         if any(against_its_way(travel, numbers) for travel in passage.travels):
             return True
     for encounter in search.scene.encounters.values():
         speeds = [numbers.size(speed) for speed in encounter.closing or ()]
-        sides = [side(speed) for speed in speeds if speed is not None]
+        sides = [side_of(speed) for speed in speeds if speed is not None]
         if len(sides) == 2 and sides[0] and sides[1] == -sides[0]:
             return True
     return False
@@ -75,19 +75,19 @@ def untimely(search: Search, numbers: KnownBalls) -> bool:
 def against_its_way(travel: Travel, numbers: KnownBalls) -> bool:
     """Whether a body has gone the other way, or nowhere, though it moves one way at both ends of a phase, or starts so from rest."""
     ends = [numbers.size(speed) for speed in (travel.before, travel.after)]
-    sides = [side(speed) for speed in ends if speed is not None]
+    sides = [side_of(speed) for speed in ends if speed is not None]
     change = numbers.size(travel.change)
-    way = side(change) if change is not None else None
+    way = side_of(change) if change is not None else None
     if len(sides) < 2 or None in sides or way is None or (-1 in sides and 1 in sides):
         return False
     moving = sides[0] or sides[1]
     if not moving and travel.initial is not None:
         push = numbers.size(travel.initial)
-        moving = side(push) if push is not None else None
+        moving = side_of(push) if push is not None else None
     return bool(moving) and way != moving
 
 
-def side(number: Ball) -> int | None:
+def side_of(number: Ball) -> int | None:
     """The sign of a number, 0 where it is nothing but what precision leaves; None where it is not told."""
     if bool(abs(number).upper() < LEFT_OVER):
         return 0

@@ -12,9 +12,11 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, has_quantities, is_quantity
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer, unsolvable
@@ -58,19 +60,17 @@ class Endings(Struct, dict=True):
         passage = self.scene.passages[interval.name]
         if all(travel.pace != POSITION for travel in passage.travels):
             return None
-        from rotsolve.search.turning import NEVER, turns
+        from rotsolve.search.turning import NEVER, turned_on_way
 
-        found = turns(passage, self.settled, self.search)
-        if found is None:
+        found, timeline = turned_on_way(passage, self.settled, self.search), self.configuration.timeline
+        if timeline.state(interval.end).opened or found is None:
+            if self.stuck and timeline.state(interval.end).opened:
+                raise never_reached(interval, self.configuration, "nothing turns it back on the way")
             return None
         travel, how = found
-        start, end = self.configuration.timeline.told(interval)
-        if self.configuration.timeline.state(interval.end).opened:
-            return None  # the state at which it turns back is not found
-        if how == NEVER or self.configuration.timeline.state(interval.start).opened:
-            state = self.configuration.timeline.state(end)
-            help = f"{spoken(travel.body)} comes to rest before, and turns back"
-            raise clash(self.configuration.problem, f"`{end}` is never reached from `{start}`", state.span, help)
+        if how == NEVER or timeline.state(interval.start).opened:
+            why = f"{spoken(travel.body)} comes to rest before, and turns back"
+            raise never_reached(interval, self.configuration, why)
         word = "velocity" if travel.kind == "line" else "angular_velocity"
         senses = tuple((rub.name, 0) for rub in rubs_at(self.configuration, interval.start))
         line = Condition(Path(travel.body, word), ZERO)
@@ -136,6 +136,13 @@ class Endings(Struct, dict=True):
         return self.side(duration - at) == 1 or self.side(duration) == -1
 
 
+def never_reached(interval: Interval, configuration: Configuration, why: str) -> Unsolvable:
+    """A state to which the motion never gets, and why."""
+    start, end = configuration.timeline.told(interval)
+    span = configuration.timeline.state(end).span
+    return clash(configuration.problem, f"`{end}` is never reached from `{start}`", span, why)
+
+
 def tell_openings(search: Search) -> None:
     """Work out how long it takes to the states that the scene does not name, and how fast all moves then: the next phase begins so."""
     for interval in search.scene.configuration.timeline.intervals:
@@ -167,7 +174,7 @@ def words_for(rub: Rub, search: Search) -> str:
     return f"{spoken(rub.body)} comes to rest" if stops(rub, search) else f"{spoken(slider)} no longer slips"
 
 
-def going_on(problem: Problem, ending: Ending) -> Problem:
+def with_state_at(problem: Problem, ending: Ending) -> Problem:
     """The problem with a state of its own at which a phase ends before its time."""
     states = problem.states or (State(""),)
     if sum(bool(state.opened) for state in states) == MOST:

@@ -142,7 +142,9 @@ class Trials:
         search = Search(self.scene.where(self.modes), (NEWTON,))  # its steps may be shown
         found = sticking(search, rub, contact)
         if found is None and rub.state != self.configuration.timeline.states[0].name:
-            search = Search(self.scene.where(self.modes), families_for(None), careful=True)  # where it is hangs on the way
+            search = Search(
+                self.scene.where(self.modes), families_for(None), careful=True
+            )  # where it is hangs on the way
             before = self.configuration.timeline.before(rub.state)
             if before is not None and before.name in search.scene.passages:
                 tell_ends(search, before)

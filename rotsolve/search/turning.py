@@ -34,7 +34,7 @@ class Way(Struct, frozen=True):
     sets_out: int
 
 
-def turns(passage: Passage, settled: Settled, search: Search) -> tuple[Travel, str] | None:
+def turned_on_way(passage: Passage, settled: Settled, search: Search) -> tuple[Travel, str] | None:
     """A coordinate that does not go straight from one end of a phase to the other, and whether it has to turn back or never arrives."""
     for travel in passage.travels:
         way = way_of(travel, settled, search) if travel.pace == POSITION else None
