@@ -14,7 +14,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import Drive
-from rotsolve.core.vectors.heading import NOWHERE, Heading, Vector
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector
 from rotsolve.core.writing import spoken
 
 
@@ -29,6 +29,25 @@ class Bend(Struct, frozen=True):
 
     radius: Formula
     outward: Heading
+
+
+class Whirl(Struct, frozen=True):
+    """What a turning upright shaft does: all goes round it at `rate`; the reference of the body is at `distance` on its right.
+
+    The picture is the upright plane that turns with it: a point at x from the axis goes across the picture with rate · x.
+    """
+
+    rate: Formula
+    distance: Formula
+
+    def across(self, arm: Vector) -> Formula:
+        """Speed square to the picture, Ω x, of a point by its arm from the reference."""
+        return self.rate * (self.distance + arm.along(RIGHT))
+
+    def inwards(self, arm: Vector) -> Vector:
+        """Ω² x towards the axis."""
+        away = self.distance + arm.along(RIGHT)
+        return Vector(((square(self.rate) * away, RIGHT.turned(180)),)) if away != ZERO else NOWHERE
 
 
 class Motion(Struct, frozen=True):
@@ -51,14 +70,16 @@ class Motion(Struct, frozen=True):
     orientation: Heading = field(default_factory=Heading)
     reference: Vector = NOWHERE
     bend: Bend | None = None
+    whirl: Whirl | None = None
 
     def velocity_of(self, arm: Vector) -> Vector:
-        """v_P = v + ω × r, r from the reference."""
+        """v_P = v + ω × r in the picture, r from the reference."""
         return self.velocity + arm.turned(90).times(self.spin)
 
     def acceleration_of(self, arm: Vector) -> Vector:
-        """a_P = a + α × r − ω² r, r from the reference."""
-        return self.acceleration + arm.turned(90).times(self.spin_rate) + arm.turned(180).times(square(self.spin))
+        """a_P = a + α × r − ω² r in the picture, r from the reference; on a turning shaft also Ω² x towards it."""
+        own = self.acceleration + arm.turned(90).times(self.spin_rate) + arm.turned(180).times(square(self.spin))
+        return own if self.whirl is None else own + self.whirl.inwards(arm)
 
 
 class Role(Struct, frozen=True):
@@ -217,25 +238,14 @@ class Potential(Struct, frozen=True):
     placed: bool = False
 
 
-class Turntable(Struct, frozen=True):
-    """A body is carried round an upright axis at `rate`; its reference point is at `distance` to the right of the axis."""
-
-    owner: str
-    body: str
-    rate: Formula
-    distance: Formula
-
-
 class Sweep(Struct, frozen=True):
-    """What a turntable does to a body: every piece at x from the axis has the acceleration rate² x towards it.
-
-    `acceleration` is that of the centre of mass; `moment` is what the pieces' m a add up to about the reference, counterclockwise:
-    rate² ∫ x y dm, y up from the reference.
+    """What a turning shaft asks of a body: what its pieces' m a add up to about the reference, counterclockwise, is rate² ∫ x y dm (the
+    `moment`), y up from the reference; `inertia` is that about the shaft, ∫ (x² + z²) dm.
     """
 
     rate: Formula
-    acceleration: Vector
     moment: Formula
+    inertia: Formula
 
 
 class GivenMotion(Struct, frozen=True):
@@ -304,8 +314,7 @@ class BodyFacts(Struct, frozen=True):
 
     @property
     def centre_acceleration(self) -> Vector:
-        own = self.motion.acceleration_of(self.cm)
-        return own if self.sweep is None else own + self.sweep.acceleration
+        return self.motion.acceleration_of(self.cm)
 
 
 class Cut(Struct, frozen=True):

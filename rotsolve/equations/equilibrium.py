@@ -15,10 +15,23 @@ from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import NEAR, REST, SymbolKey, is_quantity, key_of, of_kinds
+from rotsolve.core.symbols import (
+    MIXED,
+    NEAR,
+    RATE,
+    RATES,
+    REST,
+    TIME,
+    SymbolKey,
+    is_quantity,
+    key_of,
+    of_kinds,
+    paths_in,
+)
 from rotsolve.core.writing import spoken
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving
+from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Term
 from rotsolve.laws import groups
 from rotsolve.motion.configuration import Configuration
@@ -100,6 +113,7 @@ class Placing(Struct, frozen=True):
             self.made[state, found] = self.found(state) if found else self.named(state)
         moments = self.made[state, found]
         group = self.group(moments, term.path.owner)
+        self.check_free(group, moments.near)
         if group in moments.troubles:
             raise moments.troubles[group]
         body = self.leading(moments.near, group, term.path.owner)
@@ -109,6 +123,25 @@ class Placing(Struct, frozen=True):
         if groups.freedom(bodies, group, terms)[1] is None:
             raise NotYet(f"`{body}` and what it is tied to {SEVERAL_WAYS}")
         return Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
+
+    def check_free(self, group: frozenset[str], near: Instant) -> None:
+        """Nothing damps, rubs or drives the bodies that swing: it would be no harmonic motion about a place that stays."""
+        for item in self.configuration.acting(near.state):
+            touched = {near.host(ref.owner) for ref in item.touches() if ref.owner in self.configuration.bodies}
+            if not touched & group:
+                continue
+            values = tuple(varying_values(item))
+            if any(word in RATES for value in values for _, _, word in paths_in(value)) or item.pace(
+                self.configuration, near.state
+            ) in (RATE, MIXED):
+                help = f"leave out `{item.name}` for the swings without it"
+                raise NotYet(f"`{item.name}` damps or drives the swings by how fast they go: not solved yet", help=help)
+            if any(TIME in value.symbols() for value in values):
+                raise NotYet(f"`{item.name}` changes in time while the bodies swing: not solved yet")
+            if item.brakes():
+                word = "friction_torque" if getattr(item, "friction_torque", None) is not None else "friction"
+                help = "small swings stick: leave it out for those without it"
+                raise NotYet(f"`{word}` of `{item.name}` stops the swings: not solved yet", help=help)
 
     def named(self, state: str) -> Moments:
         """The moments about an equilibrium that is a state of the scene."""

@@ -12,14 +12,14 @@ from typing import ClassVar, Protocol
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import Drive
-from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Turntable
+from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Whirl
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.symbols import pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
 from rotsolve.language.keys import Element, key
 
-Fact = Force | Couple | Rule | Requirement | Potential | Turntable
+Fact = Force | Couple | Rule | Requirement | Potential
 PlaceOf = Callable[[PointRef], Formula | None]
 
 
@@ -263,6 +263,10 @@ class Connection(ActingElement, frozen=True):
     def hangs(self, body: Body) -> bool:
         """Whether a body hangs from it, so that it travels up and down."""
         return False
+
+    def whirl(self) -> Whirl | None:
+        """How it carries what it holds round an upright axis."""
+        return None
 
     def lays(self, body: Body) -> bool:
         """Whether a body lays itself out along it, layer by layer, so that less and less of it is left to move."""

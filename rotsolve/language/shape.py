@@ -41,6 +41,7 @@ class Shape(Element, frozen=True):
         False  # whether it runs straight from its start to its end, so that its angle is that of its direction
     )
     round: ClassVar[bool] = False  # whether it looks like a circle, or a ring between two
+    backed: ClassVar[bool] = False  # whether its back is level as it is drawn, so that something can lie on it
     walled: ClassVar[bool] = False  # whether it is given by two radii
     closing: ClassVar[tuple[str, ...]] = ()  # the keys of which one says how its sides close
     noun: ClassVar[str] = ""  # what it is called beside its moment of inertia, if not by its word

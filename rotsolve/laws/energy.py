@@ -84,13 +84,15 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
 
 
 def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:
-    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone; and ½ m v² of riders along it."""
+    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone; and ½ m v² of riders along it, ½ I Ω² about a turning shaft."""
     terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
             terms.extend(HALF * body.mass * item for item in squares(body.centre_velocity))
         if body.inertia is not None:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
+        if body.sweep is not None:
+            terms.append(HALF * body.sweep.inertia * square(body.sweep.rate))
         terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
     return [term for term in terms if term != ZERO]
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING, Drive, along_line
-from rotsolve.core.facts import signed
+from rotsolve.core.facts import Whirl, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import MIXED, UNKNOWN, combined
@@ -157,7 +157,13 @@ class Configuration(Arrangement, frozen=True, dict=True):
     def eccentric(self, name: str, state: str) -> bool:
         """Whether a body turns about an axis, or rolls about a centre, that is not its centre of mass."""
         turns = self.pivot(name, state) is not None or self.hub(name, state) is not None
-        return turns and not self.balanced(name, state)
+        hung = self.hung(name, state)
+        return (turns and not self.balanced(name, state)) or (hung is not None and self.swings_round(hung, state))
+
+    def whirl(self, name: str, state: str) -> Whirl | None:
+        """How a turning shaft carries a body round."""
+        items = (item for item in self.connections(state) if item.circling)
+        return next((item.whirl() for item in items if self.host(item.touches()[0].owner, state) == name), None)
 
     def axis(self, name: str, state: str) -> str:
         """The support on whose axis a body turns."""

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar
 
-from msgspec.structs import replace
-
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.facts import (
@@ -23,19 +21,19 @@ from rotsolve.core.facts import (
     Requirement,
     Rule,
     Sweep,
-    Turntable,
+    Whirl,
     square,
 )
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
+from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import Frame, mass_of, moment_about, product_about
+from rotsolve.motion.rigid import Frame, carried_round, mass_of, moment_about
 
 Told = TypeVar("Told", Rule, Potential)
 
@@ -57,9 +55,7 @@ def facts_at(instant: Instant) -> Facts:
     for body in configuration.present(instant.state):
         own_forces = (*weight(body.name, instant), *(force for force in forces if force.body == body.name))
         own_couples = tuple(couple for couple in couples if couple.body == body.name)
-        tables = [fact for fact in stated if isinstance(fact, Turntable) and fact.body == body.name]
-        facts = free_body(body, instant, own_forces, own_couples)
-        bodies.append(replace(facts, sweep=sweep(tables[0], instant)) if tables else facts)
+        bodies.append(free_body(body, instant, own_forces, own_couples))
     cuts: tuple[Cut, ...] = ()
     if configuration.mentions.cuts and not (instant.generic or instant.virtual):
         from rotsolve.motion.cuts import cuts_at
@@ -90,16 +86,17 @@ def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:
         yield GivenMotion(drive, letters, instant.time())
 
 
-def sweep(table: Turntable, instant: Instant) -> Sweep:
-    """The accelerations of a body's pieces on a turntable, towards its axis."""
-    own, orientation = instant.frame(table.body), instant.orientation(table.body)
-    reach = table.distance + own.cm.rotated(orientation).along(RIGHT)
-    product = product_about(own.pieces, own.reference, orientation, table.distance)
-    if product is None:
-        message = f"how the mass of `{table.body}` is spread along and across it is not told"
-        raise Unsolvable(message, span=instant.body(table.body).span)
-    moment = simplify(square(table.rate) * product, order=instant.configuration.order)
-    return Sweep(table.rate, vector(square(table.rate) * reach, RIGHT.turned(180)), moment)
+def sweep(name: str, whirl: Whirl | None, instant: Instant) -> Sweep | None:
+    """What a turning shaft asks of a body that it carries round."""
+    if whirl is None:
+        return None
+    own = instant.frame(name)
+    spread = carried_round(own.pieces, own.reference, instant.orientation(name), whirl.distance)
+    if spread is None:
+        message = f"how the mass of `{name}` is spread along and across it is not told"
+        raise Unsolvable(message, span=instant.body(name).span)
+    product, inertia = (simplify(value, order=instant.configuration.order) for value in spread)
+    return Sweep(whirl.rate, simplify(square(whirl.rate) * product, order=instant.configuration.order), inertia)
 
 
 def weight(name: str, instant: Instant) -> tuple[Force, ...]:
@@ -142,6 +139,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         changing=instant.configuration.changing(body.name, instant.state),
         slanted=slanted(body.name, instant),
         sliding=sliding(body.name, instant),
+        sweep=sweep(body.name, motion.whirl, instant),
     )
 
 

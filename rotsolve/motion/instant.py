@@ -58,7 +58,8 @@ class Instant(Standing, frozen=True, dict=True):
         if configuration.pivot(name, self.state) is not None:
             spin, rate = (signed(self.rate(word, name), sense) for word in TURNING[1:])
             own = self.orientation(name)
-            return Motion("axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=own)
+            round_ = configuration.whirl(name, self.state)
+            return Motion("axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=own, whirl=round_)
         line, orbit = self.line(name), self.orbit(name)
         turns = configuration.can_turn(name, self.state)
         spin, rate = (signed(self.rate(word, name), sense) if turns else ZERO for word in TURNING[1:])

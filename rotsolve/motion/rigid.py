@@ -53,14 +53,14 @@ class RigidPiece(Struct, frozen=True):
         tensor = turned_by(self.shape.tensor(mass), self.heading) if self.tensor is not None else None
         return replace(self, mass=mass, moment=self.shape.moment(mass), tensor=tensor)
 
-    def product(self, orientation: Heading) -> Formula | None:
-        """∫ x y dm about its centre of mass, x to the right and y up, in a body that is turned; None where that is not told."""
+    def tensor_along(self, orientation: Heading) -> InertiaTensor | None:
+        """Its second moments about its centre of mass, x to the right and y up, in a body that is turned; None where these are not told."""
         tensor = self.tensor
         if tensor is None and self.measure is not None:  # a hole whose depth nobody says
             tensor = turned_by(self.shape.tensor(self.mass), self.heading)
         if tensor is None:
-            return ZERO if self.moment == ZERO else None
-        return negate(turned_by(tensor, orientation).xy)
+            return InertiaTensor() if self.moment == ZERO else None
+        return turned_by(tensor, orientation)
 
     def moved(self, direction: Heading, origin: Vector, height: Formula, sign: Formula) -> RigidPiece:
         """The piece turned in the plane and moved; with a minus sign it is cut out."""
@@ -254,19 +254,24 @@ def moment_about(items: tuple[RigidPiece, ...], point: Vector, order: tuple[str,
     return shown, (("parallel axes: ", whole) if shifted else ())
 
 
-def product_about(
+def carried_round(
     items: tuple[RigidPiece, ...], point: Vector, orientation: Heading, offset: Formula
-) -> Formula | None:
-    """∫ (offset + x) y dm, x to the right and y up from a point, of a body turned by `orientation`; None where a shape does not tell."""
-    terms: list[Formula] = []
+) -> tuple[Formula, Formula] | None:
+    """∫ x y dm and ∫ (x² + z²) dm of a turned body, x from an upright axis and y up from a point at `offset` on its right.
+
+    None where a shape does not tell how its mass is spread.
+    """
+    products: list[Formula] = []
+    moments: list[Formula] = []
     for piece in items:
-        own = piece.product(orientation)
+        own = piece.tensor_along(orientation)
         if own is None:
             return None
         arm = (piece.at - point).rotated(orientation)
-        terms.append(piece.mass * (offset + arm.along(RIGHT)) * arm.along(UP))
-        terms.append(own)
-    return simplify(total(terms))
+        away = offset + arm.along(RIGHT)
+        products += [piece.mass * away * arm.along(UP), negate(own.xy)]
+        moments += [piece.mass * away**2, own.yy]
+    return simplify(total(products)), simplify(total(moments))
 
 
 ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held

@@ -196,7 +196,8 @@ class Standing(Struct, frozen=True, dict=True):
         """Whether what acts on a body that turns about another point than its centre of mass gets another arm on the way."""
         configuration = self.configuration
         phases = any(interval.event is None for interval in configuration.timeline.intervals)
-        return phases and configuration.heavy and configuration.eccentric(name, self.state)
+        bound = configuration.heavy or configuration.hung(name, self.state) is not None
+        return phases and bound and configuration.eccentric(name, self.state)
 
     def drawn_at_first(self, name: str) -> bool:
         """Whether a body stands as drawn at the first state, since nothing tells how it stands; a rod may stand anyhow."""

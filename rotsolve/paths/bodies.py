@@ -16,7 +16,7 @@ from rotsolve.laws.energy import kinetic
 from rotsolve.laws.newton import torque_about
 from rotsolve.motion.places import height
 from rotsolve.motion.rigid import mass_of, moment_about, tidy
-from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, path_text, vector_size
+from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, vector_size
 from rotsolve.paths.shares import Share, joined, place_about, share_of
 
 HALF = Number(Fraction(1, 2))
@@ -54,6 +54,7 @@ class OfBodies(AtInstant, frozen=True):
     def instantaneous_centre(self, path: Path, term: Term | None) -> Meaning:
         """Where v + ω × r = 0, from the centre of mass: x = −v_y/ω, y = vₓ/ω."""
         body = self.body(path.owner)
+        self._refuse_on_shaft(path)
         if body.motion.spin == ZERO:
             raise NotYet(f"`{path.owner}` does not turn: no point of it is at rest")
         if path.component is None:
@@ -114,6 +115,8 @@ class OfBodies(AtInstant, frozen=True):
         """½ m v² + ½ I ω², or one of both; of a body joined to others, that of its own mass."""
         name, component = path.owner, path.component
         share = self.share(name)
+        if component is not None:
+            self._refuse_on_shaft(path, "ask for the whole `kinetic_energy`")
         if component == "translational":
             return total(share.translational())
         if component == "rotational":
@@ -134,6 +137,7 @@ class OfBodies(AtInstant, frozen=True):
 
     def angular_momentum(self, path: Path, term: Term | None) -> Meant:
         """I ω + r × m v about the axis, its own centre of mass or a point; with a component, by the tensor; of a part its share."""
+        self._refuse_on_shaft(path)
         if path.component is not None:
             return self.spread(path, term)
         name, about = path.owner, term.about if term is not None else None
@@ -144,6 +148,11 @@ class OfBodies(AtInstant, frozen=True):
             raise NotYet(f"`{name}` does not turn", help="say `about` which point its angular momentum is asked")
         point = None if about is None else place_about(about, name, self.instant)
         return signed(share.angular_momentum(point), self.instant.sense(name))
+
+    def _refuse_on_shaft(self, path: Path, help: str = "") -> None:
+        """What a body has on a turning shaft that points out of the picture is not told."""
+        if self.instant.motion(path.owner).whirl is not None:
+            raise NotYet(f"`{path_text(path)}` of a body on a turning `shaft` is not solved yet", help=help)
 
     def _share(self, path: Path) -> Formula:
         """(I + m r²) ω of one part of a body on a fixed axis."""
@@ -160,6 +169,8 @@ class OfBodies(AtInstant, frozen=True):
     def momentum(self, path: Path, term: Term | None) -> Meant:
         """m v along the line of travel, a component of it, or its size."""
         share, component = self.share(path.owner), path.component
+        if component not in ("x", "y"):
+            self._refuse_on_shaft(path, "ask for the `speed` of its `cm`")
         if component in ("x", "y"):
             return share.mass * share.velocity.along(RIGHT if component == "x" else UP)
         line = self.instant.line_of(path.owner)

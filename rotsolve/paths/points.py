@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.formula import ZERO, Formula, add
-from rotsolve.core.facts import Motion, signed, square
+from rotsolve.algebra.formula import ZERO, Formula, add, sqrt
+from rotsolve.core.facts import Motion, Whirl, signed, square
 from rotsolve.core.quantity import INSIDE, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.language.problem import Path, PointRef
@@ -17,6 +17,7 @@ from rotsolve.paths.meaning import (
     AtInstant,
     Meaning,
     NotYet,
+    absolute,
     along_path,
     arm_length,
     path_text,
@@ -41,6 +42,8 @@ class OfPoints(AtInstant, frozen=True):
         if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
             return self._of_rider(path)
         motion, arm = self.instant.motion(path.owner), self._arm(path)
+        if motion.whirl is not None and path.component not in ("x", "y"):
+            return self._round_shaft(path, motion, motion.whirl, arm)
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
         dimension = QUANTITIES[path.quantity].dimension
         label = f"{path.quantity} of {spoken_point(path)}{carrying_words(motion, arm, path.quantity)}"
@@ -56,6 +59,26 @@ class OfPoints(AtInstant, frozen=True):
         )
         shown = None if path.quantity == "speed" else vector  # a speed points nowhere
         return Meaning(vector_size(vector), dimension, shown, remark, label)
+
+    def _round_shaft(self, path: Path, motion: Motion, whirl: Whirl, arm: Vector) -> Meaning:
+        """Speed √(v² + (Ω x)²) on a turning shaft, v in the picture; while the body is steady in it a = Ω² x towards the shaft."""
+        dimension, called = QUANTITIES[path.quantity].dimension, f"{path.quantity} of {spoken_point(path)}"
+        asked = f"`{path_text(path)}` on the turning `shaft`"
+        if path.component is not None:
+            raise NotYet(
+                f"{asked} is not told: its path bends in space", help="ask for its `speed`, or a part along x or y"
+            )
+        if path.quantity == "acceleration":
+            if motion.spin != ZERO:
+                raise NotYet(f"{asked} points out of the picture, too", help="ask for its parts along x and y")
+            vector = motion.acceleration_of(arm)
+            return Meaning(vector_size(vector), dimension, vector, label=called)
+        if path.quantity == "velocity":
+            raise NotYet(f"{asked} points out of the picture", help="ask for its size, the `speed`")
+        across, along = whirl.across(arm), motion.velocity_of(arm)
+        if not along.parts:
+            return Meaning(absolute(across), dimension, label=called)
+        return Meaning(sqrt(square(across) + along.dot(along)), dimension, label=called)
 
     def _arm(self, path: Path) -> Vector:
         """Where the point is from its body's reference."""

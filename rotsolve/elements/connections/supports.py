@@ -15,7 +15,7 @@ from rotsolve.core.facts import (
     Force,
     Role,
     Rule,
-    Turntable,
+    Whirl,
     held_still,
     signed,
 )
@@ -341,5 +341,6 @@ class Shaft(Connection, frozen=True):
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         yield from reaction(self.name, REACTION, self.shaft[0], instant)
-        name = instant.host(self.shaft[0].owner)
-        yield Turntable(self.name, name, self.turning or ZERO, self.distance or ZERO)
+
+    def whirl(self) -> Whirl | None:
+        return Whirl(self.turning or ZERO, self.distance or ZERO)

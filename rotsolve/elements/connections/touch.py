@@ -100,6 +100,9 @@ class Touch(Connection, frozen=True):
         on_flat = any(item.places()[0].owner in (*flat, *scene.bodies) for item in laid)
         if carrier.turns is not None or rim_radius(carrier, None) is not None or len(self.pair()) > 2:
             raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
+        if not carrier.parts and not shape_of(carrier).backed:
+            message = f"`{ref.owner}` on `{carrier.name}`, a {shape_of(carrier).word}: on which side it lies is not solved yet"
+            raise Unsolvable(message, span=under.span, help="solved is a level back, as that of a body without a shape")
         if not on_flat and carrier.moves not in ("left", "right"):
             help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
             message = f"nothing tells how `{carrier.name}`, which carries `{ref.owner}`, travels"

@@ -14,6 +14,7 @@ from rotsolve.language.shape import Place, Shape
 
 class Rectangle(Shape, frozen=True):
     word = "rectangle"
+    backed = True
     spread = "surface"
     about = "thin uniform rectangle; corners counterclockwise from the lower left: corner1 … corner4"
     points = ("center", "corner1", "corner2", "corner3", "corner4")

@@ -206,6 +206,10 @@ class Graded(Integrated, frozen=True):
         return self.shape.slender
 
     @property
+    def backed(self) -> bool:  # type: ignore[override]
+        return self.shape.backed
+
+    @property
     def points(self) -> tuple[str, ...]:  # type: ignore[override]
         return self.shape.points
 

@@ -17,6 +17,7 @@ from rotsolve.language.shape import Place, Shape, extent
 
 class Particle(Shape, frozen=True):
     word = "particle"
+    backed = True
     pointlike = True
     about = "all mass in one point; with `radius`, so far from its `center`, round which it goes on an axle or on what it rides"
     radius: Formula = amount("distance from the centre of its circle", "length", "r", "positive", default=ZERO)
@@ -32,6 +33,7 @@ class Particle(Shape, frozen=True):
 
 class Rod(Shape, frozen=True):
     word = "rod"
+    backed = True
     about = "thin uniform rod; `rod.at(x)` is the point at x from its start"
     points = ("start", "center", "end")
     spread = "line"
