@@ -16,7 +16,7 @@ from rotsolve.laws.energy import kinetic
 from rotsolve.laws.newton import torque_about
 from rotsolve.motion.places import height
 from rotsolve.motion.rigid import mass_of, moment_about, tidy
-from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, vector_size
+from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, path_text, vector_size
 from rotsolve.paths.shares import Share, joined, place_about, share_of
 
 HALF = Number(Fraction(1, 2))

@@ -7,16 +7,28 @@ to right) unless it is said to pass under.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property, partial
 from itertools import pairwise
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.facts import TAUT, TENSION, Force, Motion, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Heading, Vector, along_text, opposite, unit
+from rotsolve.core.vectors.heading import (
+    DOWN,
+    LEFT,
+    NOWHERE,
+    RIGHT,
+    UP,
+    WORDS,
+    Heading,
+    Vector,
+    along_text,
+    opposite,
+    unit,
+)
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.connections.touch import supporting
@@ -53,21 +65,42 @@ class Routing(Struct, frozen=True, dict=True):
         return tuple(Leg(*pair, way, arms) for pair, way, arms in zip(pairs, along, ends, strict=True))
 
     def direction(self, index: int) -> Vector:
-        """Unit vector of a leg from its first to its second body, by whichever end settles it, first by what the scene says."""
-        if self.points[index].owner not in self.pulls and self.points[index + 1].owner in self.pulls:
-            return -unit(WORDS[self.pulls[self.points[index + 1].owner]])
-        leaving = self.leaving(index, index + 1)
-        if leaving is not None:
-            return leaving
-        arriving = self.leaving(index + 1, index)
-        return unit(RIGHT) if arriving is None else -arriving
+        """Unit vector of a leg from its first to its second body: as `pulls` says of either, else by whichever end settles it."""
+        said, held = self.said(index), self.settled(index, self.fixed)
+        if held is not None:
+            return self.agreed(index, said, held)
+        return said if said.parts else self.settled(index, self.leaving_mover) or unit(RIGHT)
 
-    def leaving(self, index: int, other: int) -> Vector | None:
-        """Direction in which the string leaves a body towards its neighbour, where that body settles it."""
+    def settled(self, index: int, leaving: Callable[[int, int], Vector | None]) -> Vector | None:
+        """The direction of a leg by how the string leaves its first end, or else its second."""
+        first = leaving(index, index + 1)
+        if first is not None:
+            return first
+        second = leaving(index + 1, index)
+        return None if second is None else -second
+
+    def said(self, index: int) -> Vector:
+        """Unit vector of a leg as `pulls` says how it pulls one of its ends; nothing where it says of neither."""
+        first, second = (self.pulls.get(self.points[station].owner) for station in (index, index + 1))
+        if first is not None and second is not None and opposite(first) != second:
+            raise self.crossed(self.points[index + 1], second)
+        return unit(WORDS[first or opposite(second or "")]) if first or second else NOWHERE
+
+    def agreed(self, index: int, said: Vector, way: Vector) -> Vector:
+        """The direction of a leg that does not go against what is said of it."""
+        if said.parts and len(way.parts) == 1 and (said.parts[0][1] - way.parts[0][1]).cos() == negate(ONE):
+            ref = next(ref for ref in self.points[index : index + 2] if ref.owner in self.pulls)
+            raise self.crossed(ref, self.pulls[ref.owner])
+        return way
+
+    def crossed(self, ref: PointRef, word: str) -> Unsolvable:
+        """Why a string can't pull a body as it is said to."""
+        help = f"say `pulls: {{{ref.owner}: {opposite(word)}}}`, or name the bodies in another order"
+        return Unsolvable(f"this string can not pull `{ref.owner}` {word}", span=ref.span, help=help)
+
+    def fixed(self, index: int, other: int) -> Vector | None:
+        """Direction in which the string leaves a body towards its neighbour, where surfaces or places settle it."""
         ref, neighbour = self.points[index], self.points[other]
-        pulled = self.pulls.get(ref.owner)
-        if pulled is not None:
-            return unit(WORDS[pulled])
         configuration = self.instant.configuration
         surface = configuration.surfaces.get(self.along or "")
         if surface is not None and any(self.travels(owner, surface) for owner in (ref.owner, neighbour.owner)):
@@ -76,10 +109,7 @@ class Routing(Struct, frozen=True, dict=True):
             return unit(DOWN)
         if ref.owner in configuration.surfaces and configuration.surfaces[ref.owner].upright:
             return unit(configuration.surfaces[ref.owner].normal)
-        geometric = between(ref, neighbour, self.instant)
-        if geometric is not None:
-            return geometric
-        return self.leaving_mover(index, other) if ref.owner in configuration.bodies else None
+        return between(ref, neighbour, self.instant)
 
     def travels(self, owner: str, surface: Surface) -> bool:
         """Whether a body travels along a surface."""
@@ -108,20 +138,25 @@ class Routing(Struct, frozen=True, dict=True):
         if direction.sin() == ZERO:
             return unit(RIGHT if other > index else LEFT)
         if self.wraps(index):
-            if index in (0, len(self.points) - 1):
-                return None if neighbour.owner == "ceiling" else unit(DOWN if self.hangs_down(other) else UP)
+            if self.at_end(index):
+                return self.leaving_reel(index, other)
             return unit(UP if ref.owner in self.under else DOWN)
         lower = other > index and neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
         return unit(DOWN if lower else UP)
 
-    def hangs_down(self, index: int) -> bool:
-        """Whether a neighbour is a block that travels up and down, which a string pulls up."""
-        line = (
-            self.instant.configuration.line(self.instant.host(self.points[index].owner), self.instant.state)
-            if self.same_line(index)
-            else None
-        )
-        return line is not None and line[0].cos() == ZERO
+    def leaving_reel(self, index: int, other: int) -> Vector | None:
+        """Direction in which a string leaves what travels up and down and has its end wound on it: up, save where a body hangs from it."""
+        owner = self.points[other].owner
+        line = self.instant.line(self.instant.host(owner)) if owner in self.instant.configuration.bodies else None
+        if line is None or line[0].sin() == ZERO:
+            return unit(UP)
+        if self.wraps(other) and self.at_end(other):  # of two reels the first hangs higher
+            return unit(DOWN if other > index else UP)
+        return None  # a weight is pulled up, a travelling pulley as the string runs over or under it
+
+    def at_end(self, index: int) -> bool:
+        """Whether the string ends there."""
+        return index in (0, len(self.points) - 1)
 
     def same_line(self, index: int) -> bool:
         """Whether a neighbour hangs below: it travels too and the string does not go round it."""
