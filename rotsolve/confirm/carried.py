@@ -134,6 +134,19 @@ def centrifugal(item: Shaft, pose: Pose, model: Known) -> Iterator[tuple[str, Sl
         yield f"whirl of {name}", {first: rigid.mass * rate**2 * pose.q[first], first + 2: -(rate**2) * twist}
 
 
+def about_shaft(name: str, model: Known, pose: Pose) -> float:
+    """∫ (x² + z²) dm of a body, x from the axis of the shaft and z out of the picture."""
+    rigid = model.seats[name].rigid
+    if rigid.body.parts or rigid.body.mass is None:
+        raise NotConfirmed(f"how the mass of `{name}` lies about the shaft is not told")
+    a, b, product = second_moments(rigid.body, rigid.centre, model)
+    angle, x = pose.q[model.seats[name].first + 2], pose.q[model.seats[name].first]
+    c, s = math.cos(angle), math.sin(angle)
+    tensor, mass = shape_of(rigid.body).tensor(ONE), model.value(rigid.body.mass)
+    deep = mass * model.value(tensor.entry("xx") + tensor.entry("yy") - tensor.entry("zz")) / 2
+    return c * c * a + s * s * b - 2 * c * s * product + deep + rigid.mass * x**2
+
+
 def second_moments(body: Body, centre: tuple[float, float], model: Known) -> tuple[float, float, float]:
     """∫ u², ∫ w², ∫ u w over the mass of a body about its centre of mass, along its own axes."""
     total = own_moments(body, model)

@@ -115,8 +115,10 @@ def wheeled(item: String, here: int, there: int, model: Known) -> Way | None:
     way = line(ref.owner, model) if ref.owner in model.seats else None
     if way is None or not wraps(ref, model):
         return None
-    if here in (0, len(item.string) - 1):
-        return UP
+    ends = (0, len(item.string) - 1)
+    if here in ends:  # of two wheels on which it ends the first hangs higher
+        both = there in ends and wraps(item.string[there], model) and line(item.string[there].owner, model) is not None
+        return DOWN if both and there > here else UP
     return UP if ref.owner in item.under else DOWN
 
 

@@ -182,6 +182,7 @@ class OfBodies(AtInstant, frozen=True):
     def torque(self, path: Path, term: Term | None) -> Formula:
         """Of all that acts on it, about the axis, its own centre of mass (I α) or a point; with a component that of the weight, or of
         one of its forces."""
+        path = replace(path, component=None) if path.component == "z" else path
         name, about = path.owner, term.about if term is not None else None
         share = self.share(name)
         point = None if about is None else place_about(about, name, self.instant)

@@ -97,8 +97,8 @@ find: {q: ASKED}
         *(("wheel.angular_velocity: w0", f"{owner}.{word}") for owner, word in (
             ("wheel", "angular_velocity.x"), ("wheel", "angular_acceleration.y"), ("wheel", "torque.x"), ("turn", "torque.y"),
             ("turn", "torque.z"), ("hook", "force.z"), ("base", "force.z"), ("push", "force.z"), ("block", "velocity.z"),
-            ("block", "acceleration.z"), ("block", "force.z"), ("push", "force.net"), ("turn", "torque.gravity"),
-            ("push", "power.net"),
+            ("block", "acceleration.z"), ("block", "force.z"), ("turn", "torque.gravity"),
+
         )),
         ("wheel.angular_velocity.x: w0", "wheel.kinetic_energy"),
         ("wheel.angular_velocity.y: w0", "wheel.kinetic_energy"),

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import radius_of
+from rotsolve.confirm.carried import about_shaft
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.pose import Pair, Way, turned
@@ -92,9 +93,12 @@ def second_rate(jet: Jet, at: Node) -> float:
 
 
 def motion(at: Node, path: Path) -> Way:
-    """Velocity or acceleration of the point that a path names."""
-    place = point_place(at, path.owner, path.point, path.argument)
-    return bends(place, at) if path.quantity == "acceleration" else rates(place)
+    """Velocity or acceleration of the point that a path names, in the picture; what goes round a shaft has Ω² x towards that."""
+    place, round_ = point_place(at, path.owner, path.point, path.argument), at.model.whirled.get(path.owner, 0.0)
+    if path.quantity != "acceleration":
+        return rates(place)
+    x, y = bends(place, at)
+    return x - round_**2 * place[0].value, y
 
 
 def point_motion(at: Node, path: Path, term: Term | None) -> Reckoned:
@@ -102,7 +106,8 @@ def point_motion(at: Node, path: Path, term: Term | None) -> Reckoned:
     way = motion(at, path)
     line = at.line(path.owner) if path.point is None else None
     if path.quantity == "speed":
-        return number(math.hypot(*way))
+        across = at.model.whirled.get(path.owner, 0.0) * point_place(at, path.owner, path.point, path.argument)[0].value
+        return number(math.hypot(*way, across))
     if path.component in ("x", "y"):
         return component_of(way, path.component)
     if path.component in NATURAL or path.component == "radial":
@@ -166,12 +171,17 @@ def angle(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 
 def angular(at: Node, path: Path, term: Term | None) -> Reckoned:
-    """ω or α along the positive turn."""
+    """ω or α along the positive turn; counterclockwise, about z, where that is asked."""
     turn = at.pose.turn(path.owner)
     rate = turn.rate if path.quantity == "angular_velocity" else second_rate(turn, at)
     if path.component in ("x", "y"):
         return number(0.0)
-    return number(rate * at.model.sense(path.owner), abs(turn.rate))
+    return number(rate * sense(at, path), abs(turn.rate))
+
+
+def sense(at: Node, path: Path) -> int:
+    """+1 where a quantity about z counts counterclockwise."""
+    return 1 if path.component == "z" else at.model.sense(path.owner)
 
 
 def kinetic_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
@@ -179,6 +189,8 @@ def kinetic_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
     rigid = at.model.seats[path.owner].rigid
     speed, spin = rates(point_place(at, path.owner, "cm")), at.pose.turn(path.owner).rate
     travel, turning = 0.5 * rigid.mass * scalar(speed, speed), 0.5 * rigid.inertia * spin * spin
+    if path.owner in at.model.whirled:
+        turning += 0.5 * at.model.whirled[path.owner] ** 2 * about_shaft(path.owner, at.model, at.pose)
     if path.component == "rotational":
         return number(travel + turning if at.axis(path.owner) is not None else turning)
     return number(travel if path.component == "translational" else travel + turning)
@@ -240,7 +252,7 @@ def torque(at: Node, path: Path, term: Term | None) -> Reckoned:
     else:
         push = bends(centre, at)
         found = rigid.mass * cross(arm, push) + rigid.inertia * second_rate(at.pose.turn(path.owner), at)
-    return number(found * at.model.sense(path.owner), rigid.mass * at.model.gravity * math.hypot(*arm))
+    return number(found * sense(at, path), rigid.mass * at.model.gravity * math.hypot(*arm))
 
 
 def power(at: Node, path: Path, term: Term | None) -> Reckoned:
