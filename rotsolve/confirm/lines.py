@@ -197,7 +197,7 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
     word, name = path.quantity, path.owner
     if name in model.seats:
         if word in ("angular_velocity", "period") and path.point is None:
-            return {model.seats[name].turn: 1.0}, float(model.sense(name))
+            return {model.seats[name].turn: 1.0}, float(1 if path.component == "z" else model.sense(name))
         if word in ("velocity", "speed"):
             place = pointed(path, pose, model)
             way = direction(path, place, pose, model)

@@ -17,10 +17,10 @@ from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way
 from rotsolve.confirm.routing import legs
-from rotsolve.confirm.signs import grounded, line, sense
+from rotsolve.confirm.signs import carrier_of, grounded, line, sense
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.strings import String
-from rotsolve.elements.connections.supports import Hinge
+from rotsolve.elements.connections.supports import Axle, Hinge
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef
@@ -254,7 +254,9 @@ class Model:
         """The point of a body that a hinge or axle holds."""
         if name in self.held:
             return self.held[name][1]
-        joints = (item.hinge[-1] for item in self.acting.connections if isinstance(item, Hinge))
+        joints = [item.hinge[-1] for item in self.acting.connections if isinstance(item, Hinge)]
+        axles = [(item, carrier_of(item, self)) for item in self.acting.connections if isinstance(item, Axle)]
+        joints += [ref for item, mount in axles if mount is not None for ref in item.axle if ref != mount]
         return next((ref for ref in joints if ref.owner == name), None)
 
     def axis(self, name: str) -> Spot:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate, total
 from rotsolve.core.facts import Couple, Force, signed, square
 from rotsolve.core.quantity import QUANTITIES
