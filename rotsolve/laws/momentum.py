@@ -78,11 +78,11 @@ def momentum_without_force(over: OverPhase) -> Iterator[Equation]:
         for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
             if is_zero(total([force.vector.along(axis) for body in bodies for force in body.forces])):
                 before, after = ([body.mass * body.centre_velocity.along(axis) for body in end if body] for end in ends)
-                label = f"no {words} force: momentum is conserved, {listed(group)}"
+                label = f"no {words} force: momentum is conserved, {named_together(group)}"
                 yield MOMENTUM.equation(total(before), total(after), over.section, tuple(sorted(group)), words=label)
 
 
-def listed(names: Iterable[str]) -> str:
+def named_together(names: Iterable[str]) -> str:
     """Names in a row: a, b and c."""
     *others, last = [spoken(name) for name in sorted(names)]
     return f"{', '.join(others)} and {last}" if others else last

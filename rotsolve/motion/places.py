@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Ends = tuple[Formula, Formula]
 
 
-def place(
+def place_along(
     name: str, way: Heading, instant: Instant, *, ways: bool = True, seen: tuple[str, ...] = ()
 ) -> Formula | None:
     """How far along a direction the reference of a body is, r · e: of a pivot 0, else by what the body touches or hangs from.
@@ -41,7 +41,7 @@ def place(
         along = (line[0] - way).cos()
         return instant.since_first("displacement", name) * along if along != ZERO else ZERO
     if found is None and way not in (RIGHT, UP):
-        sides = [(place(name, axis, instant, ways=ways, seen=seen), (axis - way).cos()) for axis in (RIGHT, UP)]
+        sides = [(place_along(name, axis, instant, ways=ways, seen=seen), (axis - way).cos()) for axis in (RIGHT, UP)]
         parts = [None if side is None else side * share for side, share in sides if share != ZERO]
         return None if None in parts else sum((part for part in parts if part is not None), start=ZERO)
     return found
@@ -62,13 +62,13 @@ def place_of_point(
     """How far along a direction a point of a body is, from the same origin."""
     if ref.owner not in instant.configuration.bodies or (name := instant.host(ref.owner)) in seen:
         return None
-    reference = place(name, way, instant, ways=ways, seen=seen)
+    reference = place_along(name, way, instant, ways=ways, seen=seen)
     return None if reference is None else reference + instant.point(ref).along(way)
 
 
 def height(name: str, instant: Instant) -> Formula | None:
     """Height of the reference point above a level that stays."""
-    return place(name, UP, instant, ways=False)
+    return place_along(name, UP, instant, ways=False)
 
 
 def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Ends | None:
@@ -78,7 +78,7 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
     if straight and line is not None:
         along = (line[0] - way).cos()
         return (ZERO, displacement(name, interval, first) * along if along != ZERO else ZERO)
-    before, after = place(name, way, first), place(name, way, last)
+    before, after = place_along(name, way, first), place_along(name, way, last)
     return None if before is None or after is None else (before, after)
 
 

@@ -14,7 +14,7 @@ from rotsolve.core.passage import Work
 from rotsolve.core.symbols import CONSTANT, RATES, TIME, at_any_time, running
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.places import carried_along, ends_of, place
+from rotsolve.motion.places import carried_along, ends_of, place_along
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import Lead, displacement, led_by, relative_rate, rotation
 
@@ -88,7 +88,7 @@ class PhaseWorks(Struct, frozen=True):
         ends = ends_of(body.name, axis, self.interval, self.first, self.last)
         change = None if ends is None else ends[1] - ends[0]
         return self.work(
-            effort, change, body.motion.velocity.along(axis), body.name, place(body.name, axis, self.middle)
+            effort, change, body.motion.velocity.along(axis), body.name, place_along(body.name, axis, self.middle)
         )
 
     def of_turn(self, torque: Formula, body: BodyFacts) -> Formula | None:

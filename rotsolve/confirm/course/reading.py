@@ -176,10 +176,10 @@ def angular(at: Node, path: Path, term: Term | None) -> Reckoned:
     rate = turn.rate if path.quantity == "angular_velocity" else second_rate(turn, at)
     if path.component in ("x", "y"):
         return number(0.0)
-    return number(rate * sense(at, path), abs(turn.rate))
+    return number(rate * counted(at, path), abs(turn.rate))
 
 
-def sense(at: Node, path: Path) -> int:
+def counted(at: Node, path: Path) -> int:
     """+1 where a quantity about z counts counterclockwise."""
     return 1 if path.component == "z" else at.model.sense(path.owner)
 
@@ -252,7 +252,7 @@ def torque(at: Node, path: Path, term: Term | None) -> Reckoned:
     else:
         push = bends(centre, at)
         found = rigid.mass * cross(arm, push) + rigid.inertia * second_rate(at.pose.turn(path.owner), at)
-    return number(found * sense(at, path), rigid.mass * at.model.gravity * math.hypot(*arm))
+    return number(found * counted(at, path), rigid.mass * at.model.gravity * math.hypot(*arm))
 
 
 def power(at: Node, path: Path, term: Term | None) -> Reckoned:
