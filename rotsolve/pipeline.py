@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
@@ -140,43 +141,44 @@ def case_of(
     problem: Problem, values: Mapping[str, Formula], law: str | None, digits: int, at: str | None
 ) -> tuple[Solution, Mapping[Formula, int]]:
     """The solution in letters for some givens in the case that their values are of, and the signs that it took."""
-    from rotsolve.search.cases import at_point, first_point, open_letters
+    from rotsolve.search.letterspace import any_point, at_point, numbers_of, open_letters
 
     freed = tuple([replace(item, value=None) if item.name in values else item for item in problem.givens])
     configuration = asked_part(replace(problem, givens=freed))
     own = configuration.problem
-    point = {**first_point(open_letters(own)), **values}
+    point = {**numbers_of(any_point(open_letters(own))), **values}
     with witnessed() as witness:
         solution = solved(problem, Configuration(at_point(own, point)), law, digits, at)
-    return solution, dict(witness.supposed)
+    needed = {value: sign for value, (sign, _) in witness.needed.items()}
+    return solution, {**witness.supposed, **needed}
 
 
 def solved_by_cases(
     problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None
 ) -> Solution:
     """The solution of a scene with letters that have no number: case by case, where signs hang on them."""
-    from rotsolve.search.cases import LetterSpace, at_point, cases_of, open_letters
+    from rotsolve.search.cases import cases_of
+    from rotsolve.search.letterspace import LetterSpace, at_point, numbers_of
 
-    letters = open_letters(configuration.problem)
-    space = LetterSpace(letters, configuration.signs, configuration.order)
+    space = LetterSpace(configuration.problem, configuration.signs, configuration.order)
     solutions: list[Solution] = []
 
-    def solve(point: Mapping[str, Formula]) -> tuple[Derivation, bool]:
-        own = Configuration(at_point(configuration.problem, point))
+    def solve(point: Mapping[str, Fraction]) -> tuple[Derivation, bool]:
+        own = Configuration(at_point(configuration.problem, numbers_of(point)))
         solutions.append(solved(problem, own, law, digits, at))
         derivation = solutions[-1].derivation
         return derivation, any(check.holds is False for check in derivation.checks)
 
-    cases = cases_of(space, solve)
+    cases, more = cases_of(space, solve)
     if not solutions:
         assert cases[0].fault is not None
         raise cases[0].fault
     refuse_idle(solutions, problem)
-    if len(cases) == 1 and not cases[0].conditions and not space.assumed:
+    if len(cases) == 1 and not (cases[0].conditions or cases[0].needs or space.assumed):
         return solutions[0]
     from rotsolve.derivation.cases import with_cases
 
-    return replace(solutions[0], derivation=with_cases(cases, space))
+    return replace(solutions[0], derivation=with_cases(cases, space, more=more))
 
 
 def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:

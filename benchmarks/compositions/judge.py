@@ -6,8 +6,10 @@ import random
 from collections.abc import Iterator
 from fractions import Fraction
 
+from compositions import freed
 from compositions.compose import drawn
 from compositions.relations import LAWS, RELATIONS
+from rotsolve.scene.read import read_text
 from trials.outcome import BAD, INTERNAL, NOT_YET, OBJECTED, SOLVED, UNSOLVABLE, Outcome, Printed, outcome
 from trials.scene import Scene, written
 from trials.trial import Result
@@ -15,6 +17,7 @@ from trials.trial import Result
 DIGITS = 7
 LIMIT = 2.0  # seconds of CPU that a scene may take
 CLOSE = Fraction(1, 10**5)  # relative: answers are printed to 7 figures
+LETTERED = "in letters, with the numbers put in"
 FALSE_WORDS = ("contradict", "too little is known", "never reached")
 RIGHT, UNCONFIRMED, NAMED, UNTRUE, SAID, SILENT, SLOW, BROKEN = (
     "right",
@@ -72,8 +75,12 @@ def unconfirmed(found: Outcome) -> str:
 
 def differences(scene: Scene, found: Outcome, chance: random.Random) -> Iterator[str]:
     """How the scene said in one other way, drawn at random, or by another law, is answered otherwise."""
-    names = [*RELATIONS, *LAWS]
+    names = [*RELATIONS, *LAWS, LETTERED]
     name = chance.choice(names)
+    if name == LETTERED:
+        lettered = freed.differences(read_text(written(scene) + "\n"))
+        yield from (f"{name}: {text}\n{written(scene)}" for text in lettered if not text.startswith(freed.REFUSED))
+        return
     if name in LAWS:
         yield from differing(found, outcome(written(scene), DIGITS, law=name), f"by {name}", scene)
         return

@@ -4,109 +4,148 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
-from rotsolve.search.cases import Case, LetterSpace, Proviso, separating, shown
+from rotsolve.search.cases import Case, separating
+from rotsolve.search.letterspace import LetterSpace, Proviso, shown
 
 Solved = Case[Derivation]
 
 
-def with_cases(cases: Sequence[Solved], space: LetterSpace) -> Derivation:
-    """The derivation of the first case with an answer, with the others behind it: what differs between them says when it holds."""
+class CaseTeller(Struct, frozen=True):
+    """The cases with an answer, those without one, and the letters that tell them apart."""
+
+    good: Sequence[Solved]
+    bad: Sequence[Solved]
+    space: LetterSpace
+    more: bool = (
+        False  # whether there are others, which are not solved: then each answer has all the conditions of its case
+    )
+
+    def derivation(self) -> Derivation:
+        """The derivation of the first case, with the others behind it: what differs between them says when it holds."""
+        main = self.good[0].found
+        assert main is not None
+        told: dict[tuple[Equality, ...], Solved] = {}
+        for case in self.good:
+            told.setdefault(
+                self.equalities(self.apart([other for other in self.good if same_forms(case, other)])[0]), case
+            )
+        sections = main.sections
+        if len(told) > 1:
+            sections = tuple(section for key, case in told.items() for section in headed(key, case))
+        answers = tuple(self.piecewise(place) for place in range(len(main.answers)))
+        checks = (*main.checks, *self.failing())
+        said = (*main.conventions, *((words,) for words in self.space.assumptions()))
+        return replace(main, answers=answers, sections=sections, checks=checks, conventions=said)
+
+    def piecewise(self, place: int) -> Answer:
+        """An answer with the conditions under which it holds, and what it is in other cases."""
+        groups: list[tuple[Answer, list[Solved]]] = []
+        for case in self.good:
+            assert case.found is not None
+            answer = case.found.answers[place]
+            group = next((own for other, own in groups if same_form(answer, other)), None)
+            if group is None:
+                groups.append((answer, [case]))
+            else:
+                group.append(case)
+        told = [
+            replace(answer, conditions=self.equalities(provisos))
+            for answer, own in groups
+            for provisos in self.apart(own, needing=True)
+        ]
+        return replace(told[0], otherwise=tuple(told[1:]))
+
+    def apart(self, own: Sequence[Solved], *, needing: bool = False) -> list[tuple[Proviso, ...]]:
+        """The conditions that tell cases of one answer from all others, for all of them together where that goes; with their needs."""
+        others = [case for case in (*self.good, *self.bad) if case not in own]
+        needs = [needs_within(case) if needing and not case.objected else () for case in own]
+        if self.more:
+            return [each_once(case.bars, own_needs) for case, own_needs in zip(own, needs, strict=True)]
+        whole = separating(own, others) if all(alike_provisos(one, needs[0]) for one in needs) else None
+        if whole is not None:
+            return [each_once(whole, needs[0])]
+        return [
+            each_once(separating([case], others) or case.bars, own_needs)
+            for case, own_needs in zip(own, needs, strict=True)
+        ]
+
+    def equalities(self, provisos: Sequence[Proviso]) -> tuple[Equality, ...]:
+        """Conditions as a page tells them."""
+        return tuple(dict.fromkeys(shown(one, self.space) for one in provisos))
+
+    def failing(self) -> tuple[Check, ...]:
+        """Where there is no answer, and why."""
+        found: dict[Words, None] = {}
+        for case in self.bad:
+            if case.found is not None and any(alike_provisos(case.conditions, one.conditions) for one in self.good):
+                continue  # what it needs is told by the other
+            provisos = separating([case], self.good) or case.bars
+            found[(f"if {in_a_line(self.equalities(provisos))} there is no answer: ", *why_no_answer(case))] = None
+        for case in self.good:
+            for need in () if case.objected else case.needs:
+                broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
+                found[(f"if {in_a_line(self.equalities((broken,)))} there is no answer: ", *need.failing)] = None
+        if self.more:
+            found[("of other letters there are more cases, which are not worked out: give them numbers",)] = None
+        return tuple(Check(words, None) for words in found)
+
+
+def with_cases(cases: Sequence[Solved], space: LetterSpace, *, more: bool) -> Derivation:
+    """The derivation of all cases; those to which their own checks object count only where there are no others."""
     good = [case for case in cases if case.found is not None and not case.objected]
     good = good or [case for case in cases if case.found is not None]
-    main = good[0].found
-    assert main is not None
-    bad = [case for case in cases if case not in good]
-    answers = tuple(piecewise(place, good, bad, space) for place in range(len(main.answers)))
-    told = {case_key(case, good, bad, space): case for case in reversed(good)}
-    sections = main.sections
-    if len(told) > 1:
-        sections = tuple(section for key, case in reversed(told.items()) for section in headed(key, case, space))
-    checks = (*main.checks, *no_answers(bad, good, space))
-    said = (*main.conventions, *((words,) for words in space.assumptions()))
-    return replace(main, answers=answers, sections=sections, checks=checks, conventions=said)
+    return CaseTeller(good, [case for case in cases if case not in good], space, more).derivation()
 
 
-def piecewise(place: int, good: Sequence[Solved], bad: Sequence[Solved], space: LetterSpace) -> Answer:
-    """An answer with the conditions under which it holds, and what it is in other cases."""
-    groups: list[tuple[Answer, list[Solved]]] = []
-    for case in good:
-        assert case.found is not None
-        answer = case.found.answers[place]
-        group = next((own for other, own in groups if same_answer(answer, other)), None)
-        if group is None:
-            groups.append((answer, [case]))
-        else:
-            group.append(case)
-    told = []
-    for answer, own in groups:
-        others = [case for case in (*good, *bad) if case not in own]
-        for conditions in alternatives(own, others):
-            told.append(replace(answer, conditions=tuple(shown(one, space) for one in conditions)))
-    return replace(told[0], otherwise=tuple(told[1:]))
+def needs_within(case: Solved) -> tuple[Proviso, ...]:
+    """What the answers of a case need."""
+    return tuple(need.proviso for need in case.needs)
 
 
-def alternatives(own: Sequence[Solved], others: Sequence[Solved]) -> list[tuple[Proviso, ...]]:
-    """The conditions that tell cases of one answer from all others, for all of them together where that goes."""
-    whole = separating(own, others)
-    if whole is not None:
-        return [whole]
-    return [separating([case], others) or case.conditions for case in own]
+def each_once(provisos: Sequence[Proviso], needs: Sequence[Proviso]) -> tuple[Proviso, ...]:
+    """Conditions, each once."""
+    return (*provisos, *(need for need in needs if not any(map(need.same, provisos))))
 
 
-def same_answer(one: Answer, other: Answer) -> bool:
+def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
+    """Whether these conditions are those."""
+    return len(one) == len(other) and all(any(map(proviso.same, other)) for proviso in one)
+
+
+def same_form(one: Answer, other: Answer) -> bool:
     """Whether two cases answer a question alike."""
     if (one.word, len(one.components)) != (other.word, len(other.components)):
         return False
     forms = (one.closed or one.formula, other.closed or other.formula)
     if forms[0] is None or forms[1] is None:
-        return forms[0] is forms[1] and all(map(same_answer, one.components, other.components))
+        return forms[0] is forms[1] and all(map(same_form, one.components, other.components))
     return equal(forms[0], forms[1])
 
 
-def case_key(case: Solved, good: Sequence[Solved], bad: Sequence[Solved], space: LetterSpace) -> tuple[Equality, ...]:
-    """The conditions that tell a case from those whose answers differ from its own."""
-    own = [other for other in good if alike(case, other)]
-    others = [other for other in (*good, *bad) if other not in own]
-    conditions = alternatives(own, others)[0]
-    return tuple(shown(one, space) for one in conditions)
-
-
-def alike(one: Solved, other: Solved) -> bool:
+def same_forms(one: Solved, other: Solved) -> bool:
     """Whether two cases have the same answers."""
     assert one.found is not None and other.found is not None
-    return all(map(same_answer, one.found.answers, other.found.answers))
+    return all(map(same_form, one.found.answers, other.found.answers))
 
 
-def headed(key: tuple[Equality, ...], case: Solved, space: LetterSpace) -> tuple[Section, ...]:
+def headed(key: tuple[Equality, ...], case: Solved) -> tuple[Section, ...]:
     """The sections of a case below its conditions."""
     assert case.found is not None
-    title = "If " + " and ".join(told(one) for one in key)
-    return (Section(title), *(replace(one, title=one.title or "So") for one in case.found.sections))
+    return (Section(f"If {in_a_line(key)}"), *(replace(one, title=one.title or "So") for one in case.found.sections))
 
 
-def told(condition: Equality) -> str:
-    """A condition in a line of text."""
-    return f"{to_text(condition.left)} {condition.relation} {to_text(condition.right)}"
+def in_a_line(conditions: Sequence[Equality]) -> str:
+    """Conditions in a line of text."""
+    return " and ".join(f"{to_text(one.left)} {one.relation} {to_text(one.right)}" for one in conditions)
 
 
-def no_answers(bad: Sequence[Solved], good: Sequence[Solved], space: LetterSpace) -> tuple[Check, ...]:
-    """Where there is no answer, and why."""
-    found: list[Check] = []
-    for case in bad:
-        conditions = separating([case], good) or case.conditions
-        words = " and ".join(told(shown(one, space)) for one in conditions)
-        check = Check((f"if {words} there is no answer: ", *why_none(case)), None)
-        if check not in found:
-            found.append(check)
-    return tuple(found)
-
-
-def why_none(case: Solved) -> Words:
+def why_no_answer(case: Solved) -> Words:
     """Why a case has no answer: what its checks object to, else the fault for which it was refused."""
     if case.found is not None:
         return next(check.words for check in case.found.checks if check.holds is False)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.ball import need as noted
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import ACUTE, SignOracle
 from rotsolve.algebra.exact.normal import simplify
@@ -42,8 +43,7 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
             if key in told or not concerns(need, search):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))
-            number = search.apart().certified(need.left - need.right) if gap is None else None
-            sign = search.signs.taken(gap) if gap is not None else number.sign if number is not None else None
+            sign = sign_of(gap, need, place, search, letters)
             if sign is None:
                 continue
             told.add(key)
@@ -55,6 +55,19 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                 yield Check(objection(need, place, search, letters), False)
             elif sign == 0 and not event and not demanded(need, place, search):
                 yield Check(verge_words(need, place, search, letters), None)
+
+
+def sign_of(gap: Formula | None, need: Requirement, place: str, search: Search, letters: Letters) -> int | None:
+    """Whether a requirement is met, by its margin; of letters in the case that is looked at, whose answers need it."""
+    if gap is None:
+        number = search.apart().certified(need.left - need.right)
+        return None if number is None else number.sign
+    sign = search.signs.sign(gap)
+    number = search.signs.at_trial(gap) if sign is None else None
+    if number is not None:
+        sign = number.sign or 0
+        noted(gap, sign, objection(need, place, search, letters))
+    return sign
 
 
 def margin_of(need: Requirement, search: Search, laws: tuple[str, ...]) -> tuple[Settling, Formula | None]:

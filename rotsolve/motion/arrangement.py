@@ -68,9 +68,12 @@ class Arrangement(Struct, frozen=True, dict=True):
             asked = {item.name: ACUTE if is_angle(item) else "positive" for item in self.problem.givens if item.asked}
             if asked.keys() & value.symbols():
                 sign = replace(self.signs, limits=lambda: {**self.signs.limits(), **asked}).by_letters(value)
+            if sign is not None:
+                self.supposed[value] = sign, question, span
+                return sign
+            sign = self.signs.side_at_trial(value)
             if sign is None:
                 raise self.undecided(value, question, span)
-            self.supposed[value] = sign, question, span
         return sign
 
     def undecided(self, value: Formula, question: str, span: Span | None) -> Unsolvable:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cmp_to_key
 from itertools import pairwise
 
@@ -36,7 +36,12 @@ class Beside(Struct, frozen=True):
     """Settles formulas of the laws without a trace, and looks at them as functions of time."""
 
     settle: Callable[[Formula], Formula | None]
-    values: Mapping[str, Formula]
+    signs: SignOracle
+
+    @property
+    def values(self) -> Mapping[str, Formula]:
+        """The numbers of all letters, of those without one that in the case that is looked at."""
+        return {**self.signs.values, **self.signs.trials}
 
     def settled(self, value: Formula, what: str) -> Formula:
         """A formula with every letter of the laws worked out; refused where the laws do not tell it as a function of time."""
@@ -59,7 +64,7 @@ class Beside(Struct, frozen=True):
 
     def side(self, value: Formula) -> int:
         """The sign of a value that does not depend on time; 0 where no precision tells it from 0."""
-        number = SignOracle(self.values).number(value)
+        number = self.signs.supposed(value)
         if number is None:
             raise NotYet("a value on the way is not defined")
         return number.sign or 0
@@ -74,7 +79,17 @@ class Beside(Struct, frozen=True):
         first, last = self.ball(start), self.ball(end)
         inside = [root for root in found.roots if first < root.refine(FIGURES) < last]
         exact = solve_polynomial(function, TIME) or solve_trig(function, TIME)
+        if self.signs.trials.keys() & (function.symbols() | start.symbols() | end.symbols()):
+            self.suppose_within(function, exact, start, end)
         return [self._closed(root, exact, period_of(function, TIME)) for root in inside]
+
+    def suppose_within(self, function: Formula, exact: Sequence[Formula], start: Formula, end: Formula) -> None:
+        """Make it a condition of the case which zeros of a function lie between the ends; a swing has too many to tell."""
+        if not exact or period_of(function, TIME) is not None:
+            raise NotYet("how often it changes its sign depends on the givens: give them numbers")
+        for root in exact:
+            for gap in (root - start, end - root):
+                self.signs.supposed(gap)
 
     def ball(self, value: Formula) -> Ball:
         """A value that does not depend on time, to many figures."""
@@ -201,7 +216,7 @@ def reversed_parts(
     result = []
     for number, (before, after) in enumerate(pairwise(marks)):
         middle_of = (moments[number] + moments[number + 1]) / 2
-        forward = beside.number(speed, middle_of) >= 0
+        forward = beside.side(speed.substitute({TIME: middle_of})) >= 0
         result.append(after - before if forward else before - after)
     return result, laws
 

@@ -152,10 +152,10 @@ def backwards(search: Search, numbers: KnownBalls) -> Equation | None:
     """A phase that would take a negative time: its end lies before its start."""
     for name, passage in search.scene.passages.items():
         duration = numbers.size(passage.duration)
-        if duration is not None and duration < 0:
-            return FORWARDS.equation(passage.duration, ZERO, name)
         if duration is not None and watched():
             note_duration(passage.duration, search)
+        if duration is not None and duration < 0:
+            return FORWARDS.equation(passage.duration, ZERO, name)
     return None
 
 
@@ -164,7 +164,9 @@ def note_duration(duration: Formula, search: Search) -> None:
     value: Formula | None = search.solver.with_found(duration)
     if value is not None and has_quantities(value):
         value = search.apart().settled(value)
-    if value is None or not value.symbols() <= search.values.keys():
+    if value is not None and search.signs.lacking(value):
+        search.signs.supposed(value)
+    elif value is None:
         decided_by_size()
     else:
         note(value)

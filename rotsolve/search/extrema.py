@@ -168,7 +168,7 @@ def angles(course: Curve, search: Search) -> list[Formula]:
 
 def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> bool:
     """Whether a root lies in the domain, ends included; one that is not real does not."""
-    if not root.symbols() - set(search.values) and search.number(root) is None:
+    if search.signs.trials.keys() >= set(search.signs.lacking(root)) and search.number(root) is None:
         return False
     gaps = [root - domain.low] if domain.low is not None else []
     gaps += [domain.high - root] if domain.high is not None else []

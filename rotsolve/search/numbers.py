@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from math import floor
 
@@ -39,17 +39,29 @@ class Numbers(Struct, frozen=True):
 
     def whole(self, value: Formula) -> int | None:
         """The greatest whole number that is not greater than a value; None where the numbers do not tell."""
-        decided_by_size()
+        if not self.signs.lacking(value):
+            decided_by_size()
         number = self.signs.supposed(value)
         if number is None:
             return None
         for figures in FIGURES:
             low, high = ends(number.refine(figures))
-            if floor(low) == floor(high):
-                return floor(low)
-            if high - low < Fraction(1, 2) and number.equals(Fraction(floor(high))):
+            exact = high - low < Fraction(1, 2) and number.equals(Fraction(floor(high)))
+            if floor(low) == floor(high) or exact:
+                for bound in (floor(high), floor(high) + 1):
+                    self.side(value - bound)
                 return floor(high)
         return None
+
+    def least(self, values: Sequence[Formula]) -> int:
+        """The place of the smallest value, the first of several; of letters it is a condition that it is."""
+        if len(values) > 1 and not any(map(self.signs.lacking, values)):
+            decided_by_size()
+            return min(range(len(values)), key=lambda place: self.of(values[place]) or 0.0)
+        best = 0
+        for place, value in enumerate(values):
+            best = place if place and self.side(value - values[best]) == -1 else best
+        return best
 
     def sign(self, values: Iterable[Formula | None]) -> int:
         """The sign of the first value that has one, with the answers put in; 0 where none has."""

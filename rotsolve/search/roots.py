@@ -9,7 +9,7 @@ from functools import cmp_to_key
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import decided_by_size
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, negate
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call, negate
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Travel
@@ -268,19 +268,26 @@ class RootChoice(Struct, frozen=True):
             return PickedRoot(real[0][0], ("the roots coincide: it is only just reached",))
         stable = self._stable(name, [root for _, root in numbered])
         if stable:
-            found = nearest_to_zero([real[place] for place in stable])
-            return PickedRoot(found, ("the stable one: a body displaced from it comes back",))
+            found = sorted([real[place] for place in stable], key=lambda entry: entry[1] < 0)
+            return PickedRoot(self._smallest(found, roots), ("the stable one: a body displaced from it comes back",))
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered)
         if reached is not None:
             return reached
         sign, words = Expected(self.scene, self.givens, self.numbers).sign(name)
         fitting = [entry for entry in real if entry[1] * sign > 0]
         if fitting:
-            return PickedRoot(smallest(fitting), words)
+            return PickedRoot(self._smallest(fitting, roots), words)
         if self._is_angle(name):
-            return PickedRoot(smallest(real), ("the smallest angle",))
+            return PickedRoot(self._smallest(real, roots), ("the smallest angle",))
         positive = [entry for entry in real if entry[1] >= 0]
-        return PickedRoot(smallest(positive or real), ("the positive root",))
+        return PickedRoot(self._smallest(positive or real, roots), ("the positive root",))
+
+    def _smallest(self, entries: Sequence[tuple[int, float]], roots: Sequence[Formula]) -> int:
+        """The root nearest to zero, of two that are equally far the first."""
+        chosen = [roots[index] for index, _ in entries]
+        if len(entries) < 2 or not any(map(self.numbers.signs.lacking, chosen)):
+            return nearest_to_zero(entries)
+        return entries[self.numbers.least([call("abs", root) for root in chosen])][0]
 
     def _on_shaft(self, name: str) -> bool:
         """Whether a letter tells the angle at which a body stands steadily on a turning shaft."""
@@ -312,7 +319,7 @@ class RootChoice(Struct, frozen=True):
         moments = [(k, count + 1, root + (count + 1) * period) for k, count, root in counts if count is not None]
         if not moments:
             return None
-        index, count, _ = min(moments, key=lambda entry: self.numbers.of(entry[2]) or 0.0)
+        index, count, _ = moments[self.numbers.least([moment for _, _, moment in moments])]
         return PickedRoot(index, ("the first moment at which this holds",), Fraction(count), period)
 
     def _begun(self, when: str) -> Formula | None:
@@ -348,17 +355,10 @@ class RootChoice(Struct, frozen=True):
         return not signs.trials.keys() >= set(signs.lacking(root))
 
 
-def smallest(entries: Sequence[tuple[int, float]]) -> int:
-    """The root nearest to zero: its size is compared only where there are several."""
-    if len(entries) > 1:
-        decided_by_size()
-    return min(entries, key=lambda entry: abs(entry[1]))[0]
-
-
 def nearest_to_zero(entries: Sequence[tuple[int, float]]) -> int:
-    """The root nearest to zero, of two that are equally far the positive one."""
+    """The root nearest to zero, of two that are equally far the first; its size is compared only where there are several."""
     least = abs(min(entries, key=lambda entry: abs(entry[1]))[1])
     near = [entry for entry in entries if abs(entry[1]) <= least * (1 + SAME)]
     if len(entries) > 1:
         decided_by_size()
-    return min(near, key=lambda entry: entry[1] < 0)[0]
+    return near[0][0]

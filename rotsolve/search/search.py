@@ -143,7 +143,7 @@ class Search(Struct, dict=True):
             return None
         from rotsolve.questions.functions_of_time import Beside
 
-        return Beside(self.beside_by(families_for(None)).settled, self.values)
+        return Beside(self.beside_by(families_for(None)).settled, self.signs)
 
     def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""

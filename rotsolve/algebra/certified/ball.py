@@ -26,6 +26,9 @@ class Witness:
     def __init__(self) -> None:
         self.asked: dict[Formula, None] = {}
         self.supposed: dict[Formula, int] = {}  # signs at the numbers of one case, of letters that have none
+        self.needed: dict[
+            Formula, tuple[int, object]
+        ] = {}  # those of what the answers need to hold, and what is said where it fails
         self.by_size = False
 
 
@@ -53,6 +56,12 @@ def note(value: Formula, *, by_size: bool = False) -> None:
     for witness in OPEN:
         witness.asked[value] = None
         witness.by_size |= by_size
+
+
+def need(value: Formula, sign: int, failing: object) -> None:
+    """A formula of letters has this sign in the case that is looked at, and has to be positive for the answers to hold."""
+    for witness in OPEN:
+        witness.needed.setdefault(value, (sign, failing))
 
 
 def suppose(value: Formula, sign: int) -> None:

@@ -158,7 +158,9 @@ KINDS = (  # of kinds with one dimension, the first is meant where nobody says w
 BY_NAME = {kind.word or kind.name: kind for kind in KINDS if kind.word != ""}  # as the language calls them
 DIMENSIONS = {word: kind.dimension for word, kind in BY_NAME.items()}
 _RANKS = {kind.dimension: kind.rank for kind in reversed(KINDS)}
-_POSITIVE = {kind.dimension for kind in KINDS if kind.positive}
+_POSITIVE = {kind.dimension for kind in KINDS if kind.positive} | {
+    MASS * LENGTH**2
+}  # an inertia as scenes write it, in kg m²
 
 
 def product_rank(dimension: Dimension | None) -> int:

@@ -1,0 +1,101 @@
+"""Freed: a scene with letters for its numbers. What its answers say at these numbers must be what the scene with numbers answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import isclose
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.formula import PI, Formula
+from rotsolve.core.derivation import Answer, Equality
+from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.letters import Given
+from rotsolve.language.problem import Problem
+from rotsolve.motion.positive import is_angle
+from rotsolve.pipeline import solve_problem
+
+HOLDS = {">": (1,), "≥": (1, 0), "<": (-1,), "≤": (-1, 0)}
+CLOSE = 1e-6
+REFUSED = "refused in letters"
+Values = Mapping[str, Formula]
+
+
+def freed(problem: Problem) -> Problem:
+    """The problem without the numbers that letters may stand for: positive ones, and acute angles; gravity stays."""
+    return replace(
+        problem, givens=tuple([replace(item, value=None) if free(item) else item for item in problem.givens])
+    )
+
+
+def free(given: Given) -> bool:
+    """Whether the number of a given is one of those that a letter stands for."""
+    value = given.value
+    if value is None or value.symbols() or given.name == "g":
+        return False
+    sign = SignOracle({}).by_numbers
+    return sign(value) == 1 and (not is_angle(given) or sign(PI / 2 - value) == 1)
+
+
+def differences(problem: Problem) -> Iterator[str]:
+    """Where a scene in letters says something else at the scene's numbers than the scene with its numbers."""
+    numbered = answers_of(problem)
+    if numbered is None:
+        return
+    values = problem.values
+    try:
+        lettered = solve_problem(freed(problem)).derivation
+    except (Unsolvable, SceneError) as error:
+        yield f"{REFUSED}: {str(error).splitlines()[0]}"
+        return
+    told = {answer.name: answer for answer in lettered.answers}
+    for refusal in lettered.refused:
+        yield f"{REFUSED}: {refusal.name}: {refusal.fault.message}"
+    for answer in numbered:
+        if answer.name in told:
+            yield from apart(answer, told[answer.name], values)
+
+
+def answers_of(problem: Problem) -> tuple[Answer, ...] | None:
+    """The answers with numbers; None where there are none, or a check objects to them."""
+    try:
+        derivation = solve_problem(problem).derivation
+    except (Unsolvable, SceneError):
+        return None
+    return None if any(check.holds is False for check in derivation.checks) else derivation.answers
+
+
+def apart(numbered: Answer, lettered: Answer, values: Values) -> Iterator[str]:
+    """How the one branch of an answer whose conditions hold differs from the answer with numbers."""
+    fitting = [case for case in (lettered, *lettered.otherwise) if all(holds(one, values) for one in case.conditions)]
+    if len(fitting) != 1:
+        yield f"{numbered.name}: {len(fitting)} branches of {1 + len(lettered.otherwise)} hold"
+        return
+    if numbered.word != fitting[0].word:
+        yield f"{numbered.name}: {fitting[0].word} instead of {numbered.word}"
+    yield from differing(numbered, fitting[0], values)
+
+
+def differing(numbered: Answer, lettered: Answer, values: Values) -> Iterator[str]:
+    """How an answer and its components differ."""
+    for one, other in zip(numbered.components, lettered.components, strict=False):
+        yield from differing(one, other, values)
+    if numbered.value is None or numbered.closed is None or lettered.closed is None:
+        return
+    factor = None if numbered.unit is None else numbered.unit.factor
+    try:
+        number = evaluate(lettered.closed if factor is None else lettered.closed / factor, values).float
+    except (Undefined, ZeroDivisionError, ValueError) as error:
+        yield f"{numbered.name}: {error}"
+        return
+    if not isclose(number, numbered.value.float, rel_tol=CLOSE, abs_tol=CLOSE * 1e-3):
+        yield f"{numbered.name} = {number} instead of {numbered.value.float}"
+
+
+def holds(condition: Equality, values: Values) -> bool:
+    """Whether a condition holds at some numbers."""
+    sign = SignOracle(values).by_numbers(condition.left - condition.right)
+    return sign in HOLDS[condition.relation]

@@ -1,0 +1,239 @@
+"""Letter space: what letters without numbers may be: points of it, and the signs and conditions of formulas in it.
+
+Letters stand for positive values, angles for those between 0 and 90°, and a place on a rod lies between its ends.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from random import Random
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.sign import SignOracle, sign_within
+from rotsolve.algebra.exact.linear import solve_linear
+from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Quotient, Symbol, negate
+from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.units.dimension import NONE
+from rotsolve.core.derivation import Equality
+from rotsolve.core.letters import Given
+from rotsolve.language.problem import Problem, references
+from rotsolve.motion.positive import is_angle
+
+DOUBLINGS = 12  # up to which a letter is made larger or smaller
+TRIES = 200  # points that are looked at beyond those
+SHARES = ("1/8", "1/4", "1/2", "1", "3/2", "5/2", "5")
+STEEP = Fraction(3, 2)  # rad: no acute angle is larger
+MORE = "#more"  # by how much a letter is more than its limit
+Point = Mapping[str, Fraction]
+
+
+class Proviso(Struct, frozen=True):
+    """gap > 0 (`strict`), or gap ≥ 0, where the gap is no product of others, and of no sure sign."""
+
+    gap: Formula
+    strict: bool
+
+    def opposes(self, other: Proviso) -> bool:
+        """Whether one holds exactly where the other does not."""
+        return self.strict != other.strict and is_zero(self.gap + other.gap)
+
+    def same(self, other: Proviso) -> bool:
+        """Whether both say the same."""
+        return self.strict == other.strict and is_zero(self.gap - other.gap)
+
+
+def open_letters(problem: Problem) -> tuple[Given, ...]:
+    """The letters without a value that stand for any: not what is asked, nor the places over which an extremum is sought."""
+    ranging = set[str]()
+    for find in problem.finds:
+        if find.where is not None and find.where.phrase is not None and isinstance(find.formula, Symbol):
+            ranging.add(find.formula.name)
+        if find.extreme or (find.where is not None and find.where.word):
+            arguments = [ref.argument for ref in references(find) if ref.argument is not None]
+            ranging.update(name for argument in arguments for name in argument.symbols())
+    return tuple(item for item in problem.givens if item.value is None and not item.asked and item.name not in ranging)
+
+
+def reaches_of(problem: Problem) -> tuple[Formula, ...]:
+    """What is not negative in every scene that can be: a rod reaches as far as the points that are named on it."""
+    shapes = {body.name: body.shape for body in problem.bodies if body.shape is not None and body.shape.slender}
+    found = dict[Formula, None]()
+    for ref in references((problem.connections, problem.actions, problem.states, problem.events, problem.finds)):
+        shape = shapes.get(ref.owner) if ref.point == "at" else None
+        whole = shape.reach() if shape is not None else None
+        if ref.argument is not None and whole is not None:
+            found[simplify(whole - ref.argument)] = None
+    return tuple(limit for limit in found if limit.symbols())
+
+
+def at_point(problem: Problem, point: Mapping[str, Formula]) -> Problem:
+    """The problem whose case is looked at with these numbers for its open letters."""
+    return replace(problem, givens=tuple([replace(item, trial=point.get(item.name)) for item in problem.givens]))
+
+
+def numbers_of(point: Point) -> dict[str, Formula]:
+    """A point as values of letters."""
+    return {name: Number(size) for name, size in point.items()}
+
+
+def any_point(letters: Iterable[Given]) -> dict[str, Fraction]:
+    """A point of no special kind: different numbers near 1, for angles near 35°, for what has no dimension near ⅓."""
+    point: dict[str, Fraction] = {}
+    for place, given in enumerate(letters):
+        share = Fraction(1 + 37 * place % 89, 89)
+        size = Fraction(9, 20) + share / 3 if is_angle(given) else Fraction(4, 5) + share / 2
+        point[given.name] = size / 3 if given.dimension == NONE else size
+    return point
+
+
+class LetterSpace:
+    """What the open letters of a problem may be, and what follows of signs for all that they may be."""
+
+    def __init__(self, problem: Problem, oracle: SignOracle, order: Sequence[str]) -> None:
+        self.letters = {given.name: given for given in open_letters(problem)}
+        known = self.letters.keys() | oracle.values.keys()
+        limits = [limit for limit in reaches_of(problem) if limit.symbols() <= known]
+        self.limits = tuple(limit for limit in limits if limit.symbols() & self.letters.keys())
+        self.oracle, self.order = oracle, order
+        self.acute = {name for name, given in self.letters.items() if is_angle(given)}
+        self.positive = (oracle.positive | self.letters.keys()) - self.acute
+        self.assumed = set[
+            str
+        ]()  # letters of which it was needed that they are positive, or acute, though nothing else says so
+
+    # signs
+
+    def sure(self, value: Formula) -> int | None:
+        """The sign that a formula has wherever its letters may be."""
+        sign = self.oracle.by_letters(value)
+        if sign is None:
+            own = simplify(value, positive=self.positive)
+            sign = sign_within(own, {*self.positive, *self.acute}, self.acute)
+            if sign is not None:
+                self.assumed |= own.symbols() & self.letters.keys() - self.oracle.positive - self.oracle.limits().keys()
+        return self.within_limits(value) if sign is None else sign
+
+    def within_limits(self, value: Formula) -> int | None:
+        """The sign that a formula has within one of the limits: y + δ stands there for an x that is at least y."""
+        positive = {*self.positive, MORE}
+        for limit in self.limits:
+            for name in sorted(limit.symbols() & value.symbols() & self.letters.keys()):
+                least = solve_linear(limit, name, positive=self.positive)
+                if least is None or self.oracle.by_numbers(simplify(differentiate(limit, name))) != 1:
+                    continue
+                beyond = simplify(value.substitute({name: least + Symbol(MORE)}), positive=positive)
+                sign = sign_within(beyond, positive | self.acute, self.acute)
+                if sign is not None:
+                    return sign
+        return None
+
+    def assumptions(self) -> tuple[str, ...]:
+        """What letters were taken to be, in words: "u, w > 0", "0 < β < 90°"."""
+        names = [name for name in self.letters if name in self.assumed]
+        positive = ", ".join(name_to_text(name) for name in names if name not in self.acute)
+        acute = ", ".join(name_to_text(name) for name in names if name in self.acute)
+        return (*([f"{positive} > 0"] if positive else []), *([f"0 < {acute} < 90°"] if acute else []))
+
+    def provisos(self, signs: Mapping[Formula, int], point: Point) -> tuple[Proviso, ...]:
+        """What has to hold for formulas to have these signs, each once."""
+        found: list[Proviso] = []
+        for value, sign in signs.items():
+            for one in self.factors(value, sign, point):
+                if not any(one.gap == other.gap or is_zero(one.gap - other.gap) for other in found):
+                    found.append(one)
+        return tuple(found)
+
+    def factors(self, value: Formula, sign: int, point: Point) -> Iterator[Proviso]:
+        """The conditions for a formula to have a sign: for all of its factors whose own is not sure."""
+        if self.sure(value) is not None:
+            return
+        for node in value.walk("abs"):
+            if isinstance(node, Call) and node.function == "abs":
+                inner = self.side(node.arguments[0], point)
+                yield from self.factors(node.arguments[0], inner, point)
+        value = self.without_bars(value, point)
+        if self.sure(value) is not None:
+            return
+        problem = Fractions([value], positive=self.positive)
+        top, bottom = problem.field.cancel(problem.ratio())
+        parts = [part for poly in (top, bottom) for part, power in problem.field.factor(poly)[1] if power % 2]
+        for part in map(problem.shaper.poly, parts):
+            side = self.side(part, point) if self.sure(part) is None else 0
+            if side:
+                yield Proviso(part if side > 0 else simplify(negate(part)), sign > 0)
+
+    def without_bars(self, value: Formula, point: Point) -> Formula:
+        """The formula with x or −x for |x|, as it is at a point."""
+
+        def unbarred(node: Formula) -> Formula:
+            if not (isinstance(node, Call) and node.function == "abs"):
+                return node
+            inside = node.arguments[0]
+            return inside if self.side(inside, point) >= 0 else negate(inside)
+
+        return value.transform(unbarred)
+
+    # points
+
+    def side(self, value: Formula, point: Point) -> int:
+        """The sign of a formula at a point."""
+        return SignOracle({**self.oracle.values, **numbers_of(point)}).by_numbers(value) or 0
+
+    def holds(self, provisos: Iterable[Proviso], point: Point) -> bool:
+        """Whether conditions hold at a point."""
+        return all(self.side(one.gap, point) > 0 for one in provisos)
+
+    def has(self, point: Point) -> bool:
+        """Whether letters may be so."""
+        steep = any(size > STEEP for name, size in point.items() if name in self.acute)
+        return not steep and all(self.side(limit, point) > 0 for limit in self.limits)
+
+    def first_point(self) -> Point:
+        """A point of no special kind."""
+        point = any_point(self.letters.values())
+        return next(filter(self.has, (point, *self.elsewhere(point))), point)
+
+    def elsewhere(self, point: Point) -> Iterator[Point]:
+        """Points with letters larger or smaller by chance, always the same ones."""
+        chance = Random(0)
+        for _ in range(TRIES):
+            yield {name: size * Fraction(chance.choice(SHARES)) for name, size in point.items()}
+
+    def around(self, point: Point, names: Sequence[str]) -> Iterator[Point]:
+        """Points with one letter larger or smaller."""
+        for power in range(1, DOUBLINGS):
+            for name in names:
+                yield {**point, name: point[name] * 2**power}
+                yield {**point, name: point[name] / 2**power}
+
+
+def shown(proviso: Proviso, space: LetterSpace) -> Equality:
+    """A condition as a page tells it: solved for a letter where that goes, with none below a line, a coefficient before others."""
+    more, less = (">", "<") if proviso.strict else ("≥", "≤")
+    told: list[tuple[bool, int, int, str, Equality]] = []
+    for name in sorted(proviso.gap.symbols() & space.letters.keys()):
+        if degree(proviso.gap, name) != 1:
+            continue
+        limit = solve_linear(proviso.gap, name, order=space.order, positive=space.positive)
+        slope = space.sure(simplify(differentiate(proviso.gap, name)))
+        if limit is not None and slope and space.sure(limit) == 1:
+            line = Equality(Symbol(name), limit, more if slope > 0 else less)
+            told.append((divides(limit), letter_rank(space.letters[name]), length(limit), name, line))
+    return min(told)[-1] if told else Equality(proviso.gap, ZERO, more)
+
+
+def divides(value: Formula) -> bool:
+    """Whether a letter stands below a line."""
+    quotients = (node for node in value.walk(Quotient) if isinstance(node, Quotient))
+    return any(node.denominator.symbols() for node in quotients)
+
+
+def letter_rank(given: Given) -> int:
+    """Coefficients first, angles last."""
+    return 0 if given.dimension == NONE else 2 if is_angle(given) else 1

@@ -1,0 +1,49 @@
+"""Letters, then numbers put in, are numbers from the start: every bundled problem, and every scene of these tests, without its numbers."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from rotsolve.core.faults import SceneError
+from rotsolve.scene.read import read_source, read_text
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "benchmarks"))
+
+from compositions import freed  # noqa: E402
+
+FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent / "scenes").glob("*.yaml")])
+PARTS = 8
+WRONG_WAY = """
+given: {m: 2 kg, F: 30 N, mu: 0.2}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: right}}
+connections: {contact: {contact: [block, floor], friction: mu}}
+actions: {pull: {force: F, on: block, direction: right}}
+find: {a: block.acceleration}
+"""
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_letters_then_numbers_are_numbers_from_the_start(part: int) -> None:
+    """None of them is refused in letters either."""
+    found = {file.name: list(freed.differences(read_source(file))) for file in FILES[part::PARTS] if readable(file)}
+    assert {name: texts for name, texts in found.items() if texts} == {}
+
+
+def readable(file: Path) -> bool:
+    try:
+        read_source(file)
+    except SceneError:
+        return False
+    return True
+
+
+def test_the_relation_sees_what_differs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A block that is taken to stick whatever its letters are: the branch in which it slips is missing."""
+    assert list(freed.differences(read_text(WRONG_WAY))) == []
+    monkeypatch.setattr("rotsolve.search.cases.MOST", 1)
+    assert list(freed.differences(read_text(WRONG_WAY))) == ["a: 0 branches of 1 hold"]
