@@ -129,8 +129,11 @@ def met(model: Known, before: Placed, event: Event) -> Placed:
         return before
     mover = min(free, key=lambda ref: (ties(ref.owner, model), model.seats[ref.owner].rigid.inertia > 0.0))
     other = pair[1] if mover is pair[0] else pair[0]
-    put(mover.owner, model.drawn(mover), where(other.owner, model.drawn(other), q, model), q, model)
-    return replace(before, q=q)
+    turns = {ref.owner: q[model.seats[ref.owner].turn] for ref in pair}
+    here, there = (model.meeting(ref, turns[ref.owner]) for ref in (mover, other))
+    put(mover.owner, here, where(other.owner, there, q, model), q, model)
+    offsets = dict(before.offsets) | {f"{event.name}.{owner}": turn for owner, turn in turns.items()}
+    return replace(before, q=q, offsets=offsets)
 
 
 def ties(name: str, model: Known) -> int:
@@ -161,7 +164,10 @@ def collides(event: Collides, pose: Pose, model: Known) -> Blowing:
     if event.friction is not None:
         raise NotConfirmed(f"`{event.name}`: friction in a collision")
     way = approach(event, pose, model)
-    first, second = (load(pose.place(ref.owner, model.meeting(ref)), way) for ref in event.collides)
+    first, second = (
+        load(pose.place(ref.owner, model.meeting(ref, pose.q[model.seats[ref.owner].turn])), way)
+        for ref in event.collides
+    )
     slope = merged(second, 1.0, first, -1.0)
     if event.restitution is None:
         row = Row(event.name, "impulse", {}, 0.0, 0.0, slope)
@@ -183,7 +189,9 @@ def approach(event: Collides, pose: Pose, model: Known) -> Way:
         way = model.line(ref.owner)
         if way is not None:
             return way
-    (x, y), (u, w) = (pose.place(ref.owner, model.meeting(ref)) for ref in event.collides)
+    (x, y), (u, w) = (
+        pose.place(ref.owner, model.meeting(ref, pose.q[model.seats[ref.owner].turn])) for ref in event.collides
+    )
     gap = u.rate - x.rate, w.rate - y.rate
     size = math.hypot(*gap)
     return (gap[0] / size, gap[1] / size) if size else RIGHT

@@ -66,6 +66,13 @@ def place_of(ref: PointRef, pose: Pose, model: Known) -> Pair:
     return pose.place(ref.owner, model.drawn(ref))
 
 
+def tied_at(ref: PointRef, pose: Pose, model: Known) -> Pair:
+    """Where a string, a spring or a surface meets a body: at a named point, else in the middle of it."""
+    if ref.place is not None or ref.owner not in model.seats:
+        return place_of(ref, pose, model)
+    return pose.place(ref.owner, model.tied(ref))
+
+
 def hinge(item: Hinge, pose: Pose, model: Known) -> Held:
     """A point stays where it is, or goes with the point of another body."""
     x, y = place_of(item.hinge[-1], pose, model)
@@ -147,13 +154,21 @@ def weld(item: Weld, pose: Pose, model: Known) -> Held:
 def together(owner: str, refs: tuple[PointRef, ...], pose: Pose, model: Known, *, offset: bool) -> Held:
     """Two bodies are one: their points meet, and they turn as one; `offset`, where they meet at any angle."""
     first, second = refs
-    (x, y), (u, w) = place_of(second, pose, model), place_of(first, pose, model)
+    (x, y), (u, w) = (
+        met_at(owner, ref, pose, model) if offset else place_of(ref, pose, model) for ref in (second, first)
+    )
     turn = pose.turn(second.owner) - pose.turn(first.owner)
     apart = None if offset else model.told_apart(first.owner, second.owner)
     points = not (offset and model.bodily(refs))
     yield held(owner, "x", x - u, pose, hard=points)
     yield held(owner, "y", y - w, pose, hard=points)
     yield held(owner, "torque", turn - (apart or 0.0), pose, hard=not offset)
+
+
+def met_at(owner: str, ref: PointRef, pose: Pose, model: Known) -> Pair:
+    """Where bodies met in an event: the point of a rim that was in that direction then."""
+    now = pose.q[model.seats[ref.owner].turn]
+    return pose.place(ref.owner, model.meeting(ref, pose.offsets.get(f"{owner}.{ref.owner}", now)))
 
 
 def touch(item: Touch, pose: Pose, model: Known) -> Held:
@@ -174,7 +189,7 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
         radius = radius_of(body, ref.point, model.value) or 0.0
         place = pose.place(ref.owner, model.spot(PointRef(ref.owner, ref.point if part_of(body, ref.point) else None)))
     else:
-        place = place_of(ref, pose, model)
+        place = tied_at(ref, pose, model)
     if under.owner in model.seats:
         if not rests(item, model) or shape_of(model.body(under.owner)).points[:1] == ("corner1",):
             raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
@@ -222,7 +237,7 @@ def string(item: String, pose: Pose, model: Known) -> Held:
     """The ends of each leg move equally fast along it, a wheel's rim with it; it can only pull."""
     for number, leg in enumerate(model.legs(item)):
         if leg.along is None:
-            ends = [place_of(ref, pose, model) for ref in (leg.first, leg.second)]
+            ends = [tied_at(ref, pose, model) for ref in (leg.first, leg.second)]
             if any(leg.sides):
                 raise NotConfirmed(f"`{item.name}` runs from a place to a rim")
             length = distance(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1])
@@ -237,7 +252,7 @@ def string(item: String, pose: Pose, model: Known) -> Held:
 def end_along(ref: PointRef, side: int, way: tuple[float, float], pose: Pose, model: Known) -> Jet:
     """How far the end of a leg is along its direction: v · way of a rim is that of its centre and ∓ R ω."""
     if not side:
-        return along(place_of(ref, pose, model), way)
+        return along(tied_at(ref, pose, model), way)
     radius = radius_of(model.body(ref.owner), ref.point, model.value) or 0.0
     return along(pose.place(ref.owner, model.spot(ref)), way) - pose.turn(ref.owner) * (side * radius)
 

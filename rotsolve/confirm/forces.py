@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot, on_rim, radius_of, side_of
 from rotsolve.confirm.carried import centrifugal, rope_weight
-from rotsolve.confirm.constraints import place_of
+from rotsolve.confirm.constraints import tied_at
 from rotsolve.confirm.jet import Jet, Slope, distance
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
@@ -59,7 +59,7 @@ def spring(item: Spring, pose: Pose, model: Known) -> Pushes:
 def spring_length(item: Spring, pose: Pose, model: Known) -> Jet:
     """Its length, but for a constant where places are not told: the distance of its ends, or what they are apart along its direction."""
     first, second = item.spring
-    (x, y), (u, w) = place_of(first, pose, model), place_of(second, pose, model)
+    (x, y), (u, w) = tied_at(first, pose, model), tied_at(second, pose, model)
     if first.place is not None or second.place is not None:
         return distance(u - x, w - y)
     return along((u - x, w - y), spring_way(item, model))

@@ -215,9 +215,9 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
 
 
 def pointed(path: Path, pose: Pose, model: Known) -> Pair:
-    """The place of the point that a path names; of a body as a whole its centre of mass."""
+    """The place of the point that a path names; of a body as a whole the one that travels."""
     if path.point is None:
-        return pose.place(path.owner, model.seats[path.owner].rigid.centre)
+        return pose.place(path.owner, model.travelling(path.owner))
     return model.place(PointRef(path.owner, path.point, path.argument), pose)
 
 

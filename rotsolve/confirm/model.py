@@ -79,7 +79,7 @@ class Model:
         if word == "angular_velocity":
             return sign * pose.speed[seat.turn]
         way = self.line(owner) or (1.0, 0.0)
-        centre = pose.place(owner, seat.rigid.centre)
+        centre = pose.place(owner, self.travelling(owner))
         if word == "velocity":
             return centre[0].rate * way[0] + centre[1].rate * way[1]
         if word == "displacement":
@@ -155,9 +155,25 @@ class Model:
             return pose.place(ref.owner, pose.spatial(ref.owner, (0.0, 0.0), (radius * side[0], radius * side[1])))
         return pose.place(ref.owner, self.spot(ref))
 
-    def meeting(self, ref: PointRef) -> Spot:
-        """Where a body is hit: a named point, else its centre of mass."""
-        return self.seats[ref.owner].rigid.centre if ref.point is None else self.drawn(ref)
+    def travelling(self, name: str) -> Spot:
+        """The point of a body whose travel its `velocity` is: its centre of mass, of a wheel on a surface its centre."""
+        rolls = is_round(self.body(name)) and any(item.lying() == name for item in self.acting.connections)
+        return (0.0, 0.0) if rolls else self.seats[name].rigid.centre
+
+    def tied(self, ref: PointRef) -> Spot:
+        """Where what is tied to a body, or lies under it, meets it: a named point as drawn, else its middle."""
+        whole = ref.point is None and not is_round(self.body(ref.owner))
+        return self.seats[ref.owner].rigid.centre if whole else self.drawn(ref)
+
+    def meeting(self, ref: PointRef, turn: float) -> Spot:
+        """Where a body that is turned so far is hit: a named point, that of a rim as it is in space, else the centre of mass."""
+        if ref.point is None:
+            return self.seats[ref.owner].rigid.centre
+        side = side_of(self.body(ref.owner), ref.point)
+        if side is None or (ref.owner, ref.point) in self.marks:
+            return self.drawn(ref)
+        radius, c, s = radius_of(self.body(ref.owner), ref.point, self.value) or 0.0, math.cos(turn), math.sin(turn)
+        return radius * (c * side[0] + s * side[1]), radius * (c * side[1] - s * side[0])
 
     @cached_property
     def hung(self) -> frozenset[str]:

@@ -152,11 +152,13 @@ class Standing(Struct, frozen=True, dict=True):
     def _measured(self, name: str) -> Heading:
         """Direction that the angle of a body measures, in the axes of the one that stands for it: a rod's start to end, of what is held
         by a hinge or rolls from there to the centre of mass, else its own axis to the right."""
-        seat, own = self.configuration.seat(name, self.state), self.frame(name)
-        if seat.host != name or shape_of(self.body(name)).slender:
+        seat = self.configuration.seat(name, self.state)
+        hung, own = self.configuration.hung(name, self.state), self.frame(seat.host)
+        if shape_of(self.body(name)).slender or (seat.host != name and hung is None):
             return seat.turned
-        hung = self.configuration.hung(name, self.state)
-        arm = own.cm if hung is None else tidy(own.reference + own.cm - locate(self.body(name), hung))
+        arm = own.cm
+        if hung is not None:
+            arm = tidy(own.reference + own.cm - seat.place(locate(self.body(name), hung)))
         return self.configuration.direction(arm, name) if arm.parts else RIGHT
 
     def angle(self, name: str) -> Formula | None:

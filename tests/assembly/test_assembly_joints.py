@@ -71,3 +71,27 @@ def test_the_numbers_tell_on_which_side_of_its_hinge_a_body_is(wide: str) -> Non
     assert answers["Y"] == pytest.approx(found.reactions["pin", "y"], rel=1e-9)
     pose = found.placed.pose(model)
     assert answers["v"] == pytest.approx(pose.place("two", (0.0, 0.0))[1].rate, rel=1e-9)
+
+
+@pytest.mark.parametrize("weld", ["[one.cm, two.rim]", "[one.start_, two.bottom]", "[two.top, one.cm]"])
+def test_the_angle_of_what_hangs_is_that_of_the_whole_whatever_stands_for_it(weld: str) -> None:
+    """On a truck, where the disc that is welded on may be the larger one of the two."""
+    text = f"""
+title: on a truck
+given: {{L: 44 cm, m: 4.3 kg, M: 6 kg, R: 80 cm}}
+surfaces: {{floor: level}}
+bodies:
+  one:
+    parts: {{stick: {{shape: rod, mass: m, start: [0, 0], end: [L, 0]}}, head: {{shape: disc, mass: m, radius: L/4, at: [L, 0]}}}}
+    points: {{start_: [0, 0]}}
+  truck: {{mass: M, moves: right}}
+  two: {{shape: disc, mass: M, radius: R}}
+connections: {{under: {{contact: [truck, floor]}}, mount: {{hinge: [truck, one.cm]}}, bolt: {{weld: {weld}}}}}
+states: {{start: {{one.angle: 50 deg, one.angular_velocity: 3 rad/s, truck.velocity: 2 m/s}}}}
+find: {{a: truck.acceleration at start, alpha: one.angular_acceleration at start}}
+"""
+    answers = {answer.name: answer.value.float for answer in solve(text).derivation.answers if answer.value is not None}
+    model = Model(configured(read_source(text)).problem, {}, "start")
+    found = moment(model, placed(model))
+    assert answers["a"] == pytest.approx(found.rates[model.seats["truck"].first], rel=1e-9)
+    assert answers["alpha"] == pytest.approx(found.rates[model.seats["one"].turn], rel=1e-9)

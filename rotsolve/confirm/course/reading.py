@@ -65,14 +65,10 @@ def cross(a: Way, b: Way) -> float:
 
 
 def point_place(at: Node, owner: str, point: str | None, argument: object = None) -> Pair:
-    """The place of a point of a body, of its centre of mass where no point is named; the top of a wheel is a place in space."""
-    ref = PointRef(owner, point or "cm", argument)  # type: ignore[arg-type]
-    spot = at.model.spot(ref)
-    radius = radius_of(at.model.body(owner), point, at.model.value) if point in SPATIAL else None
-    if radius is not None and point is not None:
-        x, y = {"rim": (1.0, 0.0), "top": (0.0, 1.0), "bottom": (0.0, -1.0)}[point]
-        spot = at.pose.spatial(owner, spot, (radius * x, radius * y))
-    return at.pose.place(owner, spot)
+    """The place of a point of a body, of the one that travels where none is named; a rim's point is a place in space."""
+    if point is None:
+        return at.pose.place(owner, at.model.travelling(owner))
+    return at.model.place(PointRef(owner, point, argument), at.pose)  # type: ignore[arg-type]
 
 
 def values(pair: Pair) -> Way:
