@@ -92,7 +92,7 @@ class Model:
     def line(self, name: str) -> Way | None:
         """The positive direction of a body's travel; None where it is free, or turns about an axis."""
         if name not in self._lines:
-            self._lines[name] = self._led(name, line(name, self))
+            self._lines[name] = self._led(name, None if name in self.diverted else line(name, self))
         return self._lines[name]
 
     def _led(self, name: str, own: Way | None) -> Way | None:
@@ -162,8 +162,11 @@ class Model:
 
     def tied(self, ref: PointRef) -> Spot:
         """Where what is tied to a body, or lies under it, meets it: a named point as drawn, else its middle."""
-        whole = ref.point is None and not is_round(self.body(ref.owner))
-        return self.seats[ref.owner].rigid.centre if whole else self.drawn(ref)
+        return self.drawn(self.middle(ref))
+
+    def middle(self, ref: PointRef) -> PointRef:
+        """The point that a body named alone stands for: the centre of a wheel, else the centre of mass."""
+        return PointRef(ref.owner, "cm") if ref.point is None and not is_round(self.body(ref.owner)) else ref
 
     def meeting(self, ref: PointRef, turn: float) -> Spot:
         """Where a body that is turned so far is hit: a named point, that of a rim as it is in space, else the centre of mass."""
@@ -190,10 +193,6 @@ class Model:
         touching = {item.lying() for item in self.acting.connections if isinstance(item, Touch)}
         lying = {other for name in touching if name in self.seats for other in self.joined_to(name)} | self.hung
         free = {name for name in self.seats if self.line(name) is not None and name not in lying}
-        for first, second in self.met:
-            ways = self.line(first), self.line(second)
-            if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
-                free -= {first, second}
         for name in free:
             whole, centre = self.welded_mass(name), self.seats[name].rigid.centre
             if math.hypot(whole.x - whole.whole * centre[0], whole.y - whole.whole * centre[1]) > 1e-9 * whole.whole:
@@ -205,6 +204,17 @@ class Model:
         """Points of rims that a hinge holds, which turn with the body as other points do."""
         held = [ref for item in self.acting.connections for ref in (*item.joint(), *item.fixed_points())]
         return frozenset((ref.owner, ref.point) for ref in held)
+
+    @cached_property
+    def diverted(self) -> frozenset[str]:
+        """Bodies that an event has joined to one that goes another way, so that no line leads either of them."""
+        lying = {item.lying() for item in self.acting.connections}
+        found: set[str] = set()
+        for pair in self.met:
+            one, two = (line(name, self) for name in pair)
+            if one is None or two is None or abs(one[0] * two[1] - one[1] * two[0]) > 1e-9:
+                found |= set() if lying & set(pair) else set(pair)
+        return frozenset(found)
 
     @property
     def met(self) -> list[tuple[str, str]]:

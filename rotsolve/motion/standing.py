@@ -189,7 +189,7 @@ class Standing(Struct, frozen=True, dict=True):
         rod = shape_of(self.body(name)).slender
         if self.weight_swings(name):
             return True
-        told = self.speaks_of_angle(name) or self.follows_marks(name) or self.tilts(name)
+        told = self.speaks_of_angle(name) or self.follows_marks(name) or self.tilts(name) or self.carries_round(name)
         if not (rod and self.configuration.heavy) and not told:
             return False
         return rod or not self.stands_as_drawn(name)
@@ -211,7 +211,7 @@ class Standing(Struct, frozen=True, dict=True):
         ):
             return False
         tilts = self.tilts(name) and not shape_of(self.body(name)).slender
-        return tilts or self.follows_marks(name) or self.leant_on(name)
+        return tilts or self.follows_marks(name) or self.leant_on(name) or self.carries_round(name)
 
     def weight_swings(self, name: str) -> bool:
         """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
@@ -241,6 +241,15 @@ class Standing(Struct, frozen=True, dict=True):
         several = len(configuration.timeline.states) > 1
         return several and any(
             name in item.leans(configuration, self.state) for item in configuration.actions(self.state)
+        )
+
+    def carries_round(self, name: str) -> bool:
+        """Whether from one state to another a body takes along, round the point about which it turns, a joint with another."""
+        configuration, carried = self.configuration, self.configuration.carried(name, self.state)
+        joints = (item.joint() for item in configuration.connections(self.state) if not item.fixed_points())
+        held = (ref for refs in joints for ref in refs if ref.owner in carried)
+        return len(configuration.timeline.states) > 1 and any(
+            configuration.swings_round(ref, self.state) for ref in held
         )
 
     def follows_marks(self, name: str) -> bool:

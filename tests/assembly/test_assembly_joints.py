@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+
+import msgspec
 import pytest
 
 from rotsolve.confirm.instant import moment, placed
@@ -95,3 +98,38 @@ find: {{a: truck.acceleration at start, alpha: one.angular_acceleration at start
     found = moment(model, placed(model))
     assert answers["a"] == pytest.approx(found.rates[model.seats["truck"].first], rel=1e-9)
     assert answers["alpha"] == pytest.approx(found.rates[model.seats["one"].turn], rel=1e-9)
+
+
+@pytest.mark.parametrize("point", ["bottom", "rim", "center"])
+def test_a_joint_goes_round_with_the_wheel_that_carries_it(point: str) -> None:
+    """The forces at the end of a way are those of where the joint is then."""
+    text = f"""
+title: a plate hangs from a rolling wheel
+given: {{M: 5 kg, m: 4 kg, R: 1 m, F: 40 N, d: 1.2 m}}
+surfaces: {{floor: level}}
+bodies:
+  wheel: {{shape: disc, mass: M, radius: R, moves: right}}
+  plate: {{shape: disc, mass: m, radius: R/3}}
+connections: {{base: {{rolls: [wheel, floor]}}, joint: {{hinge: [wheel.{point}, plate.cm]}}}}
+actions: {{pull: {{force: F, on: wheel.center, direction: right}}}}
+states: {{start: {{plate.angle: 0, at rest: all}}, end: {{wheel.displacement: d}}}}
+find: {{a: wheel.acceleration at end, f: base.friction_force at end, N: base.normal_force at end}}
+"""
+    turn = -1.2
+    start = {"bottom": -math.pi / 2, "rim": 0.0, "center": 0.0}[point]
+    model = Model(configured(read_source(text)).problem, {}, "end")
+    at = placed(model)
+    size = 0.0 if point == "center" else 1.0
+    x, y = size * math.cos(start + turn), size * math.sin(start + turn)
+    y0 = size * math.sin(start)
+    # the plate's centre goes (1 + y, −x) per travel of the wheel
+    kinetic = (7.5 + 4 * ((1 + y) ** 2 + x * x)) / 2
+    speed = math.sqrt((40 * 1.2 - 4 * 9.8 * (y - y0)) / kinetic)
+    q = list(at.q)
+    q[2], q[3], q[4] = turn, q[0] + x, q[1] + y
+    rates = [speed, 0.0, -speed, speed * (1 + y), -speed * x, 0.0]
+    found = moment(model, msgspec.structs.replace(at, q=q, speed=rates))
+    answers = {answer.name: answer.value.float for answer in solve(text).derivation.answers if answer.value is not None}
+    assert answers["a"] == pytest.approx(found.rates[0], rel=1e-9)
+    assert abs(answers["f"]) == pytest.approx(abs(found.reactions["base", "friction"]), rel=1e-9)
+    assert answers["N"] == pytest.approx(found.reactions["base", "normal"], rel=1e-9)
