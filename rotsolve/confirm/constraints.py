@@ -45,6 +45,8 @@ def held_by(model: Known, pose: Pose) -> Held:
     for name in model.guided:
         across = turned(model.line(name) or RIGHT)
         yield held(name, "line", along(pose.place(name, model.seats[name].rigid.centre), across), pose)
+        if not model.turns(name) and model.seats[name].rigid.inertia > 0.0:
+            yield held(name, "turn", pose.turn(name), pose)
 
 
 def refused(item: Connection, pose: Pose, model: Known) -> Held:

@@ -193,7 +193,7 @@ class Model:
         touching = {item.lying() for item in self.acting.connections if isinstance(item, Touch)}
         lying = {other for name in touching if name in self.seats for other in self.joined_to(name)} | self.hung
         free = {name for name in self.seats if self.line(name) is not None and name not in lying}
-        for name in free:
+        for name in filter(self.turns, free):
             whole, centre = self.welded_mass(name), self.seats[name].rigid.centre
             if math.hypot(whole.x - whole.whole * centre[0], whole.y - whole.whole * centre[1]) > 1e-9 * whole.whole:
                 raise NotConfirmed(f"nothing but its word keeps `{name}`, with what is welded to it, on its line")
