@@ -120,11 +120,12 @@ def aimed(
     turn = {"clockwise": -1, "counterclockwise": 1}.get(direction, model.sense(name)) if direction in SIDES else 1
     radius = radius_of(model.body(name), on.point, model.value)
     wheel = radius is not None and (on_rim(model.body(name), on.point))
-    if direction in SIDES and (direction is not None or name in model.held):
+    held = next((other for other in model.joined_to(name) if other in model.held), None)
+    if direction in SIDES and (direction is not None or held is not None):
         if wheel:
             return pose.spatial(name, model.spot(on), (radius or 0.0, 0.0)), UP if turn > 0 else DOWN
         spot = model.drawn(on)
-        (x, y), (u, w) = pose.place(name, spot), pose.place(name, model.axis(name))
+        (x, y), (u, w) = pose.place(name, spot), pose.place(held or name, model.axis(held or name))
         arm = x.value - u.value, y.value - w.value
         size = math.hypot(*arm)
         if size == 0.0:

@@ -71,16 +71,9 @@ class AppliedForce(Action, frozen=True):
     def aim(self, instant: Moment, on: PointRef) -> tuple[Vector, Vector]:
         """Unit vector of the force, and where it acts from the body's reference."""
         motion = instant.motion(on.owner)
-        body = instant.body(on.owner)
-        radius = rim_radius(body, on.point)
-        turn = turn_sense(self.direction, instant.sense(on.owner))
+        radius = rim_radius(instant.body(on.owner), on.point)
         if self.direction in SQUARE and (motion.kind == "axis" or self.direction is not None):
-            arm = instant.point(on)
-            if (on.point in (None, "rim") or on.point in rims(body)) and (radius is not None or not arm.parts):
-                return unit(UP if turn > 0 else DOWN), instant.hub(on) + vector(radius or ZERO, RIGHT)
-            if len(arm.parts) == 1:
-                return unit(arm.parts[0][1]).turned(90 * turn), arm
-            return arm.turned(90 * turn).times(ONE / sqrt(arm.dot(arm))), arm
+            return across(on, instant.point(on), turn_sense(self.direction, instant.sense(on.owner)), instant)
         if self.direction is None:
             return unit(motion.heading or RIGHT), instant.point(on)
         direction = pointing(self.direction)
@@ -187,6 +180,17 @@ class AppliedPower(Action, frozen=True):
         if spin != ZERO:  # from rest a constant power means an endless torque at first
             sides = (power, torque * spin)
             yield facts.Rule(self.name, "power of the torque", (name,), sides, sides, linear=False)
+
+
+def across(on: PointRef, arm: Vector, turn: int, instant: Moment) -> tuple[Vector, Vector]:
+    """Unit vector square to an arm, along a turn, and where it acts: of a rim on its right."""
+    body = instant.body(on.owner)
+    radius = rim_radius(body, on.point)
+    if (on.point in (None, "rim") or on.point in rims(body)) and (radius is not None or not arm.parts):
+        return unit(UP if turn > 0 else DOWN), instant.hub(on) + vector(radius or ZERO, RIGHT)
+    if len(arm.parts) == 1:
+        return unit(arm.parts[0][1]).turned(90 * turn), arm
+    return arm.turned(90 * turn).times(ONE / sqrt(arm.dot(arm))), arm
 
 
 def turn_sense(direction: Direction | None, natural: int) -> int:

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
-from rotsolve.elements.actions import SQUARE, Direction, aimed, pointing, turn_sense
+from rotsolve.core.vectors.heading import RIGHT, Heading, Vector, unit
+from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
 from rotsolve.elements.connections.supports import Hinge
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
@@ -99,14 +99,11 @@ class Impulse(Event, frozen=True):
         if self.direction is not None and self.direction not in SQUARE:
             push = pointing(self.direction)
         else:
-            turn = turn_sense(self.direction, body.motion.sense)
-            radius = rim_radius(instant.body(body.name), ref.point)
-            if arm.parts:
-                push = unit(arm.parts[0][1].turned(90 * turn))
-            elif radius is not None and ref.point is not None:
-                arm, push = Vector(((radius, RIGHT),)), unit(UP.turned(0 if turn > 0 else 180))
-            else:
-                push = unit(body.motion.heading or RIGHT)
+            rim = ref.point is not None and rim_radius(instant.body(ref.owner), ref.point) is not None
+            push = unit(body.motion.heading or RIGHT)
+            if rim or arm.parts:
+                on = ref if ref.point is not None else PointRef(ref.owner, "center")
+                push, arm = across(on, arm, turn_sense(self.direction, instant.sense(ref.owner)), instant)
         yield Force(self.name, BLOW, body.name, size, push, arm, "impulse")
 
 

@@ -214,10 +214,9 @@ class Standing(Struct, frozen=True, dict=True):
         return tilts or self.follows_marks(name) or self.leant_on(name) or self.carries_round(name)
 
     def weight_swings(self, name: str) -> bool:
-        """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
-        configuration = self.configuration
-        hinged = self.generic and self.mark != GENERIC and configuration.pivot(name, self.state) is not None
-        return hinged and configuration.heavy and bool(self.frame(name).cm.parts)
+        """Whether this is a moment of swings or their equilibrium, and the weight of what is hinged or rolls has an arm that turns."""
+        swinging = self.generic and self.mark != GENERIC and self.configuration.heavy
+        return swinging and self.configuration.eccentric(name, self.state)
 
     def speaks_of_angle(self, name: str) -> bool:
         """Whether the scene speaks of the angle of a body or of what is joined to it, drives it, or lets something vary with it."""

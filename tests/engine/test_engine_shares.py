@@ -224,6 +224,42 @@ def test_bodies_of_opposite_senses_are_joined() -> None:
     )
 
 
+ROLLERS = {
+    "parts": (
+        "{wheel: {moves: right, radius: 0.5 m,\n"
+        "  parts: {rim: {shape: ring, mass: 2 kg, radius: 0.5 m}, lump: {mass: 1 kg, at: [0, -0.5 m]}}}}",
+        "",
+    ),
+    "weld": (
+        "{wheel: {shape: ring, mass: 2 kg, radius: 0.5 m, moves: right}, lump: {mass: 1 kg}}",
+        ", tie: {weld: [wheel.bottom, lump]}",
+    ),
+}
+
+
+@pytest.mark.parametrize("form", ROLLERS)
+def test_a_wheel_with_a_lump_rocks_on_the_floor(form: str) -> None:
+    """T = 2π √(2 M R²/(n g R)): the lump, lowest, is at rest for a moment."""
+    bodies, weld = ROLLERS[form]
+    holds(
+        f"surfaces: {{floor: level}}\nbodies: {bodies}\nconnections: {{touch: {{rolls: [wheel, floor]}}{weld}}}\n"
+        "find: {T: period of small swings}\n",
+        {"T": 2 * math.pi * math.sqrt(2 * 2 * 0.25 / (G * 0.5))},
+    )
+
+
+@pytest.mark.parametrize("at", ["", ", direction: up"])
+def test_a_blow_on_the_rim_of_a_wheel_at_the_end_of_a_rod(at: str) -> None:
+    inertia = 1 / 3 + 2 * (0.02 + 1)
+    holds(
+        "gravity: none\nbodies: {rod: {shape: rod, mass: 1 kg, length: 1 m}, disc: {shape: disc, mass: 2 kg, radius: 0.2 m}}\n"
+        "connections: {pin: {hinge: rod.start}, tie: {weld: [rod.end, disc]}}\nstates: {b: {rod.angle: 0, at rest: all}, c: {}}\n"
+        f"events: {{hit: {{impulse: 3 N s, on: disc.rim{at}, from: b, to: c}}}}\n"
+        "find: {w: rod.angular_velocity at c, v: disc.velocity.y at c}\n",
+        {"w": 3.6 / inertia, "v": 3.6 / inertia},
+    )
+
+
 REFUSED = {
     "nothing tells what keeps": "bodies: {y: {shape: disc, mass: 2 kg, radius: 0.1 m, moves: down}, l: {mass: 0.5 kg}}\n"
     "connections: {s: {string: [ceiling, y]}, tie: {weld: [y.rim, l]}}\nfind: {a: y.acceleration}\n",
