@@ -235,6 +235,10 @@ def prepared(configuration: Configuration, law: str | None) -> tuple[Decision | 
             return decision, Search(scene, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(configuration.problem, str(error), error.span, error.help) from None
+    except Unsolvable as error:
+        fault = error.fault
+        told = unsolvable(configuration.problem, fault.message, fault.span, fault.help)
+        raise error if error.lines else told from None
 
 
 def answered_fully(search: Search) -> Found | Unsolvable:

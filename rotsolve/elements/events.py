@@ -61,16 +61,19 @@ class Collides(Event, frozen=True):
         return (("", self.approach(instant)),)
 
     def approach(self, instant: Moment) -> Heading:
-        """The line along which the bodies approach: that on which one of them travels."""
+        """The line along which the bodies approach: that on which one of them travels, else the one line of their velocities."""
         for ref in self.collides:
             motion = instant.motion(ref.owner)
             if motion.kind == "line" and motion.heading is not None:
                 return motion.heading
-        for ref in self.collides:
-            parts = instant.velocity(ref).parts
-            if len(parts) == 1:
-                return parts[0][1]
-        return RIGHT
+        one, two = self.collides
+        headings = [heading for _, heading in (instant.velocity(one) - instant.velocity(two)).parts]
+        line = headings[0] if headings else RIGHT
+        if any((heading - line).sin() != ZERO for heading in headings):
+            help = "say along which line one of them travels: `moves: right`"
+            message = f"nothing tells along which line the blow of `{self.name}` acts"
+            raise Unsolvable(message, span=self.collides[0].span, help=help)
+        return line
 
     def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula]:
         """Along the line of approach."""

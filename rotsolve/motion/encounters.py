@@ -180,8 +180,7 @@ def check_rails(meetings: Sequence[Meeting], event: Event, instant: Instant) -> 
         if pushed and any(rate.along(across) != ZERO for other in met for rate in (other.before, other.after)):
             help = f"leave out `moves` of `{name}`, and give its velocity as [vx, vy]"
             message = f"`{event.name}` pushes `{name}` to the side of the line along which it `moves`"
-            problem, span = instant.configuration.problem, instant.body(name).span
-            raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+            raise Unsolvable(message, span=instant.body(name).span, help=help)
 
 
 def held_after(body: BodyFacts, after: Facts) -> Formula | None:
@@ -248,7 +247,7 @@ def check_meeting(spots: Sequence[Spot], joints: Sequence[tuple[Spot, Spot]], ev
     gap, configuration = tidy(arm - places[other] - own), instant.configuration
     spare = gap.dot(gap) - CLOSE * (arm.dot(arm) + own.dot(own))
     if configuration.signs.by_numbers(spare) == 1:
-        problem, points = configuration.problem, event.points(configuration.problem.connections)
+        points = event.points(configuration.problem.connections)
         names = " and ".join(f"`{ref.owner}.{ref.point}`" if ref.point else f"`{ref.owner}`" for ref in points)
         message = f"{names} are not at one place at `{instant.state}`: they can not meet in `{event.name}`"
-        raise Unsolvable(message, span=points[1].span, lines=problem.lines, file=problem.file)
+        raise Unsolvable(message, span=points[1].span)

@@ -276,6 +276,13 @@ states: {still: {a.velocity: 3 m/s, b.velocity: 5 m/s}, hit: {}}
 events: {bang: {joins: [a, b], from: still, to: hit}}
 find: {v: b.velocity at hit}
 """,
+    "along which line the blow of `hit` acts": """title: Puck that comes at a slant
+plane: horizontal
+bodies: {a: {shape: rod, mass: 2 kg, length: 50 cm}, p: {mass: 1 kg}}
+states: {before: {a.angle: 0, at rest: a, p.velocity: [3 m/s, 4 m/s]}, after: {}}
+events: {hit: {collides: [p, a.end], restitution: 0.5, from: before, to: after}}
+find: {w: a.angular_velocity at after}
+""",
     "`a.start` and `b.end` are not at one place": """title: Two ends that are apart
 plane: horizontal
 bodies: {a: {shape: rod, mass: 2 kg, length: 50 cm}, b: {shape: rod, mass: 1 kg, length: 40 cm}}
