@@ -64,9 +64,6 @@ def rubs(configuration: Configuration) -> tuple[Rub, ...]:
     found: dict[str, Rub] = {}
     timeline = configuration.timeline
     for state in timeline.states:
-        before = timeline.before(state.name)
-        if timeline.phase_of(state.name) is None and before is None and len(timeline.states) > 1:
-            continue  # before an event a finite force does nothing
         for rub in rubs_at(configuration, configuration.phase_start(state.name)):
             found.setdefault(rub.key, rub)
     return tuple(found.values())

@@ -78,7 +78,7 @@ class Trials:
             moving = known[rub.name] if rub.name in known else self.sense_at_start(rub)
             if moving:
                 self.modes[rub.key] = rub.mode(moving)
-        for group in self.moving_together([rub for rub in rubbing if rub.key not in self.modes]):
+        for group in self.moving_together([rub for rub in rubbing if rub.key not in self.modes and self.lasts(rub)]):
             contact = group[0].contact
             if len(group) > 1 or contact is None or not self.tried(group[0], contact):
                 carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
@@ -86,6 +86,11 @@ class Trials:
                 self.modes.update((self.by_trial if stacked else self.by_motion)(group))
         modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS)}
         return Decision(modes, self.scene.where(modes), tuple(self.made), tuple(self.slipping))
+
+    def lasts(self, rub: Rub) -> bool:
+        """Whether what rests may begin to slip there: not right before an event, where a finite force does nothing."""
+        after = self.configuration.timeline.after(rub.state)
+        return after is None or after.event is None
 
     def search(self, modes: Mapping[str, str], families: tuple[str, ...] = (NEWTON,)) -> Search:
         """What the laws tell where what rubs moves as it is supposed to; the same supposition is looked into once."""

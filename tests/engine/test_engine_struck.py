@@ -253,6 +253,23 @@ find: {v: block.velocity at after}
     )
 
 
+CLAY = """title: Clay falls on a block that slides
+surfaces: {{floor: level}}
+bodies: {{block: {{mass: 2 kg, moves: right}}, clay: {{mass: 1 kg, moves: down}}}}
+connections: {{base: {{contact: [block, floor], friction: 0.2}}}}
+states: {{start: {{block.velocity: {speed} m/s, clay.velocity: {fall} m/s}}, hit: {{}}}}
+events: {{bang: {{joins: [clay, block], from: start, to: hit}}}}
+find: {{v: block.velocity at hit}}
+"""
+
+
+@pytest.mark.parametrize(("speed", "fall"), [(5, 3), (0.2, 30), (-5, 3), (0, 3)])
+def test_friction_of_a_blow_from_above(speed: float, fall: float) -> None:
+    """μ times the impulse of the push, against the slip, but no more than stops it."""
+    kept = max(0, 2 * abs(speed) - 0.2 * fall) / 3
+    holds(CLAY.format(speed=speed, fall=fall), {"v": math.copysign(kept, speed) if kept else 0})
+
+
 def test_a_driven_wheel_takes_what_it_needs() -> None:
     """It goes on at its given speed: the axle and the drive bear the puck's momentum."""
     holds(
