@@ -73,6 +73,9 @@ class Beside(Struct, frozen=True):
         """The times between the ends at which a function of time changes its sign, in order and in closed form."""
         if TIME not in function.symbols():
             return []
+        if is_linear_in_time(function):
+            (root,) = solve_polynomial(function, TIME)
+            return [root] if self.side(root - start) > 0 > self.side(root - end) else []
         found = real_roots(function, TIME, self.values, start, end)
         if not found.complete:
             raise NotYet("where it changes its sign can not be told for certain")

@@ -124,9 +124,10 @@ class Endings(Struct, dict=True):
 
     def said(self, interval: Interval, resting: tuple[Rub, ...]) -> bool:
         """Whether the state at the end of a phase says itself that one of them has come to rest."""
-        lines = self.configuration.timeline.state(interval.end).conditions
-        said = {line.path.owner for line in lines if line.path is not None and line.word in ("rolls", "sticks")}
-        return any(rub.owner in said for rub in resting)
+        end = self.configuration.timeline.state(interval.end)
+        said = {line.path.owner for line in end.conditions if line.path is not None and line.word in ("rolls", "sticks")}
+        at_rest = {name for name, sense in end.senses if not sense}
+        return any(rub.owner in said or rub.name in at_rest for rub in resting)
 
     def passed(self, interval: Interval, at: Formula) -> bool:
         """Whether a phase lasts for longer than that; one whose end is not found is taken to, where there is no answer else."""

@@ -71,10 +71,16 @@ class Trials:
         self._searches: dict[tuple[object, tuple[str, ...]], Search] = {}
 
     def decision(self, rubbing: Sequence[Rub], at_rest: Collection[str]) -> Decision:
+        """Phase by phase: what one leaves moving hangs on how it moved there."""
+        for state in dict.fromkeys(rub.state for rub in rubbing):
+            self.decide_from(state, [rub for rub in rubbing if rub.state == state], at_rest)
+        modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS)}
+        return Decision(modes, self.scene.where(modes), tuple(self.made), tuple(self.slipping))
+
+    def decide_from(self, state: str, rubbing: Sequence[Rub], at_rest: Collection[str]) -> None:
         """What moves at the start of a phase goes on; then groups at rest, each as a trial tells."""
+        known = {**dict(self.configuration.timeline.state(state).senses), **dict.fromkeys(at_rest, 0)}
         for rub in rubbing:
-            known = dict(self.configuration.timeline.state(rub.state).senses)
-            known |= dict.fromkeys(at_rest, 0)
             moving = known[rub.name] if rub.name in known else self.sense_at_start(rub)
             if moving:
                 self.modes[rub.key] = rub.mode(moving)
@@ -82,10 +88,9 @@ class Trials:
             contact = group[0].contact
             if len(group) > 1 or contact is None or not self.tried(group[0], contact):
                 carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
-                stacked = len(group) > 1 and carried
+                rolls = any(rub.contact and self.scene.instant(state).is_round(rub.body) for rub in group)
+                stacked = len(group) > 1 and (carried or rolls)
                 self.modes.update((self.by_trial if stacked else self.by_motion)(group))
-        modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS)}
-        return Decision(modes, self.scene.where(modes), tuple(self.made), tuple(self.slipping))
 
     def lasts(self, rub: Rub) -> bool:
         """Whether what rests may begin to slip there: not right before an event, where a finite force does nothing."""
