@@ -19,7 +19,7 @@ from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters
-from rotsolve.language.problem import ANY_TIME, Body, Find, Given, Problem, TimeValue
+from rotsolve.language.problem import ANY_TIME, Body, Find, Given, Problem, Term, TimeValue
 from rotsolve.questions.find import Asked, component
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
@@ -148,12 +148,23 @@ class Results(Struct, frozen=True):
     def _when(self, answered: Answered) -> Words:
         """The time at which a function of time has the value that is printed, or that it is not a time of its phase."""
         found, find = answered.found, answered.asked.find
-        if self.at is None or found.formula is None or not find.runs:
+        if found.formula is None or not find.runs:
             return ()
+        if self.at is None:
+            ends = (self._end(term) for term in find.terms if term.at == ANY_TIME)
+            return next(((f"up to {spoken(end)}",) for end in ends if end), ())
         moment: Words = (self.letters.printed(Symbol(TIME)), f" = {self.at.text}")
         if not self._lasts(find):
             return (*moment, " is not in this phase")
         return ("at ", *moment) if TIME in found.formula.symbols() else ()
+
+    def _end(self, term: Term) -> str:
+        """The state at which the laws end by which a function of time is told, where the scene does not name it."""
+        from rotsolve.questions.functions_of_time import phases_of
+
+        timeline = self.search.scene.configuration.timeline
+        end = phases_of(term, self.search.scene)[-1].end
+        return end if timeline.state(end).opened else ""
 
     def _lasts(self, find: Find) -> bool:
         """Whether the phases in which a function of time is asked hold the moment at which it is evaluated."""

@@ -117,7 +117,12 @@ def phases_of(term: Term, scene: SceneEquations) -> tuple[Interval, ...]:
     """The phases in which a function of time is asked; several only where a given motion is one function throughout."""
     timeline = scene.configuration.timeline
     intervals = timeline.between(term.start, term.end) if term.start and term.end else timeline.intervals
-    named = tuple(interval for interval in intervals if term.during in (None, interval.name) and interval.event is None)
+    wanted = (interval for interval in intervals if interval.event is None)
+    named = tuple(
+        interval
+        for interval in wanted
+        if term.during in (None, interval.name, interval.whole) and not timeline.state(interval.start).opened
+    )
     if not named:
         raise Unclear("a function of time is asked of a phase", help="say `at any time during PHASE`")
     if len(named) > 1 and not (

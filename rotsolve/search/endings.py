@@ -18,7 +18,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
-from rotsolve.motion.timeline import Interval
+from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.explain import clash
 from rotsolve.search.search import Search, asked_letter
@@ -125,7 +125,9 @@ class Endings(Struct, dict=True):
     def said(self, interval: Interval, resting: tuple[Rub, ...]) -> bool:
         """Whether the state at the end of a phase says itself that one of them has come to rest."""
         end = self.configuration.timeline.state(interval.end)
-        said = {line.path.owner for line in end.conditions if line.path is not None and line.word in ("rolls", "sticks")}
+        said = {
+            line.path.owner for line in end.conditions if line.path is not None and line.word in ("rolls", "sticks")
+        }
         at_rest = {name for name, sense in end.senses if not sense}
         return any(rub.owner in said or rub.name in at_rest for rub in resting)
 
@@ -133,7 +135,7 @@ class Endings(Struct, dict=True):
         """Whether a phase lasts for longer than that; one whose end is not found is taken to, where there is no answer else."""
         duration = self.settled(self.scene.passages[interval.name].duration)
         if duration is None:
-            return self.stuck
+            return self.stuck or interval.end == OPEN
         return self.side(duration - at) == 1 or self.side(duration) == -1
 
 
