@@ -101,7 +101,7 @@ class Trials:
         """What the laws tell where what rubs moves as it is supposed to; the same supposition is looked into once."""
         key = (frozenset(modes.items()), families)
         if key not in self._searches:
-            self._searches[key] = Search(self.scene.where(modes), families)
+            self._searches[key] = Search(self.scene.where(modes), families, careful=True)
         return self._searches[key]
 
     def note(self, modes: Mapping[str, str], found: Iterable[Words], holds: bool | None, why: str) -> None:
@@ -149,7 +149,7 @@ class Trials:
 
     def tried(self, rub: Rub, contact: Connection) -> bool:
         """Take a contact to stick: whether the numbers tell if the friction that this takes is more than there can be."""
-        search = Search(self.scene.where(self.modes), (NEWTON,))  # its steps may be shown
+        search = Search(self.scene.where(self.modes), (NEWTON,), careful=True)  # its steps may be shown
         found = sticking(search, rub, contact)
         if found is None and rub.state != self.configuration.timeline.states[0].name:
             search = Search(
