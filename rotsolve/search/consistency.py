@@ -45,14 +45,15 @@ def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
     """The roots for a letter with which everything else can hold, of these the ones that time can bring about; all where none is left."""
     with Precision(BITS):
         numbers = KnownBalls.known(search)
-        fitting, onward = list[int](), list[int]()
+        holding, timely = list[int](), list[int]()
         for number, root in enumerate(roots):
             size = numbers.size(search.solver.with_found(root))
-            trial = replace(numbers, found=numbers.found if size is None else {**numbers.found, name: size})
-            if size is not None and first_broken(search, trial) is None:
-                fitting.append(number)
-                onward += [] if untimely(search, trial) else [number]
-    return onward or fitting or list(range(len(roots)))
+            if size is not None:
+                trial = replace(numbers, found={**numbers.found, name: size})
+                holding += [number] if first_broken(search, trial) is None else []
+                timely += [] if untimely(search, trial) else [number]
+    both = [number for number in holding if number in timely]
+    return both or holding or timely or list(range(len(roots)))
 
 
 def untimely(search: Search, numbers: KnownBalls) -> bool:

@@ -15,7 +15,7 @@ from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.core.facts import Force, Requirement, signed
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import RATES, has_quantities, of_kinds, rub_key, rub_of
+from rotsolve.core.symbols import POSITION, RATES, has_quantities, of_kinds, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
@@ -150,14 +150,13 @@ class Trials:
     def tried(self, rub: Rub, contact: Connection) -> bool:
         """Take a contact to stick: whether the numbers tell if the friction that this takes is more than there can be."""
         search = Search(self.scene.where(self.modes), (NEWTON,), careful=True)  # its steps may be shown
+        self.tell_way(search, rub.state)
         found = sticking(search, rub, contact)
         if found is None and rub.state != self.configuration.timeline.states[0].name:
             search = Search(
                 self.scene.where(self.modes), families_for(None), careful=True
             )  # where it is hangs on the way
-            before = self.configuration.timeline.before(rub.state)
-            if before is not None and before.name in search.scene.passages:
-                tell_ends(search, before)
+            self.tell_way(search, rub.state)
             found = sticking(search, rub, contact)
         if found is None:
             return False
@@ -175,6 +174,14 @@ class Trials:
         if beyond > 0:
             self.slipping.append(SlippingContact(contact, search, friction, normal))
         return True
+
+    def tell_way(self, search: Search, state: str) -> None:
+        """Work out how fast all moves on the way to a state, where forces vary with the place: which way it has gone tells the place."""
+        timeline = self.configuration.timeline
+        for interval in timeline.between(timeline.states[0].name, state):
+            passage = search.scene.passages.get(interval.name)
+            if passage is not None and any(travel.pace == POSITION for travel in passage.travels):
+                tell_ends(search, interval)
 
     # several that move together
 
