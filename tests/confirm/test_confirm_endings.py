@@ -272,3 +272,55 @@ find:
   L: lost energy from start to end
 """
     compare(scene, {"v": v, "x": x, "L": taken}, seed)
+
+
+def test_a_phase_begins_as_the_one_before_leaves_it() -> None:
+    """A pull that ends: what it has set sliding, or spinning, goes on until friction has had its way."""
+    told = givens(m=(4, "kg"), F=(20, "N"), R=(0.3, "m"), M=(8, "N m"), mu=(0.3, ""))
+    scene = f"""
+title: A pull and a motor that end
+given: {told}
+surfaces: {{road: level}}
+bodies: {{block: {{mass: m, moves: right}}, wheel: {{shape: disc, mass: m, radius: R, moves: right}}}}
+connections: {{base: {{contact: [block, road], friction: mu}}, grip: {{contact: [wheel, road], friction: mu}}}}
+actions:
+  pull: {{force: F, on: block, direction: right, from: start, to: off}}
+  motor: {{couple: M, on: wheel, from: start, to: off}}
+states: {{start: at rest, off: {{time: 2 s}}, late: {{time: 20 s}}}}
+find:
+  v: block.velocity at late
+  x: block.displacement from start to late
+  w: wheel.angular_velocity at late
+"""
+    pulled, spun = (
+        Moving([4], [20], [0], [([1], 0.3 * 4 * G)]),
+        Moving([4, 0.18], [0, 8], [0, 0], [([1, -0.3], 0.3 * 4 * G)]),
+    )
+    (speed,), (way,), _ = pulled.after(2)
+    speeds, _, _ = spun.after(2)
+    (v,), (further,), _ = Moving([4], [0], [speed], pulled.rubs).after(20)
+    (_, w), _, _ = Moving([4, 0.18], [0, 0], list(speeds), spun.rubs).after(20)
+    compare(scene, {"v": v, "x": way + further, "w": w}, 0)
+
+
+@pytest.mark.parametrize("friction", [0.05, 0.4])
+def test_a_wheel_drawn_over_a_rough_pulley_rolls_or_slips(friction: float) -> None:
+    told = givens(m=(3, "kg"), R=(0.1, "m"), M=(2, "kg"), mu=(friction, ""), tau=(0.1, "N m"), r=(0.05, "m"))
+    scene = f"""
+title: Cylinder drawn by a weight
+given: {told}
+surfaces: {{table: level}}
+bodies:
+  wheel: {{shape: cylinder, mass: m, radius: R, moves: right}}
+  pulley: {{mass: 0, radius: r, turns: clockwise}}
+  load: {{mass: M, moves: down}}
+connections:
+  grip: {{contact: [wheel, table], friction: mu}}
+  axle: {{axle: pulley, friction_torque: tau}}
+  rope: {{string: [wheel.center, pulley, load]}}
+states: {{start: at rest, end: {{time: 2 s}}}}
+find: {{v: wheel.velocity at end, w: wheel.angular_velocity at end}}
+"""
+    rubs = [([1, -0.1], friction * 3 * G), ([1, 0], 0.1 / 0.05)]
+    (v, w), _, _ = Moving([5, 0.015], [2 * G, 0], [0, 0], rubs).after(2)
+    compare(scene, {"v": v, "w": w}, 0)
