@@ -19,12 +19,25 @@ from rotsolve.motion.rigid import Frame, centre_of_mass, direction_of, locate, p
 from rotsolve.motion.welds import Member, seated
 
 if TYPE_CHECKING:
+    from rotsolve.language.problem import Condition
+
     pass
 
 
 def ridden(item: Ride, axis: PointRef | None) -> tuple[PointRef, PointRef]:
     """Where a body that rides on another meets it: its distance is counted from the carrier's axis."""
     return axis or PointRef(item.carrier.owner, "center"), PointRef(item.rider.owner, "center")
+
+
+WAYS = ("displacement", "rotation")
+
+
+def stands(line: Condition, component: frozenset[str]) -> bool:
+    """Whether a line of a state says that one of some bodies is at rest."""
+    if line.rest:
+        return line.owner in ("", "all") or line.owner in component
+    speed = line.path is not None and line.path.quantity in ("velocity", "angular_velocity")
+    return speed and line.path is not None and line.path.owner in component and line.value == ZERO
 
 
 class Configuration(Arrangement, frozen=True, dict=True):
@@ -267,7 +280,20 @@ class Configuration(Arrangement, frozen=True, dict=True):
         for item in self.acting(state):
             if any(self.host(ref.owner, state) in component for ref in item.touches() if ref.owner in self.bodies):
                 paces.append(item.pace(self, state))
+        if self.set_down(component, state):
+            paces.append(UNKNOWN)
         return combined(paces)
+
+    def set_down(self, component: frozenset[str], state: str) -> bool:
+        """Whether bodies go from rest to rest in the phase of a state by a force that is asked for: it can not stay the same."""
+        asked = {given.name for given in self.problem.givens if given.asked}
+        acting = [item.strength() for item in self.actions(state) if {ref.owner for ref in item.touches()} & component]
+        phase = self.timeline.phase_of(state) if any(strength.symbols() & asked for strength in acting) else None
+        if phase is None:
+            return False
+        ends = [self.timeline.state(end).conditions for end in (phase.start, phase.end)]
+        moved = [line.path.owner for line in ends[1] if line.path is not None and line.path.quantity in WAYS]
+        return bool(set(moved) & component) and all(any(stands(line, component) for line in lines) for lines in ends)
 
     def _own_pace(self, name: str, state: str) -> str:
         if self.changing(name, state):

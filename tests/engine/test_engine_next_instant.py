@@ -174,3 +174,16 @@ def test_contacts_slip_by_a_friction_that_another_settles(one: str, other: str) 
     rolls = SHARES[other] <= SHARES[one]
     expected = G * sin(slope) / (1 + SHARES[other]) if rolls else G * (sin(slope) - mu * cos(slope))
     assert found == pytest.approx({"mu": mu, "a": expected})
+
+
+@pytest.mark.parametrize("sense", ["down", "up"])
+def test_a_force_that_takes_a_load_from_rest_to_rest_does_not_stay_the_same(sense: str) -> None:
+    scene = f"""
+title: From rest to rest
+given: {{m: 250 kg, E: 9 kJ, d: unknown}}
+bodies: {{load: {{mass: m, moves: {sense}}}}}
+actions: {{rope: {{force: unknown, on: load, direction: up}}}}
+states: {{held: {{load.velocity: 0}}, there: {{load.displacement: d, load.velocity: 0}}}}
+find: {{d: d where (rope.work from held to there) = {"-E" if sense == "down" else "E"}, p: load.momentum at held}}
+"""
+    assert answers(scene) == pytest.approx({"d": 9000 / (250 * G), "p": 0.0})
