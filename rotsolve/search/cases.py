@@ -16,9 +16,10 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.search.letterspace import LetterSpace, Point, Proviso
+from rotsolve.search.letterspace import Glance, LetterSpace, Point, Proviso
 
 MOST = 12  # cases that are solved
+LOOKED_AT = 500_000  # nodes of conditions that are looked at for one more case
 Found = TypeVar("Found")
 
 
@@ -57,6 +58,7 @@ def cases_of(space: LetterSpace, solve: Callable[[Point], tuple[Found, bool]]) -
     """
     cases: list[Case[Found]] = []
     point: Point | None = space.first_point()
+    sure = True
     while point is not None and len(cases) < MOST:
         found, objected, fault = None, False, None
         with witnessed() as witness:
@@ -67,8 +69,8 @@ def cases_of(space: LetterSpace, solve: Callable[[Point], tuple[Found, bool]]) -
         conditions = space.provisos(witness.supposed, point)
         needs = tuple(needs_noted(witness.needed, conditions, space, point))
         cases.append(Case(point, conditions, needs, found, fault, objected))
-        point = beyond(cases, space)
-    return cases, point is not None
+        point, sure = beyond(cases, space)
+    return cases, point is not None or not sure
 
 
 def needs_noted(
@@ -81,19 +83,26 @@ def needs_noted(
                 yield Needed(one, cast("Words", failing))
 
 
-def beyond(cases: Sequence[Case[Found]], space: LetterSpace) -> Point | None:
-    """A point at which none of the cases holds; None where none is found."""
+def beyond(cases: Sequence[Case[Found]], space: LetterSpace) -> tuple[Point | None, bool]:
+    """A point at which none of the cases holds, None where none is found; and whether that is sure enough for conditions of their size."""
+    size = sum(length(one.gap) for case in cases for one in case.bars)
+    if not size:
+        return None, True
+    for points, place in enumerate(places(cases, space)):
+        if points * size > LOOKED_AT:
+            return None, False
+        glance = Glance(space, place)
+        if space.has(place) and not any(glance.holds(case.bars) for case in cases):
+            return place, True
+    return None, True
 
-    def is_new(point: Point) -> bool:
-        return space.has(point) and not any(space.holds(case.bars, point) for case in cases)
 
+def places(cases: Sequence[Case[Found]], space: LetterSpace) -> Iterator[Point]:
+    """Points at which another case may be: with one letter of a condition larger or smaller, then by chance."""
     for case in cases:
-        for one in case.bars:
-            for point in space.around(case.point, sorted(one.gap.symbols() & space.letters.keys())):
-                if space.side(one.gap, point) < 0 and is_new(point):
-                    return point
-    anywhere = space.elsewhere(cases[0].point) if any(case.bars for case in cases) else iter(())
-    return next(filter(is_new, anywhere), None)
+        names = {name for one in case.bars for name in one.gap.symbols() & space.letters.keys()}
+        yield from space.around(case.point, sorted(names))
+    yield from space.elsewhere(cases[0].point)
 
 
 def separating(own: Sequence[Case[Found]], others: Sequence[Case[Found]]) -> tuple[Proviso, ...] | None:

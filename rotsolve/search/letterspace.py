@@ -13,6 +13,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.certified.balls import RealBalls, Undefined
 from rotsolve.algebra.certified.sign import SignOracle, sign_within
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
@@ -25,8 +27,10 @@ from rotsolve.core.letters import Given
 from rotsolve.language.problem import Problem, references
 from rotsolve.motion.positive import is_angle
 
-DOUBLINGS = 12  # up to which a letter is made larger or smaller
-TRIES = 200  # points that are looked at beyond those
+DOUBLINGS = 9  # up to which a letter is made larger or smaller
+LONG = 120  # nodes of a condition from which on it is not solved for a letter
+BITS = 64  # of the balls by which points are looked for
+TRIES = 100  # points that are looked at beyond those
 SHARES = ("1/8", "1/4", "1/2", "1", "3/2", "5/2", "5")
 STEEP = Fraction(3, 2)  # rad: no acute angle is larger
 MORE = "#more"  # by how much a letter is more than its limit
@@ -90,6 +94,28 @@ def any_point(letters: Iterable[Given]) -> dict[str, Fraction]:
         size = Fraction(9, 20) + share / 3 if is_angle(given) else Fraction(4, 5) + share / 2
         point[given.name] = size / 3 if given.dimension == NONE else size
     return point
+
+
+class Glance:
+    """What is positive at one point, by balls of few bits: sure where it says so."""
+
+    def __init__(self, space: LetterSpace, point: Point) -> None:
+        self.balls = RealBalls({**space.oracle.values, **numbers_of(point)})
+        self.told: dict[Formula, bool] = {}
+
+    def positive(self, value: Formula) -> bool:
+        """Whether a formula certainly is."""
+        if value not in self.told:
+            try:
+                with Precision(BITS):
+                    self.told[value] = bool(self.balls(value) > 0)
+            except (Undefined, ValueError, ZeroDivisionError):
+                self.told[value] = False
+        return self.told[value]
+
+    def holds(self, provisos: Iterable[Proviso]) -> bool:
+        """Whether all conditions hold."""
+        return all(self.positive(one.gap) for one in provisos)
 
 
 class LetterSpace:
@@ -185,14 +211,11 @@ class LetterSpace:
         """The sign of a formula at a point."""
         return SignOracle({**self.oracle.values, **numbers_of(point)}).by_numbers(value) or 0
 
-    def holds(self, provisos: Iterable[Proviso], point: Point) -> bool:
-        """Whether conditions hold at a point."""
-        return all(self.side(one.gap, point) > 0 for one in provisos)
-
     def has(self, point: Point) -> bool:
         """Whether letters may be so."""
-        steep = any(size > STEEP for name, size in point.items() if name in self.acute)
-        return not steep and all(self.side(limit, point) > 0 for limit in self.limits)
+        if any(size > STEEP for name, size in point.items() if name in self.acute):
+            return False
+        return not self.limits or all(map(Glance(self, point).positive, self.limits))
 
     def first_point(self) -> Point:
         """A point of no special kind."""
@@ -217,7 +240,7 @@ def shown(proviso: Proviso, space: LetterSpace) -> Equality:
     """A condition as a page tells it: solved for a letter where that goes, with none below a line, a coefficient before others."""
     more, less = (">", "<") if proviso.strict else ("≥", "≤")
     told: list[tuple[bool, int, int, str, Equality]] = []
-    for name in sorted(proviso.gap.symbols() & space.letters.keys()):
+    for name in sorted(proviso.gap.symbols() & space.letters.keys()) if length(proviso.gap) < LONG else ():
         if degree(proviso.gap, name) != 1:
             continue
         limit = solve_linear(proviso.gap, name, order=space.order, positive=space.positive)

@@ -14,6 +14,7 @@ from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.algebra.exact.roots import solve_unwrapped
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.parse import parse as parse_any
+from rotsolve.algebra.notation.text import to_text
 
 NAMES = {"a", "b", "c", "k", "x", "y"}
 VALUES = {"a": Number(Fraction(7, 5)), "b": Number(Fraction(3, 4)), "c": Number(Fraction(2, 9))}
@@ -121,3 +122,11 @@ def test_roots_of_roots_keep_their_value(text: str) -> None:
     f = parse(text)
     for positive in (frozenset[str](), frozenset(NAMES)):
         assert abs(number(simplify(f, positive=positive)) - number(f)) < 1e-12
+
+
+def test_a_size_has_both_signs() -> None:
+    """|2 x − a| = b is 2 x − a = b or −b."""
+    assert [to_text(root) for root in solve_unwrapped(parse("abs(2*x-a)-b"), "x", positive=NAMES)] == [
+        "½ (a + b)",
+        "½ (a − b)",
+    ]

@@ -132,7 +132,7 @@ def factor(answer: AnswerView) -> float:
 
 def objections(solution: Solution) -> list[str]:
     """What the checks hold against the answers."""
-    return [check.text for check in solution.checks if check.holds is False]
+    return ["".join(map(str, check.words)) for check in solution.checks if check.holds is False]
 
 
 def close(found: float, true: float) -> bool:

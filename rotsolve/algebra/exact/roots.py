@@ -177,8 +177,8 @@ def solve_unwrapped(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> list[Formula]:
     """The roots of f = 0 where the unknown occurs within one function only, and linearly or as a square within that."""
-    calls = {node for node in f.walk(*INVERSE) if isinstance(node, Call) and unknown in node.symbols()}
-    wraps = {node for node in calls if node.function in INVERSE}
+    calls = {node for node in f.walk(*INVERSE, "abs") if isinstance(node, Call) and unknown in node.symbols()}
+    wraps = {node for node in calls if node.function in INVERSE or node.function == "abs"}
     outer = [node for node in wraps if not any(node is not other and node in set(other.walk()) for other in wraps)]
     if len(outer) != 1:
         return []
@@ -190,6 +190,12 @@ def solve_unwrapped(
     if value is None:
         return []
     argument = wrap.arguments[0]
+    if wrap.function == "abs":  # |x| = c is x = c or x = −c
+        sides = (
+            solve_polynomial(add(argument, side), unknown, order=order, positive=positive)
+            for side in (negate(value), value)
+        )
+        return [root for roots in sides for root in roots]
     if wrap.function == "log" and isinstance(argument, Quotient) and unknown not in argument.numerator.symbols():
         argument, value = argument.denominator / argument.numerator, negate(value)  # so that 1 − exp(−y) comes out
     inner = simplify(call(INVERSE[wrap.function], value), order=order, positive=positive)
