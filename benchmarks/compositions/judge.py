@@ -11,6 +11,7 @@ from compositions.compose import drawn
 from compositions.relations import LAWS, RELATIONS
 from rotsolve.scene.read import read_text
 from trials.outcome import BAD, INTERNAL, NOT_YET, OBJECTED, SOLVED, UNSOLVABLE, Outcome, Printed, outcome
+from trials.reflect import not_mirrored, reflected
 from trials.scene import Scene, written
 from trials.trial import Result
 
@@ -18,6 +19,7 @@ DIGITS = 7
 LIMIT = 2.0  # seconds of CPU that a scene may take
 CLOSE = Fraction(1, 10**5)  # relative: answers are printed to 7 figures
 LETTERED = "in letters, with the numbers put in"
+REFLECTED = "with its angles in a mirror"
 FALSE_WORDS = ("contradict", "too little is known", "never reached")
 RIGHT, UNCONFIRMED, NAMED, UNTRUE, SAID, SILENT, SLOW, BROKEN = (
     "right",
@@ -75,11 +77,15 @@ def unconfirmed(found: Outcome) -> str:
 
 def differences(scene: Scene, found: Outcome, chance: random.Random) -> Iterator[str]:
     """How the scene said in one other way, drawn at random, or by another law, is answered otherwise."""
-    names = [*RELATIONS, *LAWS, LETTERED]
+    names = [*RELATIONS, *LAWS, LETTERED, REFLECTED]
     name = chance.choice(names)
     if name == LETTERED:
         lettered = freed.differences(read_text(written(scene) + "\n"))
         yield from (f"{name}: {text}\n{written(scene)}" for text in lettered if not text.startswith(freed.REFUSED))
+        return
+    if name == REFLECTED:
+        other = reflected(scene)
+        yield from not_mirrored(found, outcome(written(other), DIGITS), scene) if other is not None else ()
         return
     if name in LAWS:
         yield from differing(found, outcome(written(scene), DIGITS, law=name), f"by {name}", scene)

@@ -9,7 +9,7 @@ from functools import cmp_to_key
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import decided_by_size
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call, negate
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Travel
@@ -187,12 +187,23 @@ class FirstReached(Struct, frozen=True):
             circle = self.scene.instant(phase.end).orbit(travel.body)
             start = self._entry(travel.body, circle, phase.start) if circle and circle.owner == place.owner else None
             return None if circle is None or start is None else (start, circle.way * (self._onset(travel) or 1))
-        ends = (Symbol(letter), negate(Symbol(letter)))
-        if travel.kind == "turn" and travel.start is not None and travel.end in ends:
-            side = 1 if travel.end == ends[0] else -1
-            start = self._known(travel.start)
-            return None if start is None else (start * Number(Fraction(side)), side * self._onset(travel))
-        return None
+        if travel.kind != "turn" or travel.start is None or travel.end is None or letter not in travel.end.symbols():
+            return None
+        found = self._linear(travel.end, letter)
+        start = self._known(travel.start)
+        if found is None or start is None:
+            return None
+        slope, rest = found
+        if self.numbers.side(slope**2 - 1) != 0:
+            return None
+        return (start - rest) / slope, (self.numbers.side(slope) or 0) * self._onset(travel)
+
+    def _linear(self, value: Formula, letter: str) -> tuple[Formula, Formula] | None:
+        """Slope and rest of a value that is slope · letter + rest; None of any other."""
+        at = [value.substitute({letter: Number(Fraction(number))}) for number in range(3)]
+        if self.numbers.side(add(at[2], at[0]) - 2 * at[1]) != 0 or not self.numbers.side(at[1] - at[0]):
+            return None
+        return at[1] - at[0], at[0]
 
     def _onset(self, travel: Travel) -> int:
         """Which way a coordinate sets out: as it moves at the start, else as it is pushed; 0 where nothing tells."""
@@ -228,10 +239,8 @@ class FirstReached(Struct, frozen=True):
         angles = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
         if formula is None or len(angles) != 1:
             return name, ONE, ZERO
-        at = [formula.substitute({angles[0]: Number(Fraction(value))}) for value in range(3)]
-        if self.numbers.side(add(at[2], at[0]) - 2 * at[1]) != 0 or not self.numbers.side(at[1] - at[0]):
-            return name, ONE, ZERO
-        return angles[0], at[1] - at[0], at[0]
+        found = self._linear(formula, angles[0])
+        return (name, ONE, ZERO) if found is None else (angles[0], *found)
 
 
 SAME = 1e-9  # relative difference up to which two places lie equally far to either side
