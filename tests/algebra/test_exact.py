@@ -421,6 +421,6 @@ def test_an_equation_that_says_nothing_new_does_no_harm() -> None:
 
 def test_the_argument_of_an_inverse_function_may_hold_a_root_of_a_quotient() -> None:
     """The radicand 1 − (b √(2/(2 b² + 3 m v²)))² is made of canonical roots alone."""
-    one = parse("cos(a + asin(b*sqrt(2/(2*b^2 + 3*m*v^2))))")
-    other = parse("cos(a)*sqrt(3*m*v^2/(2*b^2 + 3*m*v^2)) - sin(a)*b*sqrt(2/(2*b^2 + 3*m*v^2))")
+    one = parse("cos(a + asin(b*sqrt(2/(2*b**2 + 3*m*v**2))))")
+    other = parse("cos(a)*sqrt(3*m*v**2/(2*b**2 + 3*m*v**2)) - sin(a)*b*sqrt(2/(2*b**2 + 3*m*v**2))")
     assert equal(simplify(one, positive=("a", "b", "m", "v")), simplify(other, positive=("a", "b", "m", "v")))
