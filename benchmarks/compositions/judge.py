@@ -71,8 +71,8 @@ def refused(message: str) -> tuple[str, str]:
 def unconfirmed(found: Outcome) -> str:
     """What the checks say is not confirmed."""
     assert found.solution is not None
-    texts = ("".join(str(word) for word in check.words) for check in found.solution.checks)
-    return next((text for text in texts if text.startswith("not confirmed")), "")
+    open_ = (item for item in found.solution.derivation.confirmed if item.holds is None)
+    return next((f"not confirmed: {item.why}" for item in open_), "")
 
 
 def differences(scene: Scene, found: Outcome, chance: random.Random) -> Iterator[str]:
