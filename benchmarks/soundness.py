@@ -17,7 +17,20 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from compositions.judge import BROKEN, NAMED, RIGHT, SAID, SILENT, SLOW, UNCONFIRMED, UNTRUE, VERDICTS, judged, run
+from compositions.judge import (
+    BROKEN,
+    NAMED,
+    RIGHT,
+    SAID,
+    SILENT,
+    SLOW,
+    UNCONFIRMED,
+    UNTELLABLE,
+    UNTRUE,
+    VERDICTS,
+    judged,
+    run,
+)
 from report import machine, write_section
 from trials.crew import run_all
 from trials.outcome import outcome
@@ -31,7 +44,8 @@ MEANING = {
     RIGHT: "answered, confirmed by the assembly, and the same when said otherwise",
     UNCONFIRMED: "answered, and said that the assembly can't tell",
     NAMED: "refused with the word or law that is missing",
-    UNTRUE: "refused as incomplete, contradictory or never reached",
+    UNTRUE: "as incomplete, contradictory or never reached, though the assembly answers",
+    UNTELLABLE: "as incomplete, contradictory or never reached",
     SAID: "the assembly contradicts: the answer is withheld",
     SILENT: "another answer when the scene is said otherwise",
     SLOW: "more than 2 s of CPU",

@@ -9,7 +9,13 @@ from fractions import Fraction
 from compositions import freed
 from compositions.compose import drawn
 from compositions.relations import LAWS, RELATIONS
-from rotsolve.scene.read import read_text
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.asked import Asker
+from rotsolve.confirm.course.following import Course
+from rotsolve.confirm.course.node import Budget
+from rotsolve.confirm.course.verdict import BUDGET, sets_of_numbers
+from rotsolve.motion.complete import configured
+from rotsolve.scene.read import read_source, read_text
 from trials.outcome import BAD, INTERNAL, NOT_YET, OBJECTED, SOLVED, UNSOLVABLE, Outcome, Printed, outcome
 from trials.reflect import not_mirrored, reflected
 from trials.scene import Scene, written
@@ -21,17 +27,18 @@ CLOSE = Fraction(1, 10**5)  # relative: answers are printed to 7 figures
 LETTERED = "in letters, with the numbers put in"
 REFLECTED = "with its angles in a mirror"
 FALSE_WORDS = ("contradict", "too little is known", "never reached")
-RIGHT, UNCONFIRMED, NAMED, UNTRUE, SAID, SILENT, SLOW, BROKEN = (
+RIGHT, UNCONFIRMED, NAMED, UNTRUE, UNTELLABLE, SAID, SILENT, SLOW, BROKEN = (
     "right",
     "not confirmed",
     "refused by name",
-    "refused for want of data or by a contradiction",
+    "refused falsely",
+    "refused, and the assembly has no answer either",
     "wrong and said",
     "wrong and silent",
     "too slow",
     "broken",
 )
-VERDICTS = (RIGHT, UNCONFIRMED, NAMED, UNTRUE, SAID, SILENT, SLOW, BROKEN)
+VERDICTS = (RIGHT, UNCONFIRMED, NAMED, UNTRUE, UNTELLABLE, SAID, SILENT, SLOW, BROKEN)
 
 
 def run(seed: int, number: int) -> Result:
@@ -49,23 +56,40 @@ def judged(scene: Scene, found: Outcome, chance: random.Random) -> tuple[str, st
     if found.seconds > LIMIT:
         return SLOW, f"{found.seconds:.1f} s"
     if found.kind in (NOT_YET, UNSOLVABLE):
-        return refused(found.message)
+        return refused(found.message, scene, list(scene["find"]))
     differing = next(differences(scene, found, chance), "")
     if differing:
         return SILENT, differing
     assert found.solution is not None
-    for reason in found.solution.refused.values():  # one question of several
-        return refused(str(reason))
+    for name, reason in found.solution.refused.items():  # one question of several
+        return refused(str(reason), scene, [name])
     unsure = unconfirmed(found)
     return (UNCONFIRMED, unsure) if unsure else (RIGHT, "")
 
 
-def refused(message: str) -> tuple[str, str]:
-    """The verdict about a refusal: what the assembly contradicts, what is said to be wrong with the scene, or a thing by its name."""
+def refused(message: str, scene: Scene, names: list[str]) -> tuple[str, str]:
+    """The verdict about a refusal: what the assembly contradicts, what is missing by its name, or what is said to be wrong with the scene:
+    falsely where the assembly answers it."""
     said = message.splitlines()[0]
     if "not confirmed" in said:
         return SAID, said
-    return (UNTRUE if any(word in said for word in FALSE_WORDS) else NAMED), said
+    if not any(word in said for word in FALSE_WORDS):
+        return NAMED, said
+    return (UNTRUE if answered_by_assembly(scene, names) else UNTELLABLE), said
+
+
+def answered_by_assembly(scene: Scene, names: list[str]) -> bool:
+    """Whether the independent assembly finds all of some questions by itself: the scene is complete, and its lines agree."""
+    problem = configured(read_source(written(scene) + "\n")).problem
+    numbers = next(iter(sets_of_numbers(problem)))
+    asker = Asker(problem, Course(problem, numbers, Budget(BUDGET)))
+    try:
+        for find in problem.finds:
+            if find.group in names:
+                asker.answer(find, {})
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return False
+    return True
 
 
 def unconfirmed(found: Outcome) -> str:
