@@ -11,11 +11,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.elements import OF_ELEMENTS
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.reading import OF_BODIES, Reckoned, number, vector
-from rotsolve.confirm.course.spans import SPANS, Between
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.quantity import OSCILLATING, SPANNED
 from rotsolve.core.writing import spoken
@@ -77,7 +75,7 @@ class Asker:
             letters |= {f"#{index}": term.number for index, term in enumerate(terms)}
             size = max((abs(term.number) for term in terms), default=0.0) if isinstance(find.formula, Sum) else 0.0
             sized = any(term.sized for term in terms)
-            found = number(float(value_of(find.formula, letters)), size)._replace(sized=sized)
+            found = number(float(value_of(find.formula, letters)), size, sized=sized)
         if find.modifier == "size of":
             return number(abs(found.number), found.size)
         return found
@@ -155,6 +153,8 @@ class Asker:
 
     def over(self, term: Term) -> Reckoned:
         """What comes together between two states: time, way, angle, work, impulse."""
+        from rotsolve.confirm.course.spans import SPANS, Between
+
         start, end = self.ends(term)
         function = SPANS.get(term.path.quantity)
         if function is None:
@@ -182,6 +182,8 @@ class Asker:
         )
         if word is None:
             raise NotConfirmed(f"the total of `{term.path.quantity}`")
+        from rotsolve.confirm.course.spans import SPANS, Between
+
         return SPANS[word](Between(self.course, start, end), term)
 
     # choices
@@ -230,6 +232,8 @@ def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:
         return function(at, path, term)
     if not path.owner:
         return of_scene(at, path)
+    from rotsolve.confirm.course.elements import OF_ELEMENTS
+
     found = OF_ELEMENTS.get(path.quantity)
     if found is None:
         raise NotConfirmed(f"{spoken(path.quantity)} of a connection or an action")

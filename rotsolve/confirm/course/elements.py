@@ -89,7 +89,7 @@ def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Its size."""
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
     normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
-    return number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0)._replace(sized=True)
+    return number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0, sized=True)
 
 
 def force(at: Node, path: Path, term: Term | None) -> Reckoned:
@@ -99,7 +99,7 @@ def force(at: Node, path: Path, term: Term | None) -> Reckoned:
         sizes = [abs(size) for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("force")]
         if len(sizes) != 1:
             raise NotConfirmed(f"the force of `{path.owner}` is not the same throughout")
-        return number(sizes[0])._replace(sized=True)
+        return number(sizes[0], sized=True)
     body = last_body(at, path.owner)
     way, _ = on_body(at, body, loads(at, path.owner))
     if path.component not in NATURAL:

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.blows import Blow
-from rotsolve.confirm.course.energy import by_energy
-from rotsolve.confirm.course.gauges import gauges
 from rotsolve.confirm.course.node import Budget, Node
-from rotsolve.confirm.course.phase import HOLDS, FollowedPhase, followed
 from rotsolve.confirm.instant import placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import Problem, State
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.course.blows import Blow
+    from rotsolve.confirm.course.phase import FollowedPhase
 
 
 class Broken(NotConfirmed):
@@ -24,10 +24,13 @@ class Broken(NotConfirmed):
 
 
 class Course:
-    """The states of a scene in order; each is worked out when someone asks, from the one before."""
+    """The states of a scene in order; each is worked out when someone asks, from the one before.
 
-    def __init__(self, problem: Problem, numbers: Mapping[str, float], budget: Budget) -> None:
-        self.problem, self.budget = problem, budget
+    The forces of the last state are those of what comes then, or, where it is taken as an `ending`, those of the phase that it ends.
+    """
+
+    def __init__(self, problem: Problem, numbers: Mapping[str, float], budget: Budget, *, ending: bool = False) -> None:
+        self.problem, self.budget, self.ending = problem, budget, ending
         self.letters: dict[str, Any] = {**problem.values, **numbers}
         self.numbers = numbers
         self.states = problem.states or (State(""),)
@@ -69,16 +72,22 @@ class Course:
         event = self.event(self.names[number - 1], state.name)
         if event is not None:
             return self._struck(before, event, model, state)
+        from rotsolve.confirm.course.energy import by_energy
+        from rotsolve.confirm.course.phase import followed
+
         found = None if before.adrift else by_energy(before, state)
         if found is not None:
             self._untimed.add(state.name)
             return Node(model, found.placed, self.budget)
         phase = followed(self.timed(self.names[number - 1]), state)
         self._phases[self.names[number - 1]] = phase
-        return Node(model, phase.end.placed, self.budget)
+        last = self.ending and number == len(self.states) - 1
+        return Node(model, phase.end.placed, self.budget, phase.modes if last else None)
 
     def timed(self, name: str) -> Node:
         """The instant of a state, reached by steps in time."""
+        from rotsolve.confirm.course.phase import followed
+
         self.node(name)
         for number, state in enumerate(self.states[: self.names.index(name) + 1]):
             if state.name not in self._untimed:
@@ -99,6 +108,8 @@ class Course:
         return Node(model, at, self.budget)
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
+        from rotsolve.confirm.course.blows import Blow
+
         blow = Blow(before, event, model)
         self._blows[state.name] = blow
         check_lines(state, blow.after, before)
@@ -161,6 +172,8 @@ class Course:
 
 def check_lines(state: State, at: Node, before: Node) -> None:
     """Broken where a line of a state does not hold."""
+    from rotsolve.confirm.course.gauges import HOLDS, gauges
+
     for gauge in gauges(state, at.model, before):
         if not gauge.passing and abs(gauge.value(at)) > HOLDS * gauge.size:
             raise Broken(f"`{gauge.words}` is not so at `{state.name}`")

@@ -14,6 +14,7 @@ from rotsolve.confirm.lines import placed_value, rate_of
 from rotsolve.confirm.model import Model
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 
+HOLDS = 1e-6  # how well all lines of a state have to hold at once
 OWN = ("mass", "inertia", "gyration", "radius", "length")
 
 

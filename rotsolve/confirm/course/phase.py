@@ -13,7 +13,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.gauges import Gauge, gauges
+from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.steps import TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import FORWARD, OPEN, STICKS, Dynamics, Placed, gathered, moment, slip_speed
@@ -22,7 +22,6 @@ from rotsolve.language.problem import State
 MOST = 400  # steps of a phase
 STILL = 1e-8  # share of the rates below which slip is rounding
 FAR = 1e6  # seconds after which nothing is waited for any more
-HOLDS = 1e-6  # how well all lines of a state have to hold at once
 SAMPLES = (0.25, 0.5, 0.75, 1.0)
 GAUSS = ((-0.8611363115940526, 0.3478548451374539), (-0.3399810435848563, 0.6521451548625461))
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import radius_of
@@ -19,10 +20,9 @@ from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Path, Term
 
 NATURAL = ("tangential", "normal")
-SPATIAL = ("rim", "top", "bottom")
 
 
-class Reckoned(NamedTuple):
+class Reckoned(Struct, frozen=True):
     """Numbers of the assembly by the names of their parts, '' for the whole; the size of what they are made of; of a choice a word."""
 
     values: dict[str, float]
@@ -35,8 +35,8 @@ class Reckoned(NamedTuple):
         return self.values[""]
 
 
-def number(value: float, size: float = 1e-4) -> Reckoned:
-    return Reckoned({"": value}, max(size, 1e-4))
+def number(value: float, size: float = 1e-4, *, sized: bool = False) -> Reckoned:
+    return Reckoned({"": value}, max(size, 1e-4), sized=sized)
 
 
 def vector(way: Way) -> Reckoned:

@@ -6,7 +6,6 @@ then has to make every line of the states hold.
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from msgspec.structs import replace
@@ -67,7 +66,7 @@ def confirmations(answers: Sequence[Answer], problem: Problem, solved: Solved) -
     verdicts: dict[str, AnswerConfirmation] = {}
     tried, budget = 0, Budget(BUDGET)
     for numbers in sets_of_numbers(problem):
-        found = dict(at_numbers(answers, problem, numbers, solved, budget))
+        found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, budget)}
         verdicts = {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
         tried += any(verdict.holds is not None for verdict in found.values())
         if tried == SETS or budget.left < 0:
@@ -86,8 +85,7 @@ def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
     """The numbers of the givens; where some have none, several sets drawn for those."""
     open_ = [given for given in problem.givens if given.value is None and not given.asked]
     for number in range(DRAWS if open_ else 1):
-        chance = random.Random(number)
-        numbers = {given.name: number_drawn(given, chance) for given in open_}
+        numbers = {given.name: number_drawn(given, number, place) for place, given in enumerate(open_)}
         for given in problem.givens:
             if given.value is not None:
                 try:
@@ -97,14 +95,15 @@ def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
         yield numbers
 
 
-def number_drawn(given: Given, chance: random.Random) -> float:
+def number_drawn(given: Given, number: int, place: int) -> float:
+    """Between the limits of its kind: the same in every run, and spread evenly from set to set."""
     lowest, highest = LIMITS.get(given.dimension, OTHERS) if given.dimension is not None else OTHERS
-    return chance.uniform(lowest, highest)
+    return lowest + (highest - lowest) * ((number * 0.6180339887 + place * 0.7548776662 + 0.317) % 1.0)
 
 
 def at_numbers(
     answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved, budget: Budget
-) -> Iterator[tuple[str, AnswerConfirmation]]:
+) -> Iterator[AnswerConfirmation]:
     """What the assembly says of each answer at one set of numbers."""
     finds: dict[str, list[Find]] = {}
     for find in problem.finds:
@@ -115,21 +114,31 @@ def at_numbers(
         answer = holding(several, known)
         said = {} if answer is None else said_of(answer, known)
         if answer is None:
-            yield several.name, AnswerConfirmation(several.name, None, "no numbers were found for its case")
+            yield AnswerConfirmation(several.name, None, "no numbers were found for its case")
             continue
         if not said:
-            yield answer.name, AnswerConfirmation(answer.name, None, "it has no number")
+            yield AnswerConfirmation(answer.name, None, "it has no number")
             continue
-        try:
-            found = asker.answer(finds[answer.name][0], said)
-            yield answer.name, compared(answer.name, said, found)
-        except Broken as reason:
-            against = asks_for_letter(finds[answer.name][0])
-            yield answer.name, AnswerConfirmation(answer.name, False if against else None, str(reason))
-        except NotConfirmed as reason:
-            yield answer.name, AnswerConfirmation(answer.name, None, str(reason))
-        except (ArithmeticError, ValueError) as error:
-            yield answer.name, AnswerConfirmation(answer.name, None, f"the assembly has no number ({error})")
+        verdict = judged(finds[answer.name][0], said, asker, answer.name)
+        if (
+            verdict.holds is False and problem.states[1:]
+        ):  # the forces of the last state may be those of the phase before it
+            ended = Asker(problem, Course(problem, known, budget, ending=True))
+            other = judged(finds[answer.name][0], said, ended, answer.name)
+            verdict = other if other.holds else verdict
+        yield verdict
+
+
+def judged(find: Find, said: Mapping[str, float | str], asker: Asker, name: str) -> AnswerConfirmation:
+    """One answer held against what the assembly has."""
+    try:
+        return compared(name, said, asker.answer(find, said))
+    except Broken as reason:
+        return AnswerConfirmation(name, False if asks_for_letter(find) else None, str(reason))
+    except NotConfirmed as reason:
+        return AnswerConfirmation(name, None, str(reason))
+    except (ArithmeticError, ValueError) as error:
+        return AnswerConfirmation(name, None, f"the assembly has no number ({error})")
 
 
 def asks_for_letter(find: Find) -> bool:
