@@ -162,3 +162,31 @@ def test_both_values_are_shown(tmp_path: Path) -> None:
     lines = solve(WINCH, confirm=False).confirmation_text().splitlines()
     assert lines[0] == "a: confirmed"
     assert lines[1].startswith("  answered 3.8")
+
+
+@pytest.mark.parametrize("state", ["{block.velocity: 0}", "{time: 3 s}"])
+def test_friction_at_the_last_state_is_that_of_its_phase_or_of_what_comes_then(state: str) -> None:
+    text = f"""title: A block comes to rest
+given: {{mu: 0.2, u: 2 m/s}}
+surfaces: {{floor: level}}
+bodies: {{block: {{mass: 2 kg, moves: right}}}}
+connections: {{base: {{contact: [block, floor], friction: mu}}}}
+states: {{start: {{block.velocity: u}}, end: {state}}}
+find: {{f: base.friction_force at end, x: block.displacement from start to end}}
+"""
+    assert all(item.holds for item in solve(text).derivation.confirmed)
+
+
+@pytest.mark.parametrize(("rim", "turned"), [("outer", 2.0), ("inner", 1.25)])
+def test_a_rim_is_a_place_on_the_right_of_its_wheel(rim: str, turned: float) -> None:
+    text = f"""title: A rolling washer
+given: {{R: 20 cm, u: 3 m/s}}
+surfaces: {{floor: level}}
+bodies: {{washer: {{shape: annulus, mass: 2 kg, radii: {{inner: R/2, outer: R}}, moves: right}}}}
+connections: {{base: {{rolls: [washer.outer, floor]}}}}
+states: {{start: {{washer.velocity: u}}}}
+find: {{v: washer.{rim}.speed at start}}
+"""
+    item = solve(text).derivation.confirmed[0]
+    assert item.holds
+    assert item.found[0] == pytest.approx(3 * turned**0.5)

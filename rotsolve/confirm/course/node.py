@@ -6,6 +6,7 @@ import math
 from functools import cached_property
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import is_round
 from rotsolve.confirm.forces import spring_length
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, gathered, moment
 from rotsolve.confirm.jet import Jet, Slope
@@ -58,6 +59,11 @@ class Node:
         found = moment(self.model, self.placed, self.modes)
         if found.clash:
             raise NotConfirmed("what is held can not be held together")
+        for name in self.model.guided:
+            body, turn = self.model.body(name), self.model.seats[name].turn
+            turns = body.turns is not None or is_round(body) or not self.model.masses[turn]
+            if not turns and abs(found.rates[turn]) > 1e-9 * max(map(abs, found.rates)):
+                raise NotConfirmed(f"what keeps `{name}` from turning the scene does not tell")
         return found
 
     @property

@@ -14,7 +14,6 @@ from rotsolve.confirm.course.phase import followed
 from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.instant import Placed, gathered, moment, split
 from rotsolve.confirm.linear import solved
-from rotsolve.confirm.model import Model
 from rotsolve.language.problem import Condition, State, Term
 
 STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
@@ -46,7 +45,6 @@ class Small:
 
     def __init__(self, first: Node, owner: str) -> None:
         self.first, self.model = first, first.model
-        self.mode: Model = first.model
         self.before = [gap for _, gap in self.rows(first.placed.q)]
         self.index = self.free_index(owner)
 
@@ -74,6 +72,7 @@ class Small:
         """The places where the coordinate has a value."""
         q = list(self.first.placed.q)
         for _ in range(30):
+            self.first.budget.spend(self.model)
             rows = self.rows(q)
             gaps = [old - gap for (_, gap), old in zip(rows, self.before, strict=True)] + [value - q[self.index]]
             if max(map(abs, gaps)) < 1e-12:
@@ -113,25 +112,16 @@ class Small:
     def period(self, *, told: bool) -> float:
         """2π/√(ω² − γ²), with −ω² the slope of the push by the place and −2 γ by the rate, where the equilibrium is stable."""
         start = self.first.placed.q[self.index]
-        values = (
-            [start]
-            if told
-            else [value for part in STARTS for value in [self.equilibrium(start + part)] if value is not None]
-        )
-        stable: list[float] = []
-        for value in values:
-            slope = self.slope(value)
-            if slope < 0.0:
-                damping = -(self.push(value, STEP) - self.push(value, -STEP)) / (4.0 * STEP)
-                square = -slope - damping * damping
-                if square <= 0.0:
-                    raise NotConfirmed("swings that die out without a turn")
-                stable.append(2.0 * math.pi / math.sqrt(square))
-                if not told:
-                    break
-        if not stable:
-            raise NotConfirmed("no stable equilibrium was found")
-        return stable[0]
+        for value in [start] if told else (self.equilibrium(start + part) for part in STARTS):
+            slope = 0.0 if value is None else self.slope(value)
+            if value is None or slope >= 0.0:
+                continue
+            damping = -(self.push(value, STEP) - self.push(value, -STEP)) / (4.0 * STEP)
+            square = -slope - damping * damping
+            if square <= 0.0:
+                raise NotConfirmed("swings that die out without a turn")
+            return 2.0 * math.pi / math.sqrt(square)
+        raise NotConfirmed("no stable equilibrium was found")
 
 
 def swinging(course: Course, term: Term) -> Reckoned:
