@@ -105,7 +105,12 @@ class Course:
         at = placed(model)
         if at.clash:
             raise NotConfirmed("what the state says can not be fulfilled")
-        return Node(model, at, self.budget)
+        first = Node(model, at, self.budget)
+        for line in model.acting.state.conditions:
+            path = line.path
+            if path is not None and path.point is None and path.quantity == "velocity" and path.owner in model.seats:
+                first.line(path.owner)  # refuses what two points of a body may mean
+        return first
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
         from rotsolve.confirm.course.blows import Blow

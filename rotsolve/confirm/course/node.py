@@ -138,10 +138,22 @@ class Node:
         """The positive direction of a body's travel just now: along its line, or along the circle on which it goes."""
         found = bent(name, self.model)
         if found is None:
-            return self.model.way(name)
+            way = self.model.way(name)
+            if way is not None and self.off_centre(name):
+                raise NotConfirmed(f"whether the velocity of `{name}` is that of its centre or of its centre of mass")
+            return None if way is not None and self.turns_with(name) else way
         x, y = (part.value for part in self.pose.place(name, (0.0, 0.0)))
         size, sign = math.hypot(x, y), round_way(found[1], self.model.body(name).moves)
         return (-y * sign / size, x * sign / size)
+
+    def off_centre(self, name: str) -> bool:
+        """Whether a body turns whose centre of mass is off its centre, so that both go differently."""
+        rigid, turn = self.model.seats[name].rigid, self.model.seats[name].turn
+        return max(map(abs, rigid.centre)) > 1e-9 and is_round(rigid.body) and self.placed.speed[turn] != 0.0
+
+    def turns_with(self, name: str) -> bool:
+        """Whether a body is one with what turns about an axis, so that no line leads it any more."""
+        return name not in self.model.held and any(other in self.model.held for other in self.model.joined_to(name))
 
     def axis(self, name: str) -> Pair | None:
         """The place about which a body turns, with all that is joined to it; None where nothing holds it."""
