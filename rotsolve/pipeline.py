@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -28,7 +29,7 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.idle import idle_words, noted
 from rotsolve.scene.read import read_source
-from rotsolve.search.answering import answered, needed_for
+from rotsolve.search.answering import Unanswered, answered, needed_for
 from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.consistency import KnownBalls, contradiction, turned_back, untimely
 from rotsolve.search.planning import families_for
@@ -90,14 +91,25 @@ def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | No
     except Unsolvable as error:
         if len(problem.finds) < 2 or isinstance(error, Contradicted):
             raise
-        refused = told_apart(problem, law, at)
-        if len(refused) in (0, len(problem.finds)):
-            raise
-    kept = tuple(find for find in problem.finds if find.name not in refused)
-    solution = solved_together(replace(problem, finds=kept), law, digits, at)
+        solution, refused = solved_without(error, problem, law, digits, at)
     told = tuple(Refusal(name, error.fault) for name, error in refused.items())
     finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
     return replace(solution, problem=problem, derivation=replace(solution.derivation, refused=told, finds=finds))
+
+
+def solved_without(
+    error: Unsolvable, problem: Problem, law: str | None, digits: int, at: str | None
+) -> tuple[Solution, Mapping[str, Unsolvable]]:
+    """The solution without the questions that have no answer, and these with their reasons: those that an error names, if it does."""
+    known = error.refused if isinstance(error, Unanswered) else {}
+    for refused in (known, None):
+        refused = told_apart(problem, law, at) if refused is None else refused
+        kept = tuple(find for find in problem.finds if find.name not in refused)
+        if not kept or len(kept) == len(problem.finds):
+            continue
+        with suppress(Unsolvable):
+            return solved_together(replace(problem, finds=kept), law, digits, at), refused
+    raise error
 
 
 def told_apart(problem: Problem, law: str | None, at: str | None) -> dict[str, Unsolvable]:

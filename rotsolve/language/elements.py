@@ -185,9 +185,9 @@ class Connection(ActingElement, frozen=True):
     """Base of all connections. `words` can be said of it in a state.
 
     `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
-    nothing that is fixed, `rimmed` one that runs on the rims of wheels, `repeats` one that may name a body twice, `axial` an axis
-    through the centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that an
-    event leaves as they were.
+    nothing that is fixed, `lays_first` one that names first what it lays on something, `rimmed` one that runs on the rims of wheels,
+    `repeats` one that may name a body twice, `axial` an axis through the centre of what it holds, `circling` one that carries what it
+    holds steadily round. `kept` are its quantities that an event leaves as they were.
     """
 
     words: ClassVar[tuple[str, ...]] = ()
@@ -196,6 +196,7 @@ class Connection(ActingElement, frozen=True):
     rimmed: ClassVar[bool] = False
     repeats: ClassVar[bool] = False
     axial: ClassVar[bool] = False
+    lays_first: ClassVar[bool] = False
     circling: ClassVar[bool] = False
     kept: ClassVar[tuple[str, ...]] = ()
 

@@ -23,6 +23,7 @@ def check(problem: Problem) -> None:
     """Raises Unsolvable at the place of the first name that can't be meant so."""
     scene = Configuration(problem)
     check_sequence(problem)
+    check_bodies_named(problem, scene.bodies)
     check_pairs(problem, scene.bodies)
     check_ropes(problem, scene.bodies)
     check_stacks(problem, scene.bodies)
@@ -63,6 +64,21 @@ def named_intervals(problem: Problem) -> Iterator[tuple[str, str, str]]:
     for phase in problem.phases:
         if phase.without:
             yield phase.name, phase.start, phase.end
+
+
+def check_bodies_named(problem: Problem, bodies: Mapping[str, Body]) -> None:
+    """Every connection names a body; one that lays a body on something, or unwinds it, names that first."""
+    for item in problem.connections:
+        refs = item.touches()
+        held = [ref.owner for ref in refs if ref.owner in bodies]
+        if refs and not held:
+            raise Unsolvable(
+                f"`{item.name}` touches no body", span=refs[0].span, help="name one, as in `hinge: rod.start`"
+            )
+        if refs and item.lays_first and refs[0].owner not in bodies:
+            others = ", ".join([held[0], *(ref.owner for ref in refs if ref.owner != held[0])])
+            message = f"`{item.word}` names the body first, and `{refs[0].owner}` is none"
+            raise Unsolvable(message, span=refs[0].span, help=f"write `{item.word}: [{others}]`")
 
 
 def check_pairs(problem: Problem, bodies: Mapping[str, Body]) -> None:

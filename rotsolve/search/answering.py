@@ -26,21 +26,41 @@ from rotsolve.search.search import Search
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
 
 
+class Unanswered(Unsolvable):
+    """Questions that have no answer even alone, by name, each with its reason; as such the first of these reasons."""
+
+    def __init__(self, refused: dict[str, Unsolvable]) -> None:
+        first = next(iter(refused.values()))
+        self.refused = refused
+        fault = first.fault
+        super().__init__(fault.message, span=fault.span, help=fault.help, lines=first.lines, file=first.file)
+
+
 def answered(search: Search, finds: Sequence[Find]) -> Search:
-    """A search in which all questions are answered; raises the reason of the first that has no answer.
+    """A search in which all questions are answered; raises `Unanswered` where some have no answer.
 
     A question that has an answer alone is asked before those that stood in its way.
     """
-    refused = answer_all(search, finds)
-    if not refused:
+    search.thorough = len(finds) == 1
+    failed = answer_all(search, finds)
+    if not failed:
         return search
-    first = [find for find, _ in refused]
-    if len(finds) == 1 or any(answer_all(afresh(search), [find]) for find in first):
-        raise refused[0][1]
+    alone = failed if search.thorough else [item for find, _ in failed for item in answer_all(afresh(search), [find])]
+    if alone:
+        raise Unanswered({find.name: error for find, error in alone})
+    first = [find for find, _ in failed]
     search = afresh(search)
-    if answer_all(search, [*first, *(find for find in finds if find not in first)]):
-        raise refused[0][1]
+    again = answer_all(search, [*first, *(find for find in finds if find not in first)])
+    if again:
+        raise again[0][1]
     return search
+
+
+def afresh(search: Search) -> Search:
+    """A search by the same laws that knows no answer yet."""
+    other = search.another(search.families, spare=search.spare)
+    other.thorough = True
+    return other
 
 
 def needed_for(find: Find, problem: Problem) -> Iterator[tuple[Find, ...]]:
@@ -71,11 +91,6 @@ def letters_of(item: object) -> Iterator[str]:
     elif isinstance(item, Struct):
         for name in item.__struct_fields__:
             yield from letters_of(getattr(item, name))
-
-
-def afresh(search: Search) -> Search:
-    """A search by the same laws that knows no answer yet."""
-    return search.another(search.families, spare=search.spare)
 
 
 def answer_all(search: Search, finds: Sequence[Find]) -> Refused:

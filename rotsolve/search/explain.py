@@ -85,7 +85,7 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
         return contradicted(search.planner.pool[error.equation], search.scene, find.span)
     alone = "" if NEWTON in search.families else f" by {FAMILIES[search.families[0]].words} alone"
     missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, search.scene)
-    if other := law_that_gives(find, search):
+    if other := law_that_gives(find, search) if search.thorough else "":
         message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`"
         return unsolvable(problem, message, find.span, other)
     if error.open_form and str(error) != ENTANGLED:
@@ -212,7 +212,9 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
         return f"give the `stiffness` of `{spring}`, or its force"
     from rotsolve.search.proposals import TRIED, leads_on, proposals
 
-    tried = islice(proposals(quantities, scene, asked), TRIED if search.families == families_for(None) else 0)
+    tried = islice(
+        proposals(quantities, scene, asked), TRIED if search.thorough and search.families == families_for(None) else 0
+    )
     found = next((item for item in tried if leads_on(item, scene, find, search.families)), None)
     if found is not None:
         return found.words

@@ -33,6 +33,7 @@ from rotsolve.solver.steps import Contradiction, Found, NoClosedForm, NumbersWan
 if TYPE_CHECKING:
     from rotsolve.questions.functions_of_time import Beside
 
+STONES_TRIED = 3  # letters of a scene that may have to be settled before an answer
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 STONES = {
     kind: rank
@@ -57,6 +58,7 @@ class Ground:
         self.known = {given.name for given in problem.givens if not given.asked} | running
         self.running = frozenset(running | {swing.coordinate.name for swing in scene.swings.values()})
         self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
+        self.stones_left = STONES_TRIED
         self._order: tuple[str, ...] = ()
         self._ordered = -1
 
@@ -80,6 +82,7 @@ class Search(Struct, dict=True):
     confirming: bool = False  # whether answers are only to be confirmed: in closed form, by one of a few plans
     careful: bool = False  # whether each root is held against all that the laws write before it is chosen
     ground: Ground | None = None
+    thorough: bool = False  # whether it is worth the time to look for what may help a question without an answer
     answered: list[Answered] = field(default_factory=list)
     chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
@@ -295,6 +298,10 @@ class Search(Struct, dict=True):
 
     def _leads(self, stone: str, asked: Asked) -> bool:
         """Whether a question has an answer once a letter of its plans is settled first; leaves no trace."""
+        assert self.ground is not None
+        if self.ground.stones_left == 0:
+            return False
+        self.ground.stones_left -= 1
         other = self.another(self.families, spare=self.spare, confirming=True)
         other.solver.solved.update(self.solver.solved)
         other.known |= self.known

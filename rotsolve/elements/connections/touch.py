@@ -53,6 +53,7 @@ class Touch(Connection, frozen=True):
         "impulse",
     )
     words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
+    lays_first: ClassVar[bool] = True
     side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
     def pair(self) -> tuple[PointRef, ...]:
