@@ -14,7 +14,7 @@ from rotsolve.algebra.certified.ball import witnessed
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import Contradicted, SceneError, Unsolvable
+from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Contradicted, Fault, SceneError, Unsolvable
 from rotsolve.core.symbols import POSITION
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
@@ -74,7 +74,7 @@ def solve_problem(
         raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
-    solution = solved_in_parts(problem, law, digits, at)
+    solution = refused_fairly(problem, law, digits, at)
     if not confirm:
         return solution
     from rotsolve.confirm.course.verdict import confirmed
@@ -82,6 +82,31 @@ def solve_problem(
     with stage("confirm", whole=True):
         verdicts = () if solution.trace.confirmation is None else solution.trace.confirmation()
         return replace(solution, derivation=confirmed(replace(solution.derivation, confirmed=verdicts), problem))
+
+
+def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
+    """The solution; what is refused as incomplete or contradictory is so to an assembly of all bodies' equations too."""
+    try:
+        solution = solved_in_parts(problem, law, digits, at)
+    except Unsolvable as error:
+        fault = fair_refusal(error.fault, problem, [find.name for find in problem.finds], law)
+        raise error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help) from None
+    if not solution.derivation.refused:
+        return solution
+    refused = [
+        replace(item, fault=fair_refusal(item.fault, problem, [item.name], law)) for item in solution.derivation.refused
+    ]
+    return replace(solution, derivation=replace(solution.derivation, refused=tuple(refused)))
+
+
+def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str | None) -> Fault:
+    """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved."""
+    if fault.kind not in (INCOMPLETE, CONTRADICTORY):
+        return fault
+    from rotsolve.search.complete import unsolved
+
+    with stage("confirm", whole=True):
+        return unsolved(problem, names, law, whole=fault.kind == CONTRADICTORY) or fault
 
 
 def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:

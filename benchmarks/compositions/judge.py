@@ -9,13 +9,8 @@ from fractions import Fraction
 from compositions import freed
 from compositions.compose import drawn
 from compositions.relations import LAWS, RELATIONS
-from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.asked import Asker
-from rotsolve.confirm.course.following import Course
-from rotsolve.confirm.course.node import Budget
-from rotsolve.confirm.course.verdict import BUDGET, sets_of_numbers
-from rotsolve.motion.complete import configured
 from rotsolve.scene.read import read_source, read_text
+from rotsolve.search.complete import unsolved
 from trials.outcome import BAD, INTERNAL, NOT_YET, OBJECTED, SOLVED, UNSOLVABLE, Outcome, Printed, outcome
 from trials.reflect import not_mirrored, reflected
 from trials.scene import Scene, written
@@ -75,21 +70,16 @@ def refused(message: str, scene: Scene, names: list[str]) -> tuple[str, str]:
         return SAID, said
     if not any(word in said for word in FALSE_WORDS):
         return NAMED, said
-    return (UNTRUE if answered_by_assembly(scene, names) else UNTELLABLE), said
+    return (UNTRUE if answered_by_assembly(scene, names, said) else UNTELLABLE), said
 
 
-def answered_by_assembly(scene: Scene, names: list[str]) -> bool:
-    """Whether the independent assembly finds all of some questions by itself: the scene is complete, and its lines agree."""
-    problem = configured(read_source(written(scene) + "\n")).problem
-    numbers = next(iter(sets_of_numbers(problem)))
-    asker = Asker(problem, Course(problem, numbers, Budget(BUDGET)))
-    try:
-        for find in problem.finds:
-            if find.group in names:
-                asker.answer(find, {})
-    except (NotConfirmed, ArithmeticError, ValueError):
-        return False
-    return True
+def answered_by_assembly(scene: Scene, names: list[str], message: str) -> bool:
+    """Whether the independent assembly finds all of some questions by itself: the scene is complete.
+
+    Lines that are said to contradict each other have to hold in it.
+    """
+    contradictory = "contradict" in message or "never reached" in message
+    return unsolved(read_source(written(scene) + "\n"), names, None, whole=contradictory) is not None
 
 
 def unconfirmed(found: Outcome) -> str:

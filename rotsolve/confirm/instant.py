@@ -15,13 +15,14 @@ from rotsolve.confirm.carried import hanging
 from rotsolve.confirm.constraints import held_by
 from rotsolve.confirm.forces import forces, spring_length
 from rotsolve.confirm.jet import Slope
-from rotsolve.confirm.linear import solved
+from rotsolve.confirm.linear import Solved, solved
 from rotsolve.confirm.lines import Stated, told
 from rotsolve.confirm.pose import Pose
 from rotsolve.confirm.rows import Grip, Row, unknown
 from rotsolve.confirm.seating import seated
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
+from rotsolve.elements.shapes import shape_of
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
@@ -32,7 +33,7 @@ MODES = (STICKS, FORWARD, BACK)
 
 
 class Placed(Struct, frozen=True):
-    """Coordinates and rates at an instant; `open` are the rates that nothing tells (0 here), `clash` how far what is told contradicts."""
+    """Coordinates and rates at an instant; `open` are the rates that nothing tells, `clash` how far what is told contradicts."""
 
     q: list[float]
     speed: list[float]
@@ -40,7 +41,6 @@ class Placed(Struct, frozen=True):
     offsets: Mapping[str, float]
     origin: Sequence[float]
     open: frozenset[int] = frozenset()
-    unplaced: frozenset[int] = frozenset()
     clash: float = 0.0
 
     def pose(self, model: Known) -> Pose:
@@ -80,9 +80,14 @@ def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[l
     return rows, grips, loads
 
 
-def placed(model: Known, start: Placed | None = None, *, time: float = 0.0, lines: bool = True) -> Placed:
-    """Places and rates that fulfil all that is held and what the state says; from `start` on as little is changed as need be."""
-    q = list(start.q) if start is not None else seated(model)
+def placed(
+    model: Known, start: Placed | None = None, *, time: float = 0.0, lines: bool = True, stir: float = 0.0
+) -> Placed:
+    """Places and rates that fulfil all that is held and what the state says; from `start` on as little is changed as need be.
+
+    What nothing tells stays as it is drawn and at rest, or, where `stir` is not 0, does something else.
+    """
+    q = list(start.q) if start is not None else stirred(model, stir)
     origin = start.origin if start is not None else q
     offsets = dict(start.offsets) if start is not None else {}
     time = start.time if start is not None else time
@@ -106,8 +111,17 @@ def placed(model: Known, start: Placed | None = None, *, time: float = 0.0, line
         origin = q
     clash = worst if worst > 1e-9 else 0.0
     offsets |= stretched(model, Pose(model.seats, q, still, time, offsets, origin), offsets)
-    found = moving(model, Placed(q, still, time, offsets, origin, clash=clash), rows, grips, said)
+    found = moving(model, Placed(q, still, time, offsets, origin, clash=clash), rows, grips, said, stir)
     return at_balance(model, found) if model.acting.state.balance else found
+
+
+def stirred(model: Known, stir: float) -> list[float]:
+    """Coordinates to begin with; rods turned by something, since they do not stand as drawn: what tells their angles turns them back."""
+    q = seated(model)
+    for number, (name, seat) in enumerate(model.seats.items()):
+        if stir and shape_of(model.body(name)).slender:
+            q[seat.turn] += stir * (1.0 + 0.3 * number)
+    return q
 
 
 def at_balance(model: Known, at: Placed) -> Placed:
@@ -169,22 +183,32 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
     return found
 
 
-def moving(model: Known, at: Placed, rows: Sequence[Row], grips: Sequence[Grip], said: Sequence[Stated]) -> Placed:
+def moving(
+    model: Known, at: Placed, rows: Sequence[Row], grips: Sequence[Grip], said: Sequence[Stated], stir: float
+) -> Placed:
     """The rates: of all that is held, of all that the state says, of what rolls; what grips does not slip where nothing tells more."""
+    free = [stir * (1.0 + 0.3 * index) for index in range(model.size)]
     slips = {name for name, word in model.acting.words().items() if word == "slips"}
     firm = [row for row in rows if not row.loose]
     firm += [grip.row for grip in grips if grip.static is None and grip.name not in slips]
     equations = [(row.slope, row.speed) for row in firm if row.slope and row.speed is not None]
     equations += [(line.slope, line.speed) for line in said if line.speed is not None]
-    found = solved([slope for slope, _ in equations], [speed for _, speed in equations], model.size)
+    found = nearest(equations, free)
     for grip in grips:
         if grip.static is None or grip.name in slips or not found.open & grip.row.slope.keys():
             continue
         equations.append((grip.row.slope, grip.row.speed or 0.0))
-        found = solved([slope for slope, _ in equations], [speed for _, speed in equations], model.size)
+        found = nearest(equations, free)
     return replace(
         at, speed=found.values, open=found.open, clash=max(at.clash, found.clash if found.clash > 1e-9 else 0.0)
     )
+
+
+def nearest(equations: Sequence[tuple[Slope, float]], free: Sequence[float]) -> Solved:
+    """The rates that fulfil slope · q̇ = speed; what they leave open is `free`."""
+    rights = [speed - sum([part * free[index] for index, part in slope.items()]) for slope, speed in equations]
+    found = solved([slope for slope, _ in equations], rights, len(free))
+    return replace(found, values=[own + value for own, value in zip(free, found.values, strict=True)])
 
 
 def moment(model: Known, at: Placed, modes: Mapping[str, str] | None = None) -> Dynamics:

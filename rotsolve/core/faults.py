@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from msgspec import Struct
 
+INCOMPLETE, CONTRADICTORY = "incomplete", "contradictory"  # kinds of refusals that blame what the scene says
 WIDTH = 100  # columns of a source line that are shown around the caret
 
 
@@ -95,10 +96,19 @@ def printable(text: str) -> str:
 class Unsolvable(Exception):
     """A well-formed scene without an answer: what is missing, contradictory or out of reach."""
 
+    kind = "unsolvable"
+
     def __init__(
-        self, message: str, *, span: Span | None = None, help: str = "", lines: Sequence[str] = (), file: str = ""
+        self,
+        message: str,
+        *,
+        span: Span | None = None,
+        help: str = "",
+        lines: Sequence[str] = (),
+        file: str = "",
+        kind: str = "",
     ) -> None:
-        self.fault = Fault(message, span, help, "unsolvable")
+        self.fault = Fault(message, span, help, kind or self.kind)
         self.lines = tuple(lines)
         self.file = file
         super().__init__(self.render())
@@ -110,3 +120,5 @@ class Unsolvable(Exception):
 
 class Contradicted(Unsolvable):
     """A scene whose data contradict each other, so that no question of it has an answer."""
+
+    kind = CONTRADICTORY

@@ -33,7 +33,9 @@ class Unanswered(Unsolvable):
         first = next(iter(refused.values()))
         self.refused = refused
         fault = first.fault
-        super().__init__(fault.message, span=fault.span, help=fault.help, lines=first.lines, file=first.file)
+        super().__init__(
+            fault.message, span=fault.span, help=fault.help, lines=first.lines, file=first.file, kind=fault.kind
+        )
 
 
 def answered(search: Search, finds: Sequence[Find]) -> Search:

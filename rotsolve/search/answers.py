@@ -91,6 +91,8 @@ class NoAnswer(ValueError):
 CHECK_DATA = "check the givens and what the states say"
 
 
-def unsolvable(problem: Problem, message: str, span: Span | None = None, help: str = "") -> Unsolvable:
+def unsolvable(
+    problem: Problem, message: str, span: Span | None = None, help: str = "", *, kind: str = ""
+) -> Unsolvable:
     """A message with its place in the file."""
-    return Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+    return Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file, kind=kind)

@@ -7,16 +7,16 @@ from itertools import islice
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
-from rotsolve.core.faults import Contradicted, Span, Unsolvable
+from rotsolve.core.faults import INCOMPLETE, Contradicted, Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import ASKED, MIXED, POSITION, is_quantity, key_of, phase_midst, real
+from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.timeline import Interval
-from rotsolve.paths.meaning import NotYet, path_text
+from rotsolve.paths.meaning import path_text
 from rotsolve.plan import Shortage
 from rotsolve.search.answers import CHECK_DATA, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
@@ -29,9 +29,8 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
     problem, timeline = scene.configuration.problem, scene.configuration.timeline
     open_ = unreached(scene)
     if open_:  # what such a scene seems to contradict is only that no time passes
-        return unsolvable(
-            problem, f"nothing tells when `{open_}` is reached", timeline.state(open_).span or fallback, LINE_OR_EVENT
-        )
+        span = timeline.state(open_).span or fallback
+        return unsolvable(problem, f"nothing tells when `{open_}` is reached", span, LINE_OR_EVENT, kind=INCOMPLETE)
     line = next((condition for stated, condition in scene.stated if stated is equation), None)
     if line is not None:
         path = path_text(line.path) if line.path is not None else line.owner
@@ -41,9 +40,6 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
         return clash(problem, message, line.span or fallback, CHECK_DATA)
     broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
     interval = timeline.interval(equation.section)
-    if len(timeline.states) == 1 and complete_at_start(scene):
-        message = f"this scene is not solved by these laws: “{equation.label}” does not hold in it"
-        return unsolvable(problem, message, timeline.states[0].span or fallback, COMPLETE)
     if interval is None:
         state = next((state for state in timeline.states if state.name and state.name == equation.section), None)
         where = f" at `{state.name}`" if state is not None else ""
@@ -90,17 +86,17 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
         return unsolvable(problem, message, find.span, other)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
-    if asks_of_start(find, search.scene) and complete_at_start(search.scene):
-        return unsolvable(problem, f"`{find.name}` is not solved by these laws{alone}", find.span, COMPLETE)
     if error.shortage is None or not missing:
         help = suggestion((), search, find)
-        return unsolvable(problem, f"too little is known to find `{find.name}`{alone}", find.span, help)
+        message = f"too little is known to find `{find.name}`{alone}"
+        return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
     pool = [search.planner.pool[index] for index in error.shortage.equations]
     laws = [law for law in pool if law.law.words and not any(key_of(name).kind == ASKED for name in law.symbols())]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
     counted = counted if len(laws) < len(missing) else "nothing settles"
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
-    return unsolvable(problem, message, find.span, suggestion(missing, search, find, error.shortage.asked))
+    help = suggestion(missing, search, find, error.shortage.asked)
+    return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
 
 
 def law_that_gives(find: Find, search: Search) -> str:
@@ -116,46 +112,6 @@ def law_that_gives(find: Find, search: Search) -> str:
             return f"{FAMILIES[law].words} gives it: say `--law {law}`, or leave `--law` out"
     whole = has_answer(find, search.another(families_for(None), confirming=True))
     return "it takes more than one law: leave `--law` out" if whole else ""
-
-
-COMPLETE = "nothing is missing in the scene, and nothing in it contradicts the rest: an assembly of all bodies' equations has a solution"
-
-
-def asks_of_start(find: Find, scene: SceneEquations) -> bool:
-    """Whether a question is about the first state alone, or the only one."""
-    first = scene.configuration.timeline.states[0].name
-    spans = [(term.start, term.end, term.during) for term in find.terms]
-    at_start = all(
-        term.at == first or (term.at is None and len(scene.configuration.timeline.states) == 1) for term in find.terms
-    )
-    return bool(find.terms) and at_start and find.where is None and not any(map(any, spans))
-
-
-def complete_at_start(scene: SceneEquations) -> bool:
-    """Whether the equations of all bodies, assembled apart from the laws, have one solution at the first state."""
-    from rotsolve.confirm import NotConfirmed
-    from rotsolve.confirm.instant import moment, placed
-    from rotsolve.confirm.model import Model
-
-    problem, first = scene.configuration.problem, scene.instant(scene.configuration.timeline.states[0].name)
-    angles = [first.angle(body.name) for body in scene.configuration.present(first.state)]
-    if any(given.asked for given in problem.givens) or any(
-        angle is not None and is_quantity(angle) for angle in angles
-    ):
-        return False
-    letters = [given.name for given in problem.givens if given.value is None]
-    try:
-        model = Model(problem, {name: 1 + 0.1 * place for place, name in enumerate(letters)}, problem_start(problem))
-        at = placed(model)
-        found = moment(model, at)
-    except (NotConfirmed, NotYet, Unsolvable, ArithmeticError, ValueError, LookupError, AttributeError):
-        return False
-    return not (at.open or at.unplaced or found.open_rates or found.open_reactions or at.clash or found.clash)
-
-
-def problem_start(problem: Problem) -> str:
-    """The name of the first state; '' where there is none."""
-    return problem.states[0].name if problem.states else ""
 
 
 def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[SceneQuantity | str]:

@@ -112,3 +112,72 @@ def test_what_can_be_read_in_two_ways_is_written_in_one(written: str, given: str
     (fault,) = caught.value.faults
     for proposal in re.findall(r"`([/^].*?)`", fault.help):
         assert solve(scene % (given, "W" + proposal)).answers["T"].float
+
+
+BLAMING = ("too little is known", "contradict", "never reached", "nothing tells when")
+SWINGING = {  # complete scenes in which the place at a time has no closed form: (bodies, connections, first state, question)
+    "rod": (
+        "rod: {shape: rod, mass: M, length: L}",
+        "pin: {hinge: rod.start}",
+        "rod.angle: 30 deg",
+        "rod.angular_velocity",
+    ),
+    "plate": (
+        "plate: {shape: rectangle, mass: M, sides: [L, L/2]}",
+        "pin: {hinge: plate.corner1}",
+        "plate.angle: 40 deg",
+        "pin.force.y",
+    ),
+    "two rods": (
+        "a: {shape: rod, mass: M, length: L}, b: {shape: rod, mass: M, length: L/2}",
+        "pin: {hinge: a.start}, joint: {hinge: [a.end, b.start]}",
+        "a.angle: 20 deg, b.angle: -50 deg",
+        "b.angular_velocity",
+    ),
+    "wheel with a weight": (
+        "wheel: {shape: disc, mass: M, radius: L}, lump: {mass: M}",
+        "axle: {axle: wheel}, glue: {weld: [wheel.rim, lump]}",
+        "wheel.angle: 10 deg",
+        "lump.kinetic_energy",
+    ),
+}
+
+
+def swinging(name: str, given: str, *, start: str | None = None) -> str:
+    bodies, connections, angles, asked = SWINGING[name]
+    first = f"{{{angles}, at rest: all}}" if start is None else start
+    states = f"{{high: {first}, low: {{time: t1}}}}"
+    lines = f"given: {{{given}}}\nbodies: {{{bodies}}}\nconnections: {{{connections}}}\n"
+    return f"{lines}states: {states}\nfind: {{x: {asked} at low}}\n"
+
+
+@pytest.mark.parametrize("given", ["M: 2 kg, L: 60 cm, t1: 0.2 s", "M: kg, L: m, t1: s"], ids=["numbers", "letters"])
+@pytest.mark.parametrize("name", SWINGING)
+def test_a_complete_scene_is_not_blamed(name: str, given: str) -> None:
+    """What is refused is the motion, since the assembly of all bodies' equations has an answer."""
+    fault = refusal(swinging(name, given)).fault
+    assert not any(word in fault.message for word in BLAMING), fault.message
+    assert "the accelerations vary from high to low" in fault.message
+    assert "nothing is missing" in fault.help
+
+
+@pytest.mark.parametrize("name", ["rod", "two rods"])
+@pytest.mark.parametrize("start", ["at rest", "{}"])
+def test_an_incomplete_scene_still_is_called_so(name: str, start: str) -> None:
+    """The angle of a rod that weighs hangs on what nothing tells, and with it the answer of the assembly."""
+    text = swinging(name, "M: 2 kg, L: 60 cm, t1: 0.2 s", start=start)
+    assert "too little is known" in refusal(text).fault.message
+
+
+def test_lines_that_contradict_each_other_are_still_called_so() -> None:
+    text = swinging("rod", "M: 2 kg, L: 60 cm").replace("low: {time: t1}", "low: {rod.angle: 80 deg}")
+    assert "never reached" in refusal(text).fault.message
+
+
+def test_of_several_questions_each_refusal_is_held_against_the_assembly() -> None:
+    text = swinging("rod", "M: 2 kg, L: 60 cm, t1: 0.2 s").replace(
+        "find: {", "find: {a: rod.angular_acceleration at high, "
+    )
+    solution = solve(text)
+    assert solution.answers["a"].float
+    assert "is not solved by these laws" in str(solution.refused["x"])

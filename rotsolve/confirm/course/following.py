@@ -27,10 +27,19 @@ class Course:
     """The states of a scene in order; each is worked out when someone asks, from the one before.
 
     The forces of the last state are those of what comes then, or, where it is taken as an `ending`, those of the phase that it ends.
+    What nothing tells of the first state is at rest, or, with a `stir`, something else.
     """
 
-    def __init__(self, problem: Problem, numbers: Mapping[str, float], budget: Budget, *, ending: bool = False) -> None:
-        self.problem, self.budget, self.ending = problem, budget, ending
+    def __init__(
+        self,
+        problem: Problem,
+        numbers: Mapping[str, float],
+        budget: Budget,
+        *,
+        ending: bool = False,
+        stir: float = 0.0,
+    ) -> None:
+        self.problem, self.budget, self.ending, self.stir = problem, budget, ending, stir
         self.letters: dict[str, Any] = {**problem.values, **numbers}
         self.numbers = numbers
         self.states = problem.states or (State(""),)
@@ -102,7 +111,7 @@ class Course:
         return self.node(name)
 
     def _alone(self, model: Model) -> Node:
-        at = placed(model)
+        at = placed(model, stir=self.stir)
         if at.clash:
             raise NotConfirmed("what the state says can not be fulfilled")
         first = Node(model, at, self.budget)
@@ -166,6 +175,12 @@ class Course:
                 if any(abs(rate) > 1e-5 * size for rate in at.moment.rates):
                     raise Broken(f"`{state.name}` is not in balance")
             check_lines(state, at, self.node(self.names[max(0, self.names.index(state.name) - 1)]))
+
+    def varies(self, start: str, end: str) -> bool:
+        """Whether accelerations change on the way between two neighbouring states."""
+        self.timed(end)
+        phase = self._phases.get(start)
+        return phase is not None and any(len(lap.step.pushes) > 1 for lap in phase.laps)
 
     def integral(self, start: str, end: str, rate: Callable[[Node], float]) -> tuple[float, float]:
         """∫ rate dt from one state to a later one, and ∫ |rate| dt."""

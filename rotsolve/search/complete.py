@@ -1,0 +1,109 @@
+"""Complete: a refusal that blames the scene's data is held against the assembly of all bodies' equations.
+
+Where that has an answer, nothing is missing and nothing contradicts: the refusal then says what is not solved, and on which way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.asked import Asker
+from rotsolve.confirm.course.following import Broken, Course
+from rotsolve.confirm.course.node import Budget
+from rotsolve.confirm.course.verdict import SAME, SETS, sets_of_numbers
+from rotsolve.core.equation import FAMILIES
+from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.core.writing import spoken
+from rotsolve.language.problem import Find, Problem
+from rotsolve.motion.complete import configured
+from rotsolve.paths.meaning import NotYet
+
+COMPLETE = "nothing is missing in the scene, and nothing in it contradicts the rest: an assembly of all bodies' equations has an answer"
+INSTANTS = 2000  # of one body, that a set of numbers may cost
+STIR = 0.1  # radians, or rates, of what nothing tells
+VARYING = "the accelerations vary"
+
+
+def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: bool) -> Fault | None:
+    """What is not solved, where the assembly answers one of some questions; None where it does not.
+
+    `whole` asks that it follows all states, as it has to where they are said to contradict each other.
+    """
+    try:
+        ready = configured(problem).problem
+    except (NotYet, Unsolvable):
+        return None
+    finds = [find for find in ready.finds if find.name in names]
+    for course, other in courses(ready):
+        for find in finds:
+            if answers(course, other, find, whole=whole):
+                alone = "" if law is None else f" by {FAMILIES[law].words} alone"
+                message = f"`{find.name}` is not solved by these laws{alone}: {hurdle(course, find)}"
+                return Fault(message, find.span, COMPLETE, "unsolvable")
+    return None
+
+
+def courses(problem: Problem) -> Iterator[tuple[Course, Course]]:
+    """The scene followed by the assembly, and once more with what nothing tells otherwise; of letters with several sets of numbers."""
+    for numbers in islice(sets_of_numbers(problem), SETS):
+        yield Course(problem, numbers, Budget(INSTANTS)), Course(problem, numbers, Budget(INSTANTS), stir=STIR)
+
+
+def answers(course: Course, other: Course, find: Find, *, whole: bool) -> bool:
+    """Whether the assembly tells what is asked, the same whatever is not told, and no line of a state fails in it.
+
+    `whole` where it has to have followed all states.
+    """
+    if find.where is not None or find.extreme:
+        return False
+    try:
+        one, two = (Asker(item.problem, item).answer(find, {}) for item in (course, other))
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return False
+    size = max(one.size, *map(abs, one.values.values()))
+    if one.word != two.word or any(abs(two.values[key] - own) > SAME * size for key, own in one.values.items()):
+        return False
+    try:
+        course.hold()
+    except Broken:
+        return False
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return not whole
+    return True
+
+
+def hurdle(course: Course, find: Find) -> str:
+    """What the laws have to get over on the way to what is asked: accelerations that vary, a blow, or just the motion."""
+    last = max((course.names.index(name) for name in asked_states(course, find)), default=0)
+    ways = list(zip(course.names[:last], course.names[1 : last + 1], strict=True))
+    for start, end in ways:
+        if course.event(start, end) is None and varies(course, start, end):
+            timed = any(
+                line.path is not None and line.path.quantity == "time"
+                for line in course.states[course.names.index(end)].conditions
+            )
+            told = f", and only the time of `{end}` is told" if timed else ""
+            return f"{VARYING} from {spoken(start)} to {spoken(end)}{told}"
+    for start, end in reversed(ways):
+        event = course.event(start, end)
+        return f"what `{event.name}` does" if event is not None else f"the motion from {spoken(start)} to {spoken(end)}"
+    return f"the forces and accelerations at {spoken(course.names[0])}" if course.names[0] else "its equations"
+
+
+def asked_states(course: Course, find: Find) -> Iterator[str]:
+    """The states of which a question speaks; all where it names none."""
+    for term in find.terms:
+        names = [name for name in (term.at, term.start, term.end) if name in course.names]
+        if term.during is not None:
+            names += course.ends(term.during)
+        yield from names or course.names
+
+
+def varies(course: Course, start: str, end: str) -> bool:
+    """Whether the accelerations change on the way between two neighbouring states."""
+    try:
+        return course.varies(start, end)
+    except NotConfirmed:
+        return True
