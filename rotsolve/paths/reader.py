@@ -234,7 +234,6 @@ def _plain(part: Formula) -> Formula:
 AXIAL = ("angular_velocity", "angular_acceleration", "torque")  # along z, the others in the plane
 POLAR = ("velocity", "acceleration", "displacement", "position", "force", "impulse", "momentum")
 OUT_OF_PLANE = {**dict.fromkeys(AXIAL, ("x", "y")), **dict.fromkeys(POLAR, ("z",))}
-BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
 
 
 class PathReader(AtInstant, frozen=True):
@@ -255,10 +254,6 @@ class PathReader(AtInstant, frozen=True):
             found = OfElements(self.instant, self.facts).of_element(path, term)
         found = self._in_the_plane(path, found)
         kind = QUANTITIES[path.quantity]
-        if term is not None and term.by is not None and path.quantity not in BY_INTEGRATION:
-            raise NotYet(
-                f"`{path.quantity}` is not asked for `by {term.by}`", help=f"ask so for {', '.join(BY_INTEGRATION)}"
-            )
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         words = meaning.words if any(meaning.words) else self._words(path)
         law = KINETIC_ENERGY if path.quantity == "kinetic_energy" else meaning.law

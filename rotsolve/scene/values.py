@@ -41,7 +41,7 @@ from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
 
-NUMBER_IN_FRONT = re.compile(r"(.*?[\d.½⅓¼⅔¾⅛]|pi)\s*([^\W\d].*)")  # of a quantity, and its unit
+NUMBER_IN_FRONT = re.compile(r"(.*?[\d.½⅓¼⅔¾⅛]|pi)\s*([^\W\d].*|[°%].*)")  # of a quantity, and its unit
 PathReader = Callable[[Text, Lexeme], Formula | None]
 
 

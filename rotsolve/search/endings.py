@@ -65,7 +65,9 @@ class Endings(Struct, dict=True):
         found, timeline = turned_on_way(passage, self.settled, self.search), self.configuration.timeline
         if timeline.state(interval.end).opened or found is None:
             if self.stuck and timeline.state(interval.end).opened:
-                raise never_reached(interval, self.configuration, "nothing turns it back on the way")
+                raise never_reached(
+                    interval, self.configuration, "it sets out the other way, and nothing brings it back so far"
+                )
             return None
         travel, how = found
         if how == NEVER or timeline.state(interval.start).opened:

@@ -252,10 +252,12 @@ def test_variants_know_which_side_their_numbers_mean(template: str, side: str) -
 
 
 @pytest.mark.parametrize("side", ["over", "under"])
-def test_a_side_that_nothing_tells_is_refused_by_name(side: str) -> None:
-    """Whether a pull leaves the wheel on its upper or lower side hangs on the sign of cos θ, of which a pure letter says nothing."""
-    with pytest.raises(Unsolvable, match="give a number to `theta`"):
-        solve(WHEEL.format(side=side, value="theta", given=", theta: rad"))
+def test_a_side_that_a_letter_decides_is_that_of_the_angles_that_the_page_prints(side: str) -> None:
+    """Whether a pull leaves the wheel on its upper or lower side hangs on the sign of cos θ: a pure letter is acute, and told to be."""
+    solution = solve(WHEEL.format(side=side, value="theta", given=", theta: rad"))
+    literal = solve(WHEEL.format(side=side, value="50 deg", given=""))
+    assert solution.answers["alpha"].float == literal.answers["alpha"].float
+    assert "0 < θ < 90°" in solution.to("text")
 
 
 @pytest.mark.parametrize(("acceleration", "angle"), [("0", 60), ("0.2 m/s^2", 44.22), ("-0.7 m/s^2", None)])

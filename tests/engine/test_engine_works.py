@@ -24,22 +24,23 @@ states: {a: {pole.angle: 70 deg, at rest: all}, b: {pole.angle: 50 deg}}
 CART = (
     GIVEN
     + """
-title: Pole that hangs from a cart
+title: Pole that stands on a cart
 surfaces: {floor: {slope: 30 deg, down: left}}
 bodies: {cart: {mass: M, moves: down}, pole: {shape: rod, mass: M, length: L}}
-connections: {base: {contact: [cart, floor]}, pin: {hinge: [cart, pole.start]}}
-states: {a: {pole.angle: -90 deg, at rest: all}, b: {pole.angle: -120 deg, cart.displacement: d, cart.velocity: 0}}
+connections: {base: {contact: [cart, floor]}, foot: {weld: [cart, pole.start]}}
+states: {a: {at rest: all}, b: {cart.displacement: d}}
 """
 )
 LINKS = (
     GIVEN
     + """
-title: Two poles, one hung from the other
+title: Two poles that stand like a roof and slide apart
+surfaces: {floor: level}
 bodies: {first: {shape: rod, mass: M, length: L}, pole: {shape: rod, mass: M, length: L}}
-connections: {pin: {hinge: first.start}, elbow: {hinge: [first.end, pole.start]}}
+connections: {pin: {hinge: first.start}, elbow: {hinge: [first.end, pole.start]}, foot: {contact: [pole.end, floor]}}
 states:
-  a: {first.angle: -90 deg, pole.angle: -90 deg, at rest: all}
-  b: {first.angle: -60 deg, pole.angle: -30 deg, first.angular_velocity: 0}
+  a: {first.angle: 70 deg, pole.angle: -70 deg, at rest: all}
+  b: {first.angle: 50 deg, pole.angle: -50 deg}
 """
 )
 TABLE = (
@@ -93,12 +94,12 @@ CASES = {
     "a pull on what a cart carries": (
         CART,
         "force: F, on: pole.end, direction: left",
-        F * (0.2 * cos(radians(30)) + L / 2),
+        F * 0.2 * cos(radians(30)),
     ),
-    "a pull on the lower of two links": (
+    "a pull on the second of two links": (
         LINKS,
-        "force: F, on: pole.end, direction: right",
-        F * L * (0.5 + cos(radians(30))),
+        "force: F, on: pole.at(L/3), direction: right",
+        F * L * 4 / 3 * (cos(LOW) - cos(HIGH)),
     ),
     "a force that keeps its direction": (TABLE + TURNED, "force: F, on: pole.end, direction: up", F * L * sin(pi / 3)),
     "a force that goes with the turn": (TABLE + TURNED, "force: F, on: pole.end", F * L * pi / 3),

@@ -124,6 +124,8 @@ class Routing(Struct, frozen=True, dict=True):
         pulled up where the string passes under it, down where it passes over.
         """
         ref, neighbour = self.points[index], self.points[other]
+        if ref.owner not in self.instant.configuration.bodies:
+            return None
         line = self.instant.line(self.instant.host(ref.owner))
         if line is None:
             hinged = ref.point not in (None, "rim", "center") and self.instant.configuration.heavy
