@@ -32,14 +32,14 @@ def same(solution: Solution, name: str, expected: str) -> bool:
 
 @pytest.mark.parametrize("letters", [NUMBERS, LETTERS])
 def test_the_least_inertia_is_about_the_common_centre_of_mass(letters: dict[str, str]) -> None:
-    find = "{I: bar.inertia about bar.at(x), y: x where I is smallest, low: smallest I}"
+    find = "{I: inertia about bar.at(x), y: x where I is smallest, low: smallest I}"
     solution = bar(find, letters=letters)
     assert same(solution, "y", "L*(M + 2*m)/(2*(M + m))")
     assert same(solution, "low", "M*L^2/12 + M*m/(M + m)*L^2/4")
 
 
 def test_an_unknown_letter_takes_the_place_and_the_quantity_its_value_there() -> None:
-    find = "{x: x where bar.inertia about bar.at(x) is smallest, low: smallest bar.inertia about bar.at(x), I: bar.inertia about bar.at(x)}"
+    find = "{x: x where inertia about bar.at(x) is smallest, low: smallest inertia about bar.at(x), I: inertia about bar.at(x)}"
     solution = bar(find, x="unknown")
     assert same(solution, "x", "L*(M + 2*m)/(2*(M + m))")
     for name in ("low", "I"):
@@ -47,7 +47,7 @@ def test_an_unknown_letter_takes_the_place_and_the_quantity_its_value_there() ->
 
 
 def test_the_largest_value_is_found_at_an_end_of_the_range() -> None:
-    solution = bar("{y: x where bar.inertia about bar.at(x) is largest, high: largest bar.inertia about bar.at(x)}")
+    solution = bar("{y: x where inertia about bar.at(x) is largest, high: largest inertia about bar.at(x)}")
     assert same(solution, "y", "0") and same(solution, "high", "M*L^2/3 + m*L^2")
     assert "an end of the range" in solution.to("text")
 
@@ -59,7 +59,7 @@ title: Bar between two loads
 given: {M: kg, m1: kg, m2: kg, L: m, x: m}
 bodies: {bar: {shape: rod, mass: M, length: L}, one: {mass: m1}, two: {mass: m2}}
 connections: {a: {weld: [bar.end, one]}, b: {weld: [bar.start, two]}}
-find: {y: x where bar.inertia about bar.at(x) is largest}
+find: {y: x where inertia about bar.at(x) is largest}
 """
     ).answers["y"]
     told = {(case.exact, *case.conditions) for case in (answer, *answer.otherwise)}
