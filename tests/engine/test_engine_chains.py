@@ -87,8 +87,11 @@ def numbers(text: str) -> dict[str, float]:
     search = Search(SceneEquations(configuration), families_for(None))
     for find in configuration.problem.finds:
         answer(search, find)
-    found = {item.asked.find.name: item.found.formula for item in search.answered}
-    return {name: evaluate(formula, search.values).float for name, formula in found.items() if formula is not None}
+    found = {item.asked.find.name: item.found for item in search.answered}
+    return {
+        name: item.number.float if item.formula is None else evaluate(item.formula, search.values).float  # type: ignore[union-attr]
+        for name, item in found.items()
+    }
 
 
 # chains: bodies in a row from left to right, a pulley or a stepped drum between neighbours
