@@ -76,12 +76,11 @@ def stopped(way: Way, search: Search) -> bool:
     if {name for name in pull.symbols() - values.keys() if name != letter} or any(map(has_quantities, ends)):
         return False
     low, high = ends if way.sets_out * travel.sense > 0 else ends[::-1]
-    for root in real_roots(pull, letter, values, low, high).roots:
-        gained = Integral(pull, letter, ends[0], Number(Fraction(root.float)))
-        try:
-            energy = evaluate(HALF * way.speed**2 + gained, values, digits=8)
-        except (Undefined, ZeroDivisionError):
-            return False
-        if (energy.sign or 0) < 0:
-            return True
+    try:
+        for root in real_roots(pull, letter, values, low, high).roots:
+            gained = Integral(pull, letter, ends[0], Number(Fraction(root.float)))
+            if (evaluate(HALF * way.speed**2 + gained, values, digits=8).sign or 0) < 0:
+                return True
+    except (Undefined, ZeroDivisionError):
+        pass
     return False

@@ -6,6 +6,7 @@ then has to make every line of the states hold.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from msgspec.structs import replace
@@ -217,6 +218,8 @@ def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> Ans
     own = tuple(found.values[key] for key in parts)
     if "x" in found.values:  # of a vector its size, which has no sign
         answered = tuple(abs(a) if key == "" else a for key, a in zip(parts, answered, strict=True))
+    if not all(map(math.isfinite, own)):
+        return AnswerConfirmation(name, None, "its number is beyond those of the assembly")
     size = max(found.size, *map(abs, own), *map(abs, answered))
     if found.sized:
         answered, own = (tuple(map(abs, values)) for values in (answered, own))
