@@ -92,7 +92,7 @@ def beyond(cases: Sequence[Case[Found]], space: LetterSpace) -> tuple[Point | No
         if points * size > LOOKED_AT:
             return None, False
         glance = Glance(space, place)
-        if space.has(place) and not any(glance.holds(case.bars) for case in cases):
+        if space.has(place) and all(glance.fails(case.bars) for case in cases):
             return place, True
     return None, True
 

@@ -97,25 +97,29 @@ def any_point(letters: Iterable[Given]) -> dict[str, Fraction]:
 
 
 class Glance:
-    """What is positive at one point, by balls of few bits: sure where it says so."""
+    """Signs at one point, by balls of few bits: only those that are sure."""
 
     def __init__(self, space: LetterSpace, point: Point) -> None:
         self.balls = RealBalls({**space.oracle.values, **numbers_of(point)})
-        self.told: dict[Formula, bool] = {}
+        self.told: dict[Formula, int | None] = {}
 
-    def positive(self, value: Formula) -> bool:
-        """Whether a formula certainly is."""
+    def sign(self, value: Formula) -> int | None:
+        """1 or −1 where it certainly is, 0 where the bits do not tell, None where the formula has no value."""
         if value not in self.told:
             try:
                 with Precision(BITS):
-                    self.told[value] = bool(self.balls(value) > 0)
+                    ball = self.balls(value)
+                self.told[value] = bool(ball > 0) - bool(ball < 0)
             except (Undefined, ValueError, ZeroDivisionError):
-                self.told[value] = False
+                self.told[value] = None
         return self.told[value]
 
-    def holds(self, provisos: Iterable[Proviso]) -> bool:
-        """Whether all conditions hold."""
-        return all(self.positive(one.gap) for one in provisos)
+    def positive(self, value: Formula) -> bool:
+        return self.sign(value) == 1
+
+    def fails(self, provisos: Iterable[Proviso]) -> bool:
+        """Whether one of the conditions certainly does."""
+        return any(self.sign(one.gap) in (-1, None) for one in provisos)
 
 
 class LetterSpace:
