@@ -6,12 +6,14 @@ import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import witnessed
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.core.derivation import Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Contradicted, Fault, SceneError, Unsolvable
@@ -28,7 +30,7 @@ from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.idle import idle_words, noted
-from rotsolve.scene.read import read_source
+from rotsolve.scene.read import read_source, read_text
 from rotsolve.search.answering import Unanswered, answered, needed_for
 from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.consistency import KnownBalls, contradiction, turned_back, untimely
@@ -169,7 +171,9 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
     def confirmation() -> tuple[AnswerConfirmation, ...]:
         from rotsolve.confirm.course.verdict import confirmations
 
-        return confirmations(solution.derivation.answers, whole.problem, solution.trace.letter)
+        return confirmations(
+            solution.derivation.answers, whole.problem, solution.trace.letter, partial(may_be, problem)
+        )
 
     return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
 
@@ -304,6 +308,20 @@ def following(search: Search, *, stuck: bool) -> Problem | None:
         if ending is not None:
             return with_state_at(search.scene.configuration.problem, ending)
         return None if stuck else with_friction_found(search)
+
+
+def may_be(problem: Problem, numbers: Mapping[str, float]) -> bool:
+    """Whether the scene as written may have such numbers, in SI units, for its letters: what is cut out of a body lies within it."""
+    open_ = [given for given in problem.givens if given.value is None and not (given.asked or given.automatic)]
+    settings = {
+        item.name: f"{numbers[item.name]!r} {base_unit_text(item.dimension) if item.dimension else ''}"
+        for item in open_
+    }
+    try:
+        read_text("\n".join(problem.lines), problem.file, settings)
+    except SceneError:
+        return False
+    return True
 
 
 def refuse_idle(solutions: Sequence[Solution], problem: Problem) -> None:

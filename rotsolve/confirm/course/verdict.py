@@ -62,12 +62,16 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     return replace(derivation, checks=(*derivation.checks, *checks))
 
 
-def confirmations(answers: Sequence[Answer], problem: Problem, solved: Solved) -> tuple[AnswerConfirmation, ...]:
-    """What the assembly says of each answer."""
+def confirmations(
+    answers: Sequence[Answer], problem: Problem, solved: Solved, admitted: Callable[[Numbers], bool]
+) -> tuple[AnswerConfirmation, ...]:
+    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object."""
     verdicts: dict[str, AnswerConfirmation] = {}
     tried, budget = 0, Budget(BUDGET)
     for numbers in sets_of_numbers(problem):
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, budget)}
+        if any(item.holds is False for item in found.values()) and not admitted(numbers):
+            continue
         verdicts = {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
         tried += any(verdict.holds is not None for verdict in found.values())
         if tried == SETS or budget.left < 0:
