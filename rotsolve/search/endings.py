@@ -5,6 +5,7 @@ From there on a phase of its own begins, at a state that the scene does not name
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 
 from msgspec import Struct
@@ -13,7 +14,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import CONSTANT, POSITION, has_quantities, is_quantity
+from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities, is_quantity
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
 from rotsolve.motion.configuration import Configuration
@@ -81,19 +82,39 @@ class Endings(Struct, dict=True):
     def within(self, interval: Interval) -> Ending | None:
         """What ends first in a phase, where that is before the phase does."""
         rubbing = [(rub, self.sense(rub)) for rub in rubs_at(self.configuration, interval.start)]
-        ends = [(rub, at) for rub, sense in rubbing if sense and (at := self.moment(rub, sense)) is not None]
-        if not ends:
-            return None
-        first = ends[0][1]
-        for _, at in ends[1:]:
-            first = at if self.numbers.side(at - first) == -1 else first
-        resting = tuple(rub for rub, at in ends if self.numbers.side(at - first) == 0)
-        if self.said(interval, resting) or not self.passed(interval, first):
+        resting = self.resting_first(interval, rubbing) or self.turned(interval, rubbing)
+        if not resting or self.said(interval, resting):
             return None
         senses = tuple((rub.name, 0 if rub in resting else sense) for rub, sense in rubbing)
         words = " and ".join(dict.fromkeys(words_for(rub, self.search) for rub in resting))
         name = "rest" if all(stops(rub, self.search) for rub in resting) else "hold"
         return Ending(interval, tuple(map(resting_line, resting)), senses, name, words)
+
+    def resting_first(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> tuple[Rub, ...]:
+        """Of what slows down steadily, that which comes to rest before the phase ends, and before the others."""
+        ends = [(rub, at) for rub, sense in rubbing if sense and (at := self.moment(rub, sense)) is not None]
+        if not ends:
+            return ()
+        first = ends[0][1]
+        for _, at in ends[1:]:
+            first = at if self.numbers.side(at - first) == -1 else first
+        resting = tuple(rub for rub, at in ends if self.numbers.side(at - first) == 0)
+        return resting if self.passed(interval, first) else ()
+
+    def turned(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> tuple[Rub, ...]:
+        """What slows down in another way, and by its laws would go backwards where the phase ends: it comes to rest before."""
+        found = []
+        for rub, sense in rubbing:
+            if sense and self.configuration.pace(rub.body, rub.state) in (TIME, RATE) and interval.end != OPEN:
+                start, end = (self.settled(rub.rate(self.scene.instant(at))) for at in (interval.start, interval.end))
+                if start is not None and end is not None and self.side(start) == sense and self.side(end) == -sense:
+                    found.append(rub)
+        if len(found) > 1:
+            names = " and ".join(spoken(rub.name) for rub in found)
+            raise unsolvable(
+                self.configuration.problem, f"which of {names} comes to rest first is not told by closed forms"
+            )
+        return tuple(found)
 
     def sense(self, rub: Rub) -> int:
         """The sense in which it slips or turns in its phase; 0 where it sticks or is held."""

@@ -265,9 +265,15 @@ class Trials:
     def speeding_up(self, rub: Rub, trial: Mapping[str, str], sense: int) -> tuple[float | None, Words]:
         """Acceleration along the sense in which it is taken to move, also in words; None where the numbers do not tell."""
         rate = rub.rate(self.scene.instant(rub.state), acceleration=True)
-        search = self.search({**self.modes, **trial})
-        value = search.settled(rate) if rate is not None else None
-        number = search.number(value) if value is not None else None
+        first = rub.state == self.configuration.timeline.states[0].name
+        for families in (
+            [(NEWTON,)] if first else [(NEWTON,), families_for(None)]
+        ):  # when a later state is hangs on the way
+            search = self.search({**self.modes, **trial}, families)
+            value = search.settled(rate) if rate is not None else None
+            number = search.number(value) if value is not None else None
+            if number is not None:
+                break
         words: Words = () if value is None else (f"{spoken(rub.name)} speeds up by ", signed(value, sense))
         return None if number is None else number * sense, words
 

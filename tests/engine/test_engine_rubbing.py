@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from rotsolve.algebra.exact.normal import equal
@@ -178,3 +180,62 @@ bodies: {a: {radius: 1 m, mass: 1 kg}, b: {radius: 1 m, mass: 1 kg}, c: {radius:
 connections: {one: {axle: a}, two: {axle: b}, three: {axle: c}, touch: {contact: [a, b, c]}}
 find: {x: a.angular_acceleration}
 """)
+
+
+GROWING = """
+given: {R: 25 cm, mu: 0.4, c: 8 N/s, I: 0.2 kg m^2, w: 12 rad/s}
+bodies: {wheel: {inertia: I, radius: R}}
+connections: {pin: {axle: wheel}}
+actions: {shoe: {press: c*time, on: wheel, friction: mu}}
+states: {start: {wheel.angular_velocity: w}, later: {time: LATER}}
+find: {v: wheel.angular_velocity at later, s: wheel.rotation from start to later}
+"""
+IN_OIL = """
+given: {I: 0.2 kg m^2, w: 12 rad/s, k: 0.05 N m s, tau: 0.3 N m}
+bodies: {wheel: {inertia: I}}
+connections: {pin: {axle: wheel, friction_torque: tau}}
+actions: {oil: {couple: -k*wheel.angular_velocity, on: wheel}}
+states: {start: {wheel.angular_velocity: w}, later: {time: LATER}}
+find: {v: wheel.angular_velocity at later, s: wheel.rotation from start to later}
+"""
+IN_AIR = """
+given: {m: 2 kg, u: 12 m/s, k: 0.05 kg/s, mu: 0.3}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: right}}
+connections: {base: {contact: [block, floor], friction: mu}}
+actions: {air: {force: -k*block.velocity, on: block, direction: right}}
+states: {start: {block.velocity: u}, later: {time: LATER}}
+find: {v: block.velocity at later, s: block.displacement from start to later}
+"""
+
+
+def stepped(rate: Callable[[float, float], float], speed: float, until: float) -> tuple[float, float]:
+    """Speed and way by midpoint steps of dv/dt = rate(t, v), at rest from where it stops."""
+    step, way, time = 1e-4, 0.0, 0.0
+    while speed > 0 and time < until:
+        middle = speed + rate(time, speed) * step / 2
+        way, speed, time = way + middle * step, speed + rate(time + step / 2, middle) * step, time + step
+    return max(speed, 0.0), way
+
+
+@pytest.mark.parametrize("until", [0.6, 30.0])
+@pytest.mark.parametrize(
+    ("text", "rate", "first"),
+    [
+        (GROWING, lambda t, v: -0.4 * 8 * t * 0.25 / 0.2, 12.0),
+        (IN_OIL, lambda t, v: -(0.3 + 0.05 * v) / 0.2, 12.0),
+        (IN_AIR, lambda t, v: -0.3 * 9.8 - 0.05 * v / 2, 12.0),
+    ],
+)
+def test_what_does_not_slow_down_steadily_stops_too(
+    text: str, rate: Callable[[float, float], float], first: float, until: float
+) -> None:
+    """Friction never drives back what it has stopped, whether it grows with time or drag helps it."""
+    found = values(text.replace("LATER", f"{until} s"))
+    assert (found["v"], found["s"]) == pytest.approx(stepped(rate, first, until), rel=2e-4, abs=1e-9)
+
+
+def test_letters_tell_both_whether_it_stops_and_whether_it_goes_on() -> None:
+    answer = solve(GROWING.replace("8 N/s", "N/s").replace("LATER", "3 s")).answers["v"]
+    assert {case.exact for case in (answer, *answer.otherwise)} == {"0", "w − μ c R t_later²/(2 I)"}
+    assert all(case.conditions for case in (answer, *answer.otherwise))

@@ -222,4 +222,6 @@ def test_roots_of_quotients_within_inverse_functions_are_compared() -> None:
     """arcsines of √(a/b), written otherwise, were an internal error."""
     solution = solve(LET_DOWN_ON_A_SPRING)
     assert solution.answers["v"].float == pytest.approx(1.084e-4, rel=1e-3)
-    assert [item.fault.message[:38] for item in solution.derivation.refused] == ["too little is known to find `extra`: 1"]
+    assert [item.fault.message[:38] for item in solution.derivation.refused] == [
+        "too little is known to find `extra`: 1"
+    ]
