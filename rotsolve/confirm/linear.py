@@ -37,7 +37,7 @@ def solved(rows: Sequence[dict[int, float]], right: Sequence[float], size: int) 
         if weight:
             rows[number] = {index: part / weight for index, part in row.items()}
             right[number] /= weight
-    pivots = eliminated(rows, right)
+    pivots = [pivot for group in linked(rows) for pivot in eliminated(group, rows, right)]
     taken = dict(pivots)
     values, loose = [0.0] * size, {index for index in range(size) if index not in taken}
     for index, number in pivots:
@@ -50,9 +50,26 @@ def solved(rows: Sequence[dict[int, float]], right: Sequence[float], size: int) 
     return Solved([value * part for value, part in zip(values, scale, strict=True)], frozenset(loose), clash)
 
 
-def eliminated(rows: list[dict[int, float]], right: list[float]) -> list[tuple[int, int]]:
-    """Reduces the rows in place; (unknown, row) for each pivot. What is left of the other rows is rounding."""
-    pivots, left = [], set(range(len(rows)))
+def linked(rows: Sequence[dict[int, float]]) -> list[list[int]]:
+    """The rows in groups that share no unknown: each is solved by itself, so that bodies that do not touch cost no more together."""
+    groups: dict[int, list[int]] = {}  # by unknown: the rows of its group, the same list for all of them
+    alone = []
+    for number, row in enumerate(rows):
+        met = {id(group): group for index in row if (group := groups.get(index)) is not None}
+        own = max(met.values(), key=len, default=[])
+        for group in met.values():
+            if group is not own:
+                own += group
+                groups.update({index: own for member in group for index in rows[member]})
+        own.append(number)
+        groups.update(dict.fromkeys(row, own))
+        alone += [] if row else [own]
+    return [*{id(group): group for group in groups.values()}.values(), *alone]
+
+
+def eliminated(group: Sequence[int], rows: list[dict[int, float]], right: list[float]) -> list[tuple[int, int]]:
+    """Reduces the rows of a group in place; (unknown, row) for each pivot. What is left of the other rows is rounding."""
+    pivots, left = [], set(group)
     while left:
         best, place = SMALL, None
         for number in left:
@@ -68,7 +85,8 @@ def eliminated(rows: list[dict[int, float]], right: list[float]) -> list[tuple[i
         row = {key: part * factor for key, part in rows[number].items()}
         row[index], rows[number] = 1.0, row
         right[number] *= factor
-        for other, target in enumerate(rows):
+        for other in group:
+            target = rows[other]
             share = target.pop(index, 0.0) if other != number else 0.0
             if share:
                 for key, part in row.items():

@@ -151,11 +151,13 @@ def check_rigid(scene: Configuration, state: str) -> None:
         for ref in item.touches() if item.rimmed else ():
             check_hub(ref, item.word, scene, state)
     for body in scene.present(state):
+        if rim_radius(body, None) is None or scene.line(body.name, state) is None:
+            continue
+        if scene.pivot(body.name, state) is not None or scene.hub(body.name, state) is not None:
+            continue
         frame = scene.frame(body.name, state)
-        guided = scene.pivot(body.name, state) is not None or scene.hub(body.name, state) is not None
-        wheel = rim_radius(body, None) is not None and scene.line(body.name, state) is not None and not guided
         middle = centre_of_mass(pieces(body)) if body.shape is not None else NOWHERE
-        if wheel and tidy(frame.reference + frame.cm - middle).parts:
+        if tidy(frame.reference + frame.cm - middle).parts:
             message = f"nothing tells what keeps `{body.name}` on its line while its centre of mass goes round: not solved yet"
             raise Unsolvable(message, span=body.span, help="solved is what turns on an axle, or rolls along a surface")
 
