@@ -6,7 +6,6 @@ beside and leaves it in its slot, so that only the first look at a field costs a
 
 from __future__ import annotations
 
-from copy import copy
 from typing import Any, TypeVar
 
 from msgspec import Struct
@@ -31,7 +30,8 @@ class Noted(Struct, frozen=True, dict=True):
 
 def noting(item: Declaring, *, but: tuple[str, ...] = ()) -> Declaring:
     """A copy that notes which of the fields are read that are not as they are by default, `but` for some."""
-    twin, kind = copy(item), type(item)
+    twin: Declaring = item.__copy__()
+    kind = type(item)
     plain = kind.__struct_defaults__
     fields = kind.__struct_fields__[len(kind.__struct_fields__) - len(plain) :]
     beside = {}

@@ -83,15 +83,23 @@ def wrap(text: str, width: int, hanging: int = 0) -> list[str]:
     """The text in lines of at most `width` columns where it has a place to break; later lines are indented by `hanging`."""
     if len(text) <= width:
         return [text]
-    from textwrap import wrap as wrap_words  # few lines are too long
+    lines = folded(text, max(width, 20), hanging)
+    if all(len(line) <= width for line in lines):
+        return lines
+    return folded(loosened(text, outer=False), max(width, 20), hanging)
 
-    def folded(text: str) -> list[str]:
-        return wrap_words(
-            text, max(width, 20), subsequent_indent=" " * hanging, break_long_words=False, break_on_hyphens=False
-        )
 
-    lines = folded(text)
-    return lines if all(len(line) <= width for line in lines) else folded(loosened(text, outer=False))
+def folded(text: str, width: int, hanging: int) -> list[str]:
+    """The text broken at blanks, which fall away there: as many words to a line as fit, at least one."""
+    words = iter(text.replace("\n", " ").split(" "))
+    lines, line = [], next(words)
+    for word in words:
+        if word and line.strip(" ") and len(line) + 1 + len(word) > width:
+            lines.append(line.rstrip(" "))
+            line = " " * hanging + word
+        else:
+            line += f" {word}"
+    return [*lines, line.rstrip(" ")]
 
 
 def paragraph_lines(text: str, indent: int, width: int, role: str = "") -> Iterator[TextLine]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from rotsolve.language.elements import Connection
 
 
-class Acting(NamedTuple):
+class Acting(Struct, frozen=True):
     """The forces and couples of one element, each with the body on which it acts, and the point about which is asked."""
 
     forces: list[tuple[BodyFacts, Force]]

@@ -134,7 +134,7 @@ class Search(Struct, dict=True):
         if len(fitting) == 1 < len(roots):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
         picked = choice.choose(name, [roots[number] for number in fitting], period)
-        return None if picked is None else picked._replace(root=fitting[picked.root])
+        return None if picked is None else replace(picked, root=fitting[picked.root])
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""

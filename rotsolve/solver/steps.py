@@ -6,7 +6,6 @@ from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
 from functools import reduce
 from operator import mul
-from typing import NamedTuple
 
 from msgspec import Struct, field
 
@@ -34,7 +33,7 @@ from rotsolve.core.writing import flat, positive_first
 Ref = tuple[str, "int | str"]
 
 
-class PickedRoot(NamedTuple):
+class PickedRoot(Struct, frozen=True):
     """The root that is meant, why, and the whole turns that an angle has gone beyond it, or the whole periods of a time."""
 
     root: int

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
@@ -18,7 +18,7 @@ HOLDS = 1e-6  # how well all lines of a state have to hold at once
 OWN = ("mass", "inertia", "gyration", "radius", "length")
 
 
-class Gauge(NamedTuple):
+class Gauge(Struct, frozen=True):
     """A function of an instant that vanishes where a line holds; `size` is what it is small against.
 
     `passing` marks one that only tells when it changes its sign, not how far it is from zero.

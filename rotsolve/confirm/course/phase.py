@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
@@ -26,14 +26,14 @@ SAMPLES = (0.25, 0.5, 0.75, 1.0)
 GAUSS = ((-0.8611363115940526, 0.3478548451374539), (-0.3399810435848563, 0.6521451548625461))
 
 
-class Lap(NamedTuple):
+class Lap(Struct, frozen=True):
     """A step with the modes of what may slip."""
 
     step: TimeStep
     modes: dict[str, str]
 
 
-class FollowedPhase(NamedTuple):
+class FollowedPhase(Struct, frozen=True):
     """The motion from one state to the next: its steps, and the instant at which it ends."""
 
     first: Node
@@ -205,7 +205,7 @@ class NextState:
             return step
         width = step.width * part
         if len(step.pushes) == 1:
-            return step._replace(width=width)
+            return replace(step, width=width)
         return adapted(self.law(modes), step.time, step.place, step.speed, width, step.pushes[0])[0]
 
     def reached(self, lap: Lap) -> float | None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.elements import last_body, loads, on_body, power
@@ -16,7 +17,7 @@ from rotsolve.confirm.course.reading import power as power_on
 from rotsolve.language.problem import Path, Term
 
 
-class Between(NamedTuple):
+class Between(Struct, frozen=True):
     """What lies between two states."""
 
     course: Course

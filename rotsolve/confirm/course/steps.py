@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
 
@@ -21,7 +22,7 @@ BEND = 1e-2  # share of the last power in q̈ that a step may have: the ends are
 SAME = 1e-9  # relative change of q̈ within which it counts as constant
 
 
-class RadauRule(NamedTuple):
+class RadauRule(Struct, frozen=True):
     """Integrals of Lagrange's polynomials of the places: up to each place, up to the end, once and twice; and their coefficients."""
 
     powers: list[Numbers]
@@ -57,7 +58,7 @@ def second(row: Sequence[float], end: float) -> float:
     return sum(part * end ** (n + 2) / ((n + 1) * (n + 2)) for n, part in enumerate(row))
 
 
-class TimeStep(NamedTuple):
+class TimeStep(Struct, frozen=True):
     """A stretch of the motion: from `time` on for `width`, with q̈ at the places (at the first alone where it is constant)."""
 
     time: float
