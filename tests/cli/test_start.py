@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import os
+import py_compile
 import subprocess
 import sys
+from importlib.machinery import PathFinder, SourceFileLoader
+from importlib.util import module_from_spec
 from pathlib import Path
 
 import pytest
+
+import rotsolve
+from rotsolve.lean import Near
 
 PULLEYS = Path(__file__).resolve().parents[2] / "problems" / "pulleys"
 SCENE = str(PULLEYS / "block-on-disc.yaml")
@@ -120,3 +127,47 @@ assert not [name for name in asked if isinstance(sys.modules[name], PutOff)]
 def test_what_is_put_off_comes_when_it_is_asked_for() -> None:
     ran = subprocess.run([sys.executable, "-c", ASKED], capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stderr
+
+
+def near(folder: Path, name: str = "twin") -> object:
+    """The value that a module of ours in a folder has, loaded as a process of our own does it."""
+    spec = Near.find_spec(f"rotsolve.{name}", [str(folder)])
+    assert spec is not None and isinstance(spec.loader, Near)
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    assert module.__file__ == str(folder / f"{name}.py") and module.__spec__.origin == module.__file__
+    return module.value
+
+
+def test_a_module_of_ours_is_loaded_by_its_bytecode_as_long_as_that_is_as_new_as_its_source(tmp_path: Path) -> None:
+    source = tmp_path / "twin.py"
+    source.write_text("value = 1\n")
+    assert near(tmp_path) == 1, "there may be no bytecode"
+    kept = py_compile.compile(str(source))
+    assert near(tmp_path) == 1
+    time = source.stat()
+    source.write_text("value = 2\n")
+    os.utime(source, ns=(time.st_atime_ns, time.st_mtime_ns))
+    assert near(tmp_path) == 1, "of the same time and size: it is the bytecode that counts"
+    source.write_text("value = 12\n")
+    assert near(tmp_path) == 12, "of another size"
+    py_compile.compile(str(source))
+    source.write_text("value = 13\n")
+    os.utime(source, ns=(time.st_atime_ns, time.st_mtime_ns + 5 * 10**9))
+    assert near(tmp_path) == 13, "of another time"
+    Path(kept).write_bytes(b"")
+    assert near(tmp_path) == 13, "bytecode that is none"
+    unchecked = py_compile.PycInvalidationMode.UNCHECKED_HASH
+    py_compile.compile(str(source), invalidation_mode=unchecked)
+    assert near(tmp_path) == 13, "bytecode that goes by something else"
+
+
+def test_only_modules_of_ours_are_looked_for_near_by() -> None:
+    folder = [str(Path(rotsolve.__file__).parent)]
+    for name in ("rotsolve", "rotsolve.algebra", "rotsolve.nothing", "yaml.loader"):
+        assert Near.find_spec(name, None if name == "rotsolve" else folder) is None
+    mine, plain = Near.find_spec("rotsolve.plan", folder), PathFinder.find_spec("rotsolve.plan", folder)
+    assert mine is not None and plain is not None
+    assert (mine.origin, mine.cached, mine.has_location) == (plain.origin, plain.cached, plain.has_location)
+    assert isinstance(plain.loader, SourceFileLoader) and isinstance(mine.loader, Near)
+    assert mine.loader.get_code("rotsolve.plan") == plain.loader.get_code("rotsolve.plan")
