@@ -300,9 +300,10 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
     """Place of a point in a body's own axes; of a rim, the place that it has while the body stands as drawn."""
     if ref is None or ref.point in (None, "center"):
         return NOWHERE
-    radius = rim_radius(body, ref.point)
-    if ref.point in (ways := rim_ways(body)) and radius is not None:
-        return vector(radius, ways[ref.point])
+    if ref.point in (ways := rim_ways(body)):
+        radius = rim_radius(body, ref.point)
+        if radius is not None:
+            return vector(radius, ways[ref.point])
     if ref.point == "cm":
         return centre_of_mass(pieces(body))
     for name, at in body.points:

@@ -101,13 +101,27 @@ def _isolate(function: _Function, first: Fraction, last: Fraction) -> tuple[list
         verdict = _look(function, low, high, exact)
         if verdict == "one":
             found.append((low, high))
-        elif verdict == "unsure":
+        elif verdict != "none":
             if high - low <= limit:
                 complete = False
                 continue
-            middle = low + (high - low) * SPLIT
-            stack += [(middle, high), (low, middle)]
+            piece = _narrowed(function, low, high) if verdict == "edge" else (low, high)
+            if piece is not None and 2 * (piece[1] - piece[0]) < high - low:
+                stack.append(piece)
+            elif piece is not None:
+                middle = low + (high - low) * SPLIT
+                stack += [(middle, high), (low, middle)]
     return found, complete
+
+
+def _narrowed(function: _Function, low: Fraction, high: Fraction) -> tuple[Fraction, Fraction] | None:
+    """What Newton's step leaves of an interval in which f rises or falls throughout; None where that has no root."""
+    box, middle = _interval(low, high), _point((low + high) / 2)
+    step = middle - function(middle) / function.rate(box)
+    if not step.overlaps(box):
+        return None
+    first, last = ends(step)
+    return max(first, low), min(last, high)
 
 
 def _vanishes(function: _Function, x: Fraction) -> bool | None:
@@ -121,7 +135,7 @@ def _vanishes(function: _Function, x: Fraction) -> bool | None:
 
 
 def _look(function: _Function, low: Fraction, high: Fraction, exact: set[Fraction]) -> str:
-    """none, one (root inside) or unsure for an interval; roots at exact ends are not counted again."""
+    """none, one (root inside), edge (perhaps at an end) or unsure for an interval; roots at exact ends are not counted again."""
     box = _interval(low, high)
     try:
         value = function(box)
@@ -139,7 +153,7 @@ def _look(function: _Function, low: Fraction, high: Fraction, exact: set[Fractio
     except Undefined:
         return "unsure"
     if left.contains(0) or right.contains(0):
-        return "unsure"
+        return "edge"
     return "none" if (left > 0) == (right > 0) else "one"
 
 

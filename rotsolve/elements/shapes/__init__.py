@@ -58,11 +58,13 @@ def round_part(body: Body, point: str | None) -> Part | None:
 
 def rim_radius(body: Body, point: str | None) -> Formula | None:
     """Radius of the rim that a point names: a name of `radii` or a round part, else the shape's rim, else the last named of a drum."""
-    shape, named, part = shape_of(body), rims(body), round_part(body, point)
-    if point in named:
-        return named[point]
-    if part is not None:
-        return rim_radius(part.body, None)
+    if point is not None:
+        named, part = rims(body), round_part(body, point)
+        if point in named:
+            return named[point]
+        if part is not None:
+            return rim_radius(part.body, None)
+    shape = shape_of(body)
     if shape.outer is not None:
         return shape.outer
     if body.radius is not None:
