@@ -257,20 +257,23 @@ class Standing(Struct, frozen=True, dict=True):
         Of what turns about another point than its centre of mass only where a state tells how far; else it is spoken of as it is drawn.
         """
         configuration, carried = self.configuration, self.configuration.carried(name, self.state)
+        if len(configuration.timeline.states) < 2:
+            return False
+        asked = [
+            path
+            for path in (term.path for find in configuration.problem.finds for term in find.terms)
+            if path.owner in carried and path.quantity in FOLLOWED and path.component in (None, *PLANE)
+        ]
+        if not asked:
+            return False
         told = any(
             configuration.mentions.says(state.name, item, *TURNED)
             for state in configuration.timeline.states
             for item in carried
         )
-        slanted = self.frame(name).cm.parts and not shape_of(self.body(name)).slender
-        if len(configuration.timeline.states) < 2 or (slanted and not told):
+        if self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told:
             return False
-        asked = (term.path for find in configuration.problem.finds for term in find.terms)
-        return any(
-            path.quantity in FOLLOWED and path.component in (None, *PLANE) and self._goes_round(path)
-            for path in asked
-            if path.owner in carried
-        )
+        return any(map(self._goes_round, asked))
 
     def _goes_round(self, path: Path) -> bool:
         """Whether the point of which a path speaks goes round another; the names of rims are directions in space from their centre."""

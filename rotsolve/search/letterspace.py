@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import chain
 from random import Random
 
 from msgspec import Struct
@@ -224,7 +225,7 @@ class LetterSpace:
     def first_point(self) -> Point:
         """A point of no special kind."""
         point = any_point(self.letters.values())
-        return next(filter(self.has, (point, *self.elsewhere(point))), point)
+        return next(filter(self.has, chain((point,), self.elsewhere(point))), point)
 
     def elsewhere(self, point: Point) -> Iterator[Point]:
         """Points with letters larger or smaller by chance, always the same ones."""

@@ -30,13 +30,19 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.notation.letters import GLYPHS
 
+LENGTH = "length"  # under this name a formula keeps its length
+
 
 def length(node: Formula) -> int:
     """How long a formula is to read: its number of nodes."""
+    known: int | None = node.__dict__.get(LENGTH)
+    if known is not None:
+        return known
     count, waiting = 0, [node]
     while waiting:
         count += 1
         waiting.extend(waiting.pop().children())
+    node.__dict__[LENGTH] = count
     return count
 
 
