@@ -16,6 +16,7 @@ from rotsolve.core.equation import Equation
 
 # what a definition costs more once it has been used: it leads from what an answer is made of to the answer
 BACKWARDS = 6
+PATIENCE = 240  # plans of a scene that are made only to find one with fewer equations
 ROUNDS = 12  # improvements after which a plan is taken as it is
 
 
@@ -50,6 +51,7 @@ class Planner:
         self.alone: list[frozenset[str]] = []  # letters that are a whole side
         self.plain: set[int] = set()  # one term equals another: a = R α
         self.dear: set[int] = set()  # definitions of what has been answered: the last way to what they are made of
+        self.patience = [PATIENCE]  # one for all that plan over the same pool
         self.found: dict[object, Plan | None] = {}  # by all that a plan depends on: many searches come to the same
         for equation in pool:
             self.extend(equation)
@@ -58,6 +60,7 @@ class Planner:
         """A planner over the same pool, which others extend in other ways."""
         other = Planner((), self.constants)
         other.pool, other.symbols = list(self.pool), list(self.symbols)
+        other.patience = self.patience
         other.summed, other.alone, other.plain = list(self.summed), list(self.alone), set(self.plain)
         return other
 
@@ -253,22 +256,27 @@ def needed(asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[s
 def matched(told: Mapping[int, tuple[str, ...]], skipped: int = -1) -> dict[str, int]:
     """As many unknowns as can be, each with an equation of its own, the first equations first, without the one skipped."""
     owner: dict[str, int] = {}
+    spent: set[str] = set()  # unknowns from which no path leads to a free one: none ever will
     for index in told:
-        if index != skipped:
-            _augment(index, told, owner, set())
+        if index != skipped and not spent.issuperset(told[index]):
+            visited: set[str] = set()
+            if not _augment(index, told, owner, visited, spent):
+                spent |= visited
     return owner
 
 
-def _augment(index: int, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], visited: set[str]) -> bool:
+def _augment(
+    index: int, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], visited: set[str], spent: set[str]
+) -> bool:
     """Give an equation an unknown of its own, moving others over where that frees one (Kuhn's augmenting path)."""
     for name in unknowns[index]:
         if name not in owner:
             owner[name] = index
             return True
     for name in unknowns[index]:
-        if name not in visited:
+        if name not in visited and name not in spent:
             visited.add(name)
-            if _augment(owner[name], unknowns, owner, visited):
+            if _augment(owner[name], unknowns, owner, visited, spent):
                 owner[name] = index
                 return True
     return False

@@ -21,7 +21,8 @@ WAYS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockw
 DRAWN = ("triangle", "polygon", "lamina", "arc", "rope")  # shapes that are no mirror images of themselves
 SIDED = ("corners", "holes", "parts", "region", "velocity", "angle", "angular_velocity", "position", "acceleration")
 ASYMMETRIC = ("shaft", "drapes", "press", "weld", "angle", "rides")  # connections that know left from right
-ASKED_OF_A_SIDE = re.compile(r"\.\w+\.tension|\.rim\b|\.(shear|bending_moment)")
+AT_A_POINT = ("hinge", "spring")  # connections for which a rim is the place on its right
+ASKED_OF_A_SIDE = re.compile(r"\.\w+\.tension|\.(shear|bending_moment)")
 RELATIVE = Fraction(1, 10**5)
 
 
@@ -37,7 +38,8 @@ def reflected(scene: Scene) -> Scene | None:
     if (
         not scene.get("bodies")
         or any(name in SIDES for name in names)
-        or re.search(r"\.\w+\.tension|\.rim\b|\.(shear|bending_moment)", asked)
+        or ASKED_OF_A_SIDE.search(asked)
+        or on_a_rim(asked, scene)
     ):
         return None
     try:
@@ -47,6 +49,8 @@ def reflected(scene: Scene) -> Scene | None:
             surface_reflected(surface)
         for item in result.get("connections", {}).values():
             connection_reflected(item)
+            if on_a_rim(str(item), scene) and any(word in item for word in AT_A_POINT):
+                raise Asymmetric(str(item))
         for item in (*result.get("actions", {}).values(), *result.get("events", {}).values()):
             push_reflected(item, scene)
         for state in result.get("states", {}).values():
@@ -56,6 +60,13 @@ def reflected(scene: Scene) -> Scene | None:
         return None
     flat = {name for name, body in result["bodies"].items() if body.get("shape") in ("rectangle", "cuboid")}
     return {key: part if key in ("title", "given") else with_corners(part, flat) for key, part in result.items()}
+
+
+def on_a_rim(text: str, scene: Scene) -> bool:
+    """Whether a text speaks of a place on a rim, which is the one on the right, in a mirror too."""
+    bodies = [body for body in scene["bodies"].values() if isinstance(body, dict)]
+    rims = {"rim", "inner", "outer", *(rim for body in bodies for rim in body.get("radii", ()))}
+    return re.search(rf"\.({'|'.join(rims)})\b", text) is not None
 
 
 def lying(scene: Scene) -> set[str]:
@@ -105,7 +116,9 @@ def push_reflected(item: Scene, scene: Scene) -> None:
     body = scene["bodies"].get(owner)
     if isinstance(body, dict) and body.get("shape") == "rod" and f"{owner}.angle" not in str(scene.get("states")):
         raise Asymmetric(owner)
-    if ".angle" in str(item) or (".rim" in str(item.get("on")) and way not in (None, "tangential")):
+    if ".angle" in str(item) or (
+        on_a_rim(str(item), scene) and (way not in (None, "tangential") or "joins" in item or "collides" in item)
+    ):
         raise Asymmetric(str(item))
     if isinstance(way, list):
         item["direction"] = [minus(way[0]), way[1]]
@@ -115,6 +128,8 @@ def push_reflected(item: Scene, scene: Scene) -> None:
 
 def line_reflected(line: str, value: Any, scene: Scene) -> Any:
     """A line of a state: angles of rods from the other side, parts along x the other way."""
+    if isinstance(value, list) and line.endswith((".velocity", ".acceleration", ".position")):
+        return [minus(value[0]), *value[1:]]
     if not isinstance(value, str):
         return value
     owner, _, word = line.rpartition(".")

@@ -15,9 +15,9 @@ from rotsolve.algebra.certified.ball import Precision, decided_by_size, evaluate
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
-from rotsolve.core.equation import SEPARATED_BY_PLACE, Equation, Law
+from rotsolve.core.equation import SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Travel
-from rotsolve.core.symbols import POSITION, RATE, at_any_time, has_quantities, is_key
+from rotsolve.core.symbols import CONSTANT, POSITION, RATE, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 
@@ -38,7 +38,7 @@ def contradiction(search: Search) -> tuple[Equation | None, KnownBalls]:
     with Precision(BITS):
         numbers = KnownBalls.known(search)
         broken = first_broken(search, numbers)
-        return (backwards(search, numbers) if broken is None else broken), numbers
+        return broken or backwards(search, numbers) or too_far(search, numbers), numbers
 
 
 def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
@@ -157,6 +157,22 @@ def backwards(search: Search, numbers: KnownBalls) -> Equation | None:
             note_duration(passage.duration, search)
         if duration is not None and duration < 0:
             return FORWARDS.equation(passage.duration, ZERO, name)
+    return None
+
+
+def too_far(search: Search, numbers: KnownBalls) -> Equation | None:
+    """A way on which a constant acceleration would turn a body back before its end: v₀² + 2 a s < 0."""
+    for name, passage in search.scene.passages.items():
+        for travel in passage.travels:
+            if travel.pace != CONSTANT or not isinstance(travel.after, Symbol) or travel.after.name in numbers.found:
+                continue
+            start, rate, way = (numbers.size(value) for value in (travel.before, travel.acceleration, travel.change))
+            if start is not None and rate is not None and way is not None:
+                square, gain = start * start, 2 * rate * way
+                if square + gain < -TOLERANCE * (square + abs(gain)):
+                    law = STEADY_TURN if travel.kind == "turn" else STEADY_TRAVEL
+                    reached = travel.before**2 + 2 * travel.acceleration * travel.change
+                    return law.equation(travel.after**2, reached, name, (travel.body,))
     return None
 
 

@@ -136,11 +136,12 @@ class LawChoice(Struct, frozen=True, dict=True):
         """Plans for several phases: of too many equations of constant acceleration in one each is left out in its turn."""
         found: list[Plan] = []
         pending, seen = [frozenset[int]()], set[frozenset[int]]()
-        while pending and len(seen) < MOST_PLANS:
+        while pending and len(seen) < MOST_PLANS and self.planner.patience[0]:
             dropped = pending.pop(0)
             if dropped in seen:
                 continue
             seen.add(dropped)
+            self.planner.patience[0] -= 1
             plan = self._from([index for index in allowed if index not in dropped])
             crowded = self._crowded(plan, strict=True) if plan is not None else []
             found += [plan] if plan is not None and not crowded else []
