@@ -70,6 +70,7 @@ def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
 
 
 LINE_OR_EVENT = "give it a line, or an event that leads to it"
+FEW = 24  # unknowns of a question for which help is tried: of more, a line or two seldom is enough
 MANY = 6  # unknowns that a message names one by one
 FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
 
@@ -168,9 +169,8 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
         return f"give the `stiffness` of `{spring}`, or its force"
     from rotsolve.search.proposals import TRIED, leads_on, proposals
 
-    tried = islice(
-        proposals(quantities, scene, asked), TRIED if search.thorough and search.families == families_for(None) else 0
-    )
+    worth = search.thorough and search.families == families_for(None) and len(quantities) <= FEW
+    tried = islice(proposals(quantities, scene, asked), TRIED if worth else 0)
     found = next((item for item in tried if leads_on(item, scene, find, search.families)), None)
     if found is not None:
         return found.words

@@ -142,12 +142,21 @@ class Textbook(Struct, kw_only=True):
         def change(node: Formula) -> Formula:
             if not isinstance(node, Integral) or self._open(node):
                 return node
-            from rotsolve.algebra.calculus.separable import in_closed_form
-
-            done = in_closed_form(node, self.sign, self.order, self.positive)
-            return node if done is None else self.simplify(done)
+            done = self._carried_out(node)
+            return node if done is None else done
 
         return value.transform(change, Integral)
+
+    def _carried_out(self, node: Integral) -> Formula | None:
+        """An integral in closed form, kept for the next that needs it; None where it has none."""
+        from rotsolve.algebra.calculus.separable import in_closed_form
+
+        found = tuple([self.solved[name].formula for name in sorted(node.symbols()) if name in self.solved])
+        key, known = (node, self.order, found), self.signs.integrals
+        if key not in known:
+            done = in_closed_form(node, self.sign, self.order, self.positive)
+            known[key] = None if done is None else self.simplify(done)
+        return known[key]
 
     def inner_carried_out(self, value: Formula) -> Formula:
         """Integrals within integrals in closed form."""

@@ -30,6 +30,7 @@ class SignOracle(Struct, frozen=True):
     limits: Callable[[], Mapping[str, str]] = dict  # nothing is known of any
     decided: dict[Formula, int] = field(default_factory=dict)  # the signs on which it hung how formulas are made
     trials: Mapping[str, Formula] = field(default_factory=dict)  # numbers of one case, for letters that have none
+    integrals: dict[object, Formula | None] = field(default_factory=dict)  # carried out, as these signs would have it
 
     def decide(self, value: Formula) -> int | None:
         """−1, 0 or 1, on which it will hang how formulas are made; None where nothing tells the sign."""
