@@ -16,7 +16,7 @@ from rotsolve.core.equation import Equation
 
 # what a definition costs more once it has been used: it leads from what an answer is made of to the answer
 BACKWARDS = 6
-PATIENCE = 240  # plans of a scene that are made only to find one with fewer equations
+PATIENCE = 2_000_000  # work for plans of a scene that are made only to avoid equations of constant acceleration: pairs of equations
 ROUNDS = 12  # improvements after which a plan is taken as it is
 
 

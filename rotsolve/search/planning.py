@@ -127,21 +127,25 @@ class LawChoice(Struct, frozen=True, dict=True):
         coordinates = [own for phase in phases.values() for own in phase.values()]
         rest = [index for index in allowed if not any(index in own for own in coordinates)]
         chosen = [pair for own in coordinates for pair in (*combinations(own, 1), *combinations(own, 2))]
-        found = self._settled([*rest, *pair] for pair in ((), *chosen))
+        found = self._settled([*rest, *pair] for pair in ((), *chosen) if self._patient())
         if len(phases) < 2 or self.spare:  # a confirmation is not worth so long a search
             return found
         return found + self._thinned(allowed)
+
+    def _patient(self) -> bool:
+        """Whether one more plan may be made that only avoids equations of constant acceleration; its work is counted."""
+        self.planner.patience[0] -= len(self.allowed) ** 2
+        return self.planner.patience[0] >= 0
 
     def _thinned(self, allowed: list[int]) -> list[Plan]:
         """Plans for several phases: of too many equations of constant acceleration in one each is left out in its turn."""
         found: list[Plan] = []
         pending, seen = [frozenset[int]()], set[frozenset[int]]()
-        while pending and len(seen) < MOST_PLANS and self.planner.patience[0]:
+        while pending and len(seen) < MOST_PLANS and self._patient():
             dropped = pending.pop(0)
             if dropped in seen:
                 continue
             seen.add(dropped)
-            self.planner.patience[0] -= 1
             plan = self._from([index for index in allowed if index not in dropped])
             crowded = self._crowded(plan, strict=True) if plan is not None else []
             found += [plan] if plan is not None and not crowded else []

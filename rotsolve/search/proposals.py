@@ -15,6 +15,7 @@ from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, Find, Path, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
+from rotsolve.plan import PATIENCE
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.friction import decide
 from rotsolve.search.search import Search
@@ -94,7 +95,9 @@ def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tu
     try:
         configuration = Configuration(replace(problem, states=tuple(kept)))
         scene = SceneEquations(configuration, decide(configuration).modes)
-        return has_answer(find, Search(scene, families, confirming=True))
+        search = Search(scene, families, confirming=True)
+        search.planner.patience[0] = PATIENCE // 20
+        return has_answer(find, search)
     except (NotYet, Unsolvable, SceneError, ArithmeticError, ValueError):
         return False
 
