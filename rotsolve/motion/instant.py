@@ -113,10 +113,10 @@ class Instant(Standing, frozen=True, dict=True):
     def spoken_of(self, word: str, name: str) -> Formula:
         """Place or rate of a body, which may be part of another, as the scene speaks of it."""
         host = self.host(name)
-        if host == name:
-            return self.variable(word, name)
         if word == "angle":
             return self.angle_of(name)
+        if host == name:
+            return self.variable(word, name)
         letter = self.variable(word, host)
         if word in ("rotation", "angular_velocity"):
             return self.as_counted(letter, name)

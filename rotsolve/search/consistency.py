@@ -16,7 +16,7 @@ from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
 from rotsolve.core.equation import SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
-from rotsolve.core.passage import Travel
+from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
@@ -63,7 +63,8 @@ def untimely(search: Search, numbers: KnownBalls) -> bool:
         duration = numbers.size(passage.duration)
         if duration is not None and side_of(duration) in (0, -1):
             return True
-        if any(against_its_way(travel, numbers) for travel in passage.travels):
+        timed = not has_quantities(passage.times[1])  # for so long it may go to and fro
+        if any(against_its_way(one, numbers) for one in passage.travels if not (timed and one.pace == POSITION)):
             return True
     for encounter in search.scene.encounters.values():
         speeds = [numbers.size(speed) for speed in encounter.closing or ()]
@@ -195,13 +196,21 @@ def turned_back(search: Search) -> Interval | None:
     timed = {law.section for law in (search.planner.pool[index] for index in used) if law.law == SEPARATED_BY_PLACE}
     for name, passage in search.scene.passages.items():
         for travel in passage.travels if name in timed else ():
-            if travel.leads and travel.pace == POSITION:
+            if travel.leads and travel.pace == POSITION and not swings_on(travel, passage, search):
                 aside = search.apart()
                 speeds = [aside.settled(value) for value in (travel.before, travel.after)]
                 sizes = [aside.number(speed) if speed is not None else None for speed in speeds]
                 if sizes[0] is not None and sizes[1] is not None and sizes[0] * sizes[1] < 0:
                     return search.scene.configuration.timeline.interval(name)
     return None
+
+
+def swings_on(travel: Travel, passage: Passage, search: Search) -> bool:
+    """Whether a body is followed to and fro up to a told time: the push grows evenly with the place, so that sine and cosine go on."""
+    rate = search.aside(travel.acceleration.name) if isinstance(travel.acceleration, Symbol) else None
+    if rate is None or not isinstance(travel.coordinate, Symbol) or has_quantities(passage.times[1]):
+        return False
+    return travel.coordinate.name not in differentiate(rate, travel.coordinate.name).symbols()
 
 
 def runs(equation: Equation, search: Search) -> bool:

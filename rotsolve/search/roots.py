@@ -8,14 +8,15 @@ from functools import cmp_to_key
 
 from msgspec import Struct
 
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import decided_by_size
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
-from rotsolve.core.passage import Travel
+from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import RATES, is_key, key_of, of_kinds, phase_midst
+from rotsolve.core.symbols import POSITION, RATES, is_key, key_of, of_kinds, phase_midst
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import Orbit
@@ -72,14 +73,36 @@ class Expected(Struct, frozen=True):
         phase = after if first and after is not None else before
         wanted = "turn" if kind == "angular_velocity" else "line"
         travel = self._travel(phase.name, owner, wanted) if phase is not None else None
-        if travel is None:
+        if travel is None or phase is None:
             return 0, ()
+        timed = 0 if first else self._in_time(travel, self.scene.passages[phase.name])
+        if timed:
+            return self._told(kind, owner, name, timed)
         change = travel.end - travel.start if travel.start is not None and travel.end is not None else None
         told = [change]
         if not first:
             told += [travel.change if change is None else None, travel.before, self.numbers.push(travel.initial)]
         sign = self.numbers.sign(told)
         return self._told(kind, owner, name, sign) if sign else (0, ())
+
+    def _in_time(self, travel: Travel, passage: Passage) -> int:
+        """Which way a body moves after a known time where the push changes evenly with the place: v₀ cos ω t + (a₀/ω) sin ω t."""
+        lead = next((one for one in passage.travels if one.leads and one.pace == POSITION), None)
+        if lead is None or not isinstance(lead.coordinate, Symbol) or self.numbers.found(passage.duration) is None:
+            return 0
+        rate, start = self.numbers.push(lead.acceleration), self.numbers.push(travel.initial)
+        slope = differentiate(rate, lead.coordinate.name) if rate is not None else None
+        if slope is None or start is None or lead.coordinate.name in slope.symbols():
+            return 0
+        square = -(self.numbers.with_answers(slope) * lead.sense / lead.arm)
+        side, time = self.numbers.side(square), passage.duration
+        if side == 0:
+            return self.numbers.sign([travel.before + start * time])
+        omega = sqrt(square if side == 1 else -square)
+        grown, turned = call("exp", omega * time), [call(word, omega * time) for word in ("cos", "sin")]
+        if side == -1:
+            turned = [(grown + 1 / grown) / 2, (grown - 1 / grown) / 2]
+        return self.numbers.sign([travel.before * turned[0] + start / omega * turned[1]])
 
     def _travel(self, interval: str, owner: str, kind: str) -> Travel | None:
         """How a body goes along its line, or turns, in a phase."""
@@ -282,7 +305,7 @@ class RootChoice(Struct, frozen=True):
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered)
         if reached is not None:
             return reached
-        sign, words = Expected(self.scene, self.givens, self.numbers).sign(name)
+        sign, words = self._expected(name)
         fitting = [entry for entry in real if entry[1] * sign > 0]
         if fitting:
             return PickedRoot(self._smallest(fitting, roots), words)
@@ -290,6 +313,18 @@ class RootChoice(Struct, frozen=True):
             return PickedRoot(self._smallest(real, roots), ("the smallest angle",))
         positive = [entry for entry in real if entry[1] >= 0]
         return PickedRoot(self._smallest(positive or real, roots), ("the positive root",))
+
+    def _expected(self, name: str) -> tuple[int, Words]:
+        """The sign that a letter must have, also one that is a multiple of another, as a momentum is of a velocity."""
+        expected = Expected(self.scene, self.givens, self.numbers)
+        sign, words = expected.sign(name)
+        formula = None if sign else self.definition(name)
+        letters = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
+        if formula is None or len(letters) != 1 or self.numbers.found(formula.substitute({letters[0]: ZERO})) != 0.0:
+            return sign, words
+        share = self.numbers.sign([formula.substitute({letters[0]: ONE})])
+        sign, words = expected.sign(letters[0])
+        return share * sign, words
 
     def _smallest(self, entries: Sequence[tuple[int, float]], roots: Sequence[Formula]) -> int:
         """The root nearest to zero, of two that are equally far the first."""

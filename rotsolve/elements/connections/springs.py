@@ -10,7 +10,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula, add, negate
 from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import DOWN, TURNS, UP, Vector, along_text, unit
+from rotsolve.core.vectors.heading import DOWN, UP, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
@@ -109,11 +109,12 @@ class Torsion(Connection, frozen=True):
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """Torque −κ (θ − θ₀) on the last-named body, the opposite on the other."""
-        names = [instant.host(ref.owner) for ref in self.torsion if ref.owner in instant.configuration.bodies]
+        own = [ref.owner for ref in self.torsion if ref.owner in instant.configuration.bodies]
+        names = [instant.host(name) for name in own]
         last = names[-1]
-        twist = instant.ask("angle", last, words=TURNS)
+        twist = instant.angle_of(own[-1])
         if len(names) == 2:
-            twist = twist - instant.ask("angle", names[0], words=TURNS)
+            twist = twist - instant.angle_of(own[0])
         if self.rest_angle is not None:
             twist = simplify(twist - self.rest_angle)
         stiffness = self.stiffness if self.stiffness is not None else ZERO
