@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.confirm import NotConfirmed
@@ -192,3 +193,11 @@ def on_rim(body: Body, point: str | None) -> bool:
         return False
     names = {name for name, _ in (*body.radii, *getattr(shape_of(body), "radii", ()))}
     return point is None or point == "rim" or point in names
+
+
+def as_one(body: Body, free: bool) -> Body:
+    """Riders that slide freely and symmetrically move as one of the mass of all."""
+    if not free or body.count == 1 or body.mass is None:
+        return body
+    whole: Body = replace(body, mass=body.mass * body.count, count=1)
+    return whole

@@ -6,8 +6,6 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from msgspec.structs import replace
-
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import frame, radius_of, spread
@@ -42,13 +40,6 @@ def riding(item: Rides, pose: Pose, model: Known) -> Held:
         first = model.seats[carrier.owner].first
         yield unknown(item.name, "press_x", {first: 1.0})
         yield unknown(item.name, "press_y", {first + 1: 1.0})
-
-
-def as_one(body: Body, free: bool) -> Body:
-    """Riders that slide freely and symmetrically move as one of the mass of all."""
-    if not free or body.count == 1 or body.mass is None:
-        return body
-    return replace(body, mass=body.mass * body.count, count=1)
 
 
 def forward(item: Drapes, model: Known) -> float:

@@ -1,14 +1,14 @@
-"""Forces: what weight, springs and actions do along each coordinate. An element without a line here is refused."""
+"""Forces: what springs and actions do along each coordinate. An element without a line here is refused."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot, on_rim, radius_of, side_of
-from rotsolve.confirm.carried import centrifugal, rope_weight
+from rotsolve.confirm.carried import centrifugal, hanging, rope_weight
 from rotsolve.confirm.constraints import tied_at
 from rotsolve.confirm.jet import Jet, Slope, distance
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
@@ -31,10 +31,7 @@ SIDES = (None, "tangential", "clockwise", "counterclockwise")  # directions squa
 
 
 def forces(model: Known, pose: Pose, without: Collection[str] = ()) -> Pushes:
-    """All known forces, by their owner, and brakes that may hold; `without` those of some elements."""
-    for name, seat in model.seats.items():
-        if model.gravity and seat.rigid.mass and name not in model.hung:
-            yield f"weight of {name}", {seat.first + 1: -seat.rigid.mass * model.gravity}
+    """All known forces but the weights, by their owner, and brakes that may hold; `without` those of some elements."""
     for item in (*model.acting.connections, *model.acting.actions):
         line = FORCES.get(type(item))
         if line is not None and item.name not in without:
@@ -63,6 +60,37 @@ def spring_length(item: Spring, pose: Pose, model: Known) -> Jet:
     if first.place is not None or second.place is not None:
         return distance(u - x, w - y)
     return along((u - x, w - y), spring_way(item, model))
+
+
+def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str, float]:
+    """The lengths at which springs are without force, from how far a state says that they are stretched; how much of a rope hangs."""
+    found = {}
+    for item in model.acting.connections:
+        if isinstance(item, Drapes) and item.name not in known:
+            for line in model.acting.state.conditions:
+                path = line.path
+                if (
+                    path is not None
+                    and path.owner == item.name
+                    and path.quantity == "length"
+                    and line.value is not None
+                ):
+                    found[item.name] = model.value(line.value) - hanging(item, pose, model).value
+        if not isinstance(item, Spring) or item.name in known:
+            continue
+        if item.rest_length is not None and any(ref.place is not None for ref in item.spring):
+            found[item.name] = model.value(item.rest_length)
+            continue
+        for line in model.acting.state.conditions:
+            path = line.path
+            if (
+                path is not None
+                and path.owner == item.name
+                and path.quantity == "elongation"
+                and line.value is not None
+            ):
+                found[item.name] = spring_length(item, pose, model).value - model.value(line.value)
+    return found
 
 
 def spring_way(item: Spring, model: Known) -> Way:

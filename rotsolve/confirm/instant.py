@@ -11,9 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.carried import hanging
-from rotsolve.confirm.constraints import held_by
-from rotsolve.confirm.forces import forces, spring_length
+from rotsolve.confirm.constraints import ROWS, held_by
 from rotsolve.confirm.jet import Slope
 from rotsolve.confirm.linear import Solved, solved
 from rotsolve.confirm.lines import Stated, told
@@ -72,6 +70,13 @@ def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[l
     """All rows, all that may slip, and all known forces by their owner."""
     loads: dict[str, Slope] = {}
     rows, grips = split(held_by(model, pose))
+    for name, seat in model.seats.items():
+        if model.gravity and seat.rigid.mass and name not in model.hung:
+            loads[f"weight of {name}"] = {seat.first + 1: -seat.rigid.mass * model.gravity}
+    if not model.acting.actions and all(type(item) in ROWS for item in model.acting.connections):
+        return rows, grips, loads
+    from rotsolve.confirm.forces import forces
+
     for push in forces(model, pose, without):
         if isinstance(push, Grip):
             grips.append(push)
@@ -110,7 +115,10 @@ def placed(
     if start is None:
         origin = q
     clash = worst if worst > 1e-9 else 0.0
-    offsets |= stretched(model, Pose(model.seats, q, still, time, offsets, origin), offsets)
+    if any(isinstance(item, (Spring, Drapes)) for item in model.acting.connections):
+        from rotsolve.confirm.forces import stretched
+
+        offsets |= stretched(model, Pose(model.seats, q, still, time, offsets, origin), offsets)
     found = moving(model, Placed(q, still, time, offsets, origin, clash=clash), rows, grips, said, stir)
     return at_balance(model, found) if model.acting.state.balance else found
 
@@ -131,6 +139,8 @@ def at_balance(model: Known, at: Placed) -> Placed:
     springs = [item for item in springs if item.name not in at.offsets]
     if not springs:
         return at
+    from rotsolve.confirm.forces import spring_length
+
     rows, grips, loads = gathered(model, pose, [item.name for item in springs])
     lengths = {item.name: spring_length(item, pose, model) for item in springs}
     rows += [unknown(name, "force", length.slope) for name, length in lengths.items()]
@@ -150,37 +160,6 @@ def split(items: Iterator[Row | Grip]) -> tuple[list[Row], list[Grip]]:
     for item in items:
         (grips if isinstance(item, Grip) else rows).append(item)  # type: ignore[arg-type]
     return rows, grips
-
-
-def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str, float]:
-    """The lengths at which springs are without force, from how far a state says that they are stretched; how much of a rope hangs."""
-    found = {}
-    for item in model.acting.connections:
-        if isinstance(item, Drapes) and item.name not in known:
-            for line in model.acting.state.conditions:
-                path = line.path
-                if (
-                    path is not None
-                    and path.owner == item.name
-                    and path.quantity == "length"
-                    and line.value is not None
-                ):
-                    found[item.name] = model.value(line.value) - hanging(item, pose, model).value
-        if not isinstance(item, Spring) or item.name in known:
-            continue
-        if item.rest_length is not None and any(ref.place is not None for ref in item.spring):
-            found[item.name] = model.value(item.rest_length)
-            continue
-        for line in model.acting.state.conditions:
-            path = line.path
-            if (
-                path is not None
-                and path.owner == item.name
-                and path.quantity == "elongation"
-                and line.value is not None
-            ):
-                found[item.name] = spring_length(item, pose, model).value - model.value(line.value)
-    return found
 
 
 def moving(

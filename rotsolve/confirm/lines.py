@@ -10,7 +10,6 @@ from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, radius_of
-from rotsolve.confirm.carried import hanging
 from rotsolve.confirm.jet import Jet, Slope, arctangent, distance
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
@@ -127,6 +126,8 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
         return None
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
     if isinstance(contact, Drapes) and path.quantity == "length":
+        from rotsolve.confirm.carried import hanging
+
         return hanging(contact, pose, model) + pose.offsets.get(contact.name, 0.0)
     if isinstance(contact, Touch) and path.quantity == "angle":
         surface = surface_of(contact, model)

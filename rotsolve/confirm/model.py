@@ -10,8 +10,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import Mass, Spot, is_round, radius_of, rigid, side_of, spot_of
-from rotsolve.confirm.carried import as_one, whirled
+from rotsolve.confirm.bodies import Mass, Spot, as_one, is_round, radius_of, rigid, side_of, spot_of
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
@@ -20,7 +19,7 @@ from rotsolve.confirm.routing import legs
 from rotsolve.confirm.signs import carrier_of, grounded, line, sense
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.strings import String
-from rotsolve.elements.connections.supports import Axle, Hinge
+from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef
@@ -138,6 +137,10 @@ class Model:
     @cached_property
     def whirled(self) -> dict[str, float]:
         """The angular velocity of the upright shaft with which a body goes round: each piece at x has the speed ω x across the picture."""
+        if not any(isinstance(item, Shaft) for item in self.acting.connections):
+            return {}
+        from rotsolve.confirm.carried import whirled
+
         return whirled(self)
 
     @cached_property

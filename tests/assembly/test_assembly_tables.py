@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rotsolve.confirm.blow import HITS
 from rotsolve.confirm.constraints import ROWS
+from rotsolve.confirm.couplings import COUPLINGS
 from rotsolve.confirm.forces import FORCES
 from rotsolve.elements.actions import ACTIONS
 from rotsolve.elements.connections import CONNECTIONS
@@ -13,7 +14,7 @@ REFUSED = {"ball", "clamp", "unrolls"}  # of space; a roll of which less and les
 
 
 def test_every_connection_has_a_row_or_is_refused() -> None:
-    assert {item.word for item in CONNECTIONS if item not in ROWS} == REFUSED
+    assert {item.word for item in CONNECTIONS if item not in ROWS | COUPLINGS} == REFUSED
 
 
 def test_every_action_has_a_line_of_forces() -> None:

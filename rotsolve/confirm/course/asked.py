@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from operator import ge, gt, le, lt, ne
 from typing import Any
@@ -13,7 +12,7 @@ from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Node
-from rotsolve.confirm.course.reading import OF_BODIES, Reckoned, number, vector
+from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.quantity import OSCILLATING, SPANNED
 from rotsolve.core.writing import spoken
@@ -226,11 +225,10 @@ def difference(first: Reckoned, last: Reckoned, sign: float) -> Reckoned:
 def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:
     """The meaning of a path at one instant."""
     if path.owner in at.model.seats:
-        function = OF_BODIES.get(path.quantity)
-        if function is None:
-            raise NotConfirmed(f"{spoken(path.quantity)} of a body")
-        return function(at, path, term)
+        return of_body(at, path, term)
     if not path.owner:
+        from rotsolve.confirm.course.mechanics import of_scene
+
         return of_scene(at, path)
     from rotsolve.confirm.course.elements import OF_ELEMENTS
 
@@ -238,24 +236,6 @@ def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:
     if found is None:
         raise NotConfirmed(f"{spoken(path.quantity)} of a connection or an action")
     return found(at, path, term)
-
-
-def of_scene(at: Node, path: Path) -> Reckoned:
-    """The sum over all bodies."""
-    if path.quantity == "time":
-        return number(at.time)
-    if path.quantity in ("kinetic_energy", "mass", "momentum"):
-        parts = [
-            OF_BODIES[path.quantity](at, Path(name, path.quantity, component=path.component), None)
-            for name in at.model.seats
-        ]
-        if path.quantity == "momentum" and path.component is None:
-            raise NotConfirmed("a momentum of all bodies without its component")
-        return number(math.fsum(part.number for part in parts), max(part.size for part in parts))
-    if path.quantity in ("potential_energy", "energy"):
-        parts = [OF_BODIES[path.quantity](at, Path(name, path.quantity), None) for name in at.model.seats]
-        return number(math.fsum(part.number for part in parts) + at.stored(), max(part.size for part in parts))
-    raise NotConfirmed(f"`{path.quantity}` of the whole scene")
 
 
 __all__ = ["Asker", "Condition", "reading"]

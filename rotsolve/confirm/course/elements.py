@@ -13,6 +13,7 @@ from rotsolve.confirm.course.reading import (
     component_of,
     cross,
     number,
+    of_body,
     point_place,
     scalar,
     second_rate,
@@ -150,14 +151,12 @@ def turning(at: Node, path: Path, term: Term | None) -> Reckoned:
     item = element(at, path.owner)
     if isinstance(item, Touch) and path.quantity == "angle":
         return number(at.touching_angle(item), 1.0)
-    from rotsolve.confirm.course.reading import OF_BODIES
-
     between = item.between() if hasattr(item, "between") else ()
     if between and path.quantity != "angle":
         first, last = (at.pose.turn(ref.owner) for ref in between)
         rates = [turn.rate if path.quantity == "angular_velocity" else second_rate(turn, at) for turn in (first, last)]
         return number((rates[1] - rates[0]) * at.model.sense(between[1].owner), max(map(abs, rates)))
-    return OF_BODIES[path.quantity](at, Path(last_body(at, path.owner), path.quantity), term)
+    return of_body(at, Path(last_body(at, path.owner), path.quantity), term)
 
 
 Reading = Callable[["Node", Path, "Term | None"], Reckoned]

@@ -82,12 +82,13 @@ class Course:
         if event is not None:
             return self._struck(before, event, model, state)
         from rotsolve.confirm.course.energy import by_energy
-        from rotsolve.confirm.course.phase import followed
 
         found = None if before.adrift else by_energy(before, state)
         if found is not None:
             self._untimed.add(state.name)
             return Node(model, found.placed, self.budget)
+        from rotsolve.confirm.course.phase import followed
+
         phase = followed(self.timed(self.names[number - 1]), state)
         self._phases[self.names[number - 1]] = phase
         last = self.ending and number == len(self.states) - 1
@@ -95,12 +96,12 @@ class Course:
 
     def timed(self, name: str) -> Node:
         """The instant of a state, reached by steps in time."""
-        from rotsolve.confirm.course.phase import followed
-
         self.node(name)
         for number, state in enumerate(self.states[: self.names.index(name) + 1]):
             if state.name not in self._untimed:
                 continue
+            from rotsolve.confirm.course.phase import followed
+
             before = self.names[number - 1]
             self._phases[before] = phase = followed(self.node(before), state)
             self._untimed.discard(state.name)

@@ -7,7 +7,6 @@ from functools import cached_property
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import is_round
-from rotsolve.confirm.forces import spring_length
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, gathered, moment
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.lines import bent, circle_of
@@ -95,7 +94,9 @@ class Node:
     @cached_property
     def drags(self) -> list[tuple[str, str, float, Slope]]:
         """Friction of what slips: its size along its row, and what it does along each coordinate."""
-        found = []
+        found: list[tuple[str, str, float, Slope]] = []
+        if not {FORWARD, BACK}.intersection(self.moment.modes.values()):
+            return found
         for grip in gathered(self.model, self.pose)[1]:
             mode = self.moment.modes.get(grip.name)
             if mode not in (FORWARD, BACK):
@@ -213,6 +214,8 @@ class Node:
         rest = self.placed.offsets.get(owner)
         if not isinstance(item, Spring) or rest is None:
             raise NotConfirmed(f"nothing tells how far `{owner}` is stretched")
+        from rotsolve.confirm.forces import spring_length
+
         return spring_length(item, self.pose, self.model).value - rest
 
     def stored(self, owner: str = "") -> float:

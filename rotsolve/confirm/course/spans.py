@@ -11,9 +11,9 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.elements import last_body, loads, on_body, power
 from rotsolve.confirm.course.elements import torque as torque_of
 from rotsolve.confirm.course.following import Course
+from rotsolve.confirm.course.mechanics import power as power_on
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.reading import Reckoned, component_of, motion, number, point_place, rates, scalar, values
-from rotsolve.confirm.course.reading import power as power_on
 from rotsolve.language.problem import Path, Term
 
 

@@ -1,0 +1,138 @@
+"""Couplings: what few scenes have: prescribed motions, belts, gears, clutches, rims, riders, ropes, shafts; springs hold nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import radius_of
+from rotsolve.confirm.carried import draping, riding, whirling
+from rotsolve.confirm.constraints import Held, prescribed
+from rotsolve.confirm.jet import arctangent, distance
+from rotsolve.confirm.pose import Pose, load
+from rotsolve.confirm.rows import Grip, held, unknown
+from rotsolve.confirm.signs import RIGHT, UP
+from rotsolve.core.drive import TRAVELLING, TURNING
+from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
+from rotsolve.elements.connections.rubbing import Clutch, Rims
+from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.connections.supports import Rides, Shaft
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Connection
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
+
+
+def nothing(item: Connection, pose: Pose, model: Known) -> Held:
+    """Of what only pushes or pulls."""
+    return iter(())
+
+
+def guide(item: Guide, pose: Pose, model: Known) -> Held:
+    """The keys of a body that prescribe its own motion: of its centre of mass, and its turn."""
+    name = item.guided[0].owner
+    centre = pose.place(name, model.seats[name].rigid.centre)
+    ordered = sorted(item.motions, key=lambda motion: (*TURNING, *TRAVELLING).index(motion[0]))
+    last = {
+        component: word for word, component, _ in ordered
+    }  # of several words the highest rate tells the acceleration
+    for word, component, value in ordered:
+        if word in TURNING:
+            sign, coordinate, order = 1 if word == "angle" else model.sense(name), pose.turn(name), TURNING.index(word)
+        else:
+            sign, coordinate, order = 1, centre["xy".index(component or "x")], TRAVELLING.index(word)
+        row = prescribed(item.name, component or "torque", coordinate, order, sign, value, pose, model)
+        yield row if last[component] == word else replace(row, kind=f"{word}{component}", bend=None)
+
+
+def belt(item: Belt, pose: Pose, model: Known) -> Held:
+    for number, pair in enumerate(pairwise(item.belt), 1):
+        kind = "force" if len(item.belt) == 2 else f"force{number}"
+        yield from meshed(item.name, kind, pair, -1 if item.crossed else 1, None, pose, model)
+
+
+def gear(item: Gear, pose: Pose, model: Known) -> Held:
+    yield from meshed(item.name, "force", item.gear, 1 if item.inside else -1, item.inside, pose, model)
+
+
+def meshed(
+    owner: str, kind: str, pair: tuple[PointRef, ...], way: int, inside: bool | None, pose: Pose, model: Known
+) -> Held:
+    """Rims run equally fast as seen from the line of centres: R₂ (ω₂ − φ̇) = ± R₁ (ω₁ − φ̇), φ the angle of that line."""
+    radii = [radius_of(model.body(ref.owner), ref.point, model.value) or 0.0 for ref in pair]
+    turns = [pose.turn(ref.owner) for ref in pair]
+    (x, y), (u, w) = (pose.place(ref.owner, model.spot(ref)) for ref in pair)
+    gap = u - x, w - y
+    if all(ref.owner in model.held for ref in pair):
+        turning = turns[1] * radii[1] - turns[0] * (way * radii[0])
+        if inside is None:  # where the axles of a belt are to each other the scene does not say
+            for axis, direction in (("x", RIGHT), ("y", UP)):
+                yield unknown(owner, f"press_{axis}{kind}", load(gap, direction))
+            yield held(owner, kind, turning, pose)
+        else:  # of wheels in gear the second stands on the right
+            side = 1.0 if inside else -1.0
+            yield held(owner, kind, turning + gap[1] * side, pose)
+        return
+    if inside is not None:
+        apart = abs(radii[0] - radii[1]) if inside else radii[0] + radii[1]
+        apart_row = held(owner, f"apart{kind}", distance(*gap) - apart, pose, hard=True)
+        yield replace(apart_row, loose=True)
+    line = arctangent(gap[1], gap[0])
+    yield held(owner, kind, (turns[1] - line) * radii[1] - (turns[0] - line) * (way * radii[0]), pose)
+
+
+def mutual(item: MutualDrive, pose: Pose, model: Known) -> Held:
+    """A torque that nobody tells is as large as it likes."""
+    if item.couple is None:
+        first, second = (model.seats[ref.owner].turn for ref in item.drives)
+        yield unknown(item.name, "torque", {second: 1.0, first: -1.0})
+
+
+def clutch(item: Clutch, pose: Pose, model: Known) -> Held:
+    first, second = (pose.turn(ref.owner) for ref in item.clutch)
+    if item.friction_torque is not None:
+        size = model.value(item.friction_torque)
+    else:
+        ref = item.clutch[0]
+        radius = radius_of(model.body(ref.owner), ref.point, model.value) or 0.0
+        if item.press is None or item.friction is None:
+            raise NotConfirmed(f"nothing tells the torque of `{item.name}`")
+        size = 2.0 / 3.0 * model.value(item.friction) * model.value(item.press) * radius
+    yield Grip(item.name, held(item.name, "torque", second - first, pose), size, size)
+
+
+def rims(item: Rims, pose: Pose, model: Known) -> Held:
+    """The rims of two wheels side by side, the second on the right of the first."""
+    first, second = item.wheels
+    radii = [radius_of(model.body(ref.owner), ref.point, model.value) or 0.0 for ref in item.wheels]
+    (_, y), (_, w) = (pose.place(ref.owner, (0.0, 0.0)) for ref in item.wheels)
+    slip = (w - pose.turn(second.owner) * radii[1]) - (y + pose.turn(first.owner) * radii[0])
+    row, press, rough = held(item.name, "friction", slip, pose), model.value(item.press), item.friction
+    if rough.kind == "any":
+        yield Grip(item.name, row, None, None)
+    elif rough.kind == "coefficient":
+        static, kinetic = (
+            press * model.value(size) if size is not None else 0.0 for size in (rough.static, rough.kinetic)
+        )
+        yield Grip(item.name, row, static, kinetic)
+
+
+COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
+    Guide: guide,
+    Spring: nothing,
+    Torsion: nothing,
+    Belt: belt,
+    Gear: gear,
+    MutualDrive: mutual,
+    Clutch: clutch,
+    Rims: rims,
+    Rides: riding,
+    Drapes: draping,
+    Shaft: whirling,
+}
