@@ -49,6 +49,7 @@ class Model:
         self._lines: dict[str, Way | None] = {}
         self._senses: dict[str, int] = {}
         self._legs: dict[str, list[StringPart]] = {}
+        self._spots: dict[PointRef, Spot] = {}
 
     def value(self, formula: Formula) -> float:
         """The number of a formula of givens."""
@@ -298,7 +299,10 @@ class Model:
 
     def spot(self, ref: PointRef) -> Spot:
         """Where a point is in its body's axes; the centre, for the rim of a wheel, its top and its bottom."""
-        return spot_of(self.seats[ref.owner].rigid, ref.point, ref.argument, self.value)
+        found = self._spots.get(ref)
+        if found is None:
+            found = self._spots[ref] = spot_of(self.seats[ref.owner].rigid, ref.point, ref.argument, self.value)
+        return found
 
     def drawn(self, ref: PointRef) -> Spot:
         """Where a point is in its body's axes, that of a rim as drawn: the mark that something holds there."""
