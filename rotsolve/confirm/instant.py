@@ -124,11 +124,19 @@ def placed(
 
 
 def stirred(model: Known, stir: float) -> list[float]:
-    """Coordinates to begin with; rods turned by something, since they do not stand as drawn: what tells their angles turns them back."""
+    """Coordinates to begin with; rods, with what is welded to them, turned by something, since they do not stand as drawn: what tells
+    their angles turns them back."""
     q = seated(model)
-    for number, (name, seat) in enumerate(model.seats.items()):
-        if stir and shape_of(model.body(name)).slender:
-            q[seat.turn] += stir * (1.0 + 0.3 * number)
+    if not stir:
+        return q
+    turned = {name: number for number, name in enumerate(model.seats) if shape_of(model.body(name)).slender}
+    for _ in model.unions:
+        for first, second in model.unions:
+            for one, other in ((first, second), (second, first)):
+                if one in turned:
+                    turned[other] = min(turned[one], turned.get(other, turned[one]))
+    for name, number in turned.items():
+        q[model.seats[name].turn] += stir * (1.0 + 0.3 * number)
     return q
 
 

@@ -59,12 +59,24 @@ class OfElements(AtInstant, frozen=True):
         acting = {item.name for item in self.instant.configuration.acting(self.instant.state)}
         if not forces and not couples and path.quantity != "tension" and path.owner not in acting:
             raise NotYet(f"`{path.owner}` does not act{self._moment()}")
+        if (weld := self._weld(path)) is not None:
+            return weld
         reading = OF_ELEMENTS.get(path.quantity)
         about = term.about if term is not None else None
         found = None if reading is None else reading(self, path, Acting(forces, couples, about))
         if found is None:
             raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
         return found
+
+    def _weld(self, path: Path) -> Meant | None:
+        """What a weld does to the body that it names last."""
+        item = self._connection(path.owner)
+        if item is None or not item.joined() or path.quantity not in ("force", "torque"):
+            return None
+        from rotsolve.paths.welded import weld_force, weld_torque
+
+        function = weld_force if path.quantity == "force" else weld_torque
+        return function(path, item, self.body(item.joined()[-1].owner), self.instant)
 
     def torque(self, path: Path, acting: Acting) -> Formula:
         """The couple on the last-named body, and the torques of its forces: about its axis, its centre of mass or a point."""
