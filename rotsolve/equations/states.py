@@ -207,13 +207,35 @@ class Statements(Struct):
                 fix_balance(state.name, self.fixed)
         first = self.fixed.instant(self.configuration.timeline.states[0].name)
         for body in self.configuration.present(first.state):
-            angle = first.angle(body.name) if first.drawn_at_first(body.name) else None
+            said = self.configuration.mentions.says(first.state, body.name, "angle")
+            angle = first.angle(body.name) if first.drawn_at_first(body.name) and not said else None
             if angle is not None:  # it stands as drawn at first, unless the scene says how it stands
                 self.fixed.fix(angle, first.offset(body.name).formula())
         for state in self.configuration.timeline.states:
             for generic in (False, True):
                 prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
+        while self._put_in():
+            pass
         return self.stated
+
+    def _put_in(self) -> bool:
+        """Put what is fixed by now into what was taken before it was; whether an equation fixes one letter more by that."""
+        known = self.fixed.registry.known
+        for key, value in known.items():
+            if not known.keys().isdisjoint(value.symbols()):
+                known[key] = value.substitute({name: part for name, part in known.items() if name != key})
+        for number, (equation, condition) in enumerate(self.stated):
+            if known.keys().isdisjoint(equation.left.symbols()):
+                continue
+            left = simplify(equation.left.substitute(known))
+            moved = moved_letter(left)
+            if moved is not None and not has_quantities(equation.right):
+                letter, sign, rest = moved
+                self.fixed.fix(letter, signed(simplify(equation.right - rest), sign))
+                del self.stated[number]
+                return True
+            self.stated[number] = replace(equation, left=left), condition
+        return False
 
     def _clock(self, state: State) -> None:
         """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""

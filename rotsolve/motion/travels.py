@@ -13,7 +13,8 @@ from rotsolve.algebra.formula import ONE, Formula, Negative, Symbol, negate
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.passage import Travel
-from rotsolve.core.symbols import PLACES, POSITION, RATE, RATES, key_of, paths_in, running
+from rotsolve.core.quantity import PLANE
+from rotsolve.core.symbols import CONSTANT, PLACES, POSITION, RATE, RATES, key_of, paths_in, running
 from rotsolve.language.keys import varying_values
 
 if TYPE_CHECKING:
@@ -104,9 +105,10 @@ def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instan
     if body.motion.kind == "line":
         yield line_travel(body.name, interval, pace, first, last, middle)
     elif body.motion.kind == "plane":
-        for drive in first.configuration.drives(body.name, interval.start):
-            if drive.component:
-                yield component_travel(drive, interval, first, last, middle)
+        drives = {drive.component: drive for drive in first.configuration.drives(body.name, interval.start)}
+        for axis in PLANE:
+            if axis in drives or pace == CONSTANT:
+                yield component_travel(body.name, axis, drives.get(axis), interval, first, last, middle)
     if body.motion.turns:
         yield turn_travel(body.name, interval, pace, first, last, middle)
 
@@ -138,16 +140,20 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     return replace(travel, start=start, end=end, coordinate=midway, sense=circle.way, arm=circle.radius)
 
 
-def component_travel(drive: Drive, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Travel:
-    """One component of the way of a body that is moved freely in the plane."""
-    name, axis = drive.body, drive.component
+def component_travel(
+    name: str, axis: str, drive: Drive | None, interval: Interval, first: Instant, last: Instant, middle: Instant
+) -> Travel:
+    """One component of the way of a body that moves freely in the plane."""
     before, after, moving = (moment.component("velocity", name, axis) for moment in (first, last, middle))
     initial, later = (moment.component("acceleration", name, axis) for moment in (first, middle))
-    acceleration = initial if drive.pace == "constant" else later
-    places = [moment.component("position", name, axis) for moment in (first, last, middle)]
+    pace, given = (drive.pace, drive.order) if drive is not None else (CONSTANT, None)
+    acceleration = initial if pace == CONSTANT else later
+    places = (
+        [moment.component("position", name, axis) for moment in (first, last, middle)] if given == 0 else [None] * 3
+    )
     change = displacement(name, interval, first, axis)
     running = so_far("displacement", name, middle, axis) if first.configuration.mentions.runs else None
-    ends, pace, given = (places[0], places[1], places[2], initial), drive.pace, drive.order
+    ends = (places[0], places[1], places[2], initial)
     return Travel(
         name, "line", before, after, acceleration, change, pace, moving, *ends, axis=axis, given=given, running=running
     )
