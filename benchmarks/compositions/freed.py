@@ -69,14 +69,14 @@ def answers_of(problem: Problem) -> tuple[Answer, ...] | None:
 
 
 def apart(numbered: Answer, lettered: Answer, values: Values) -> Iterator[str]:
-    """How the one branch of an answer whose conditions hold differs from the answer with numbers."""
+    """How a branch of an answer whose conditions hold differs from the answer with numbers; there has to be one."""
     fitting = [case for case in (lettered, *lettered.otherwise) if all(holds(one, values) for one in case.conditions)]
-    if len(fitting) != 1:
-        yield f"{numbered.name}: {len(fitting)} branches of {1 + len(lettered.otherwise)} hold"
-        return
-    if numbered.word != fitting[0].word:
-        yield f"{numbered.name}: {fitting[0].word} instead of {numbered.word}"
-    yield from differing(numbered, fitting[0], values)
+    if not fitting:
+        yield f"{numbered.name}: none of {1 + len(lettered.otherwise)} branches holds"
+    for one in fitting:
+        if numbered.word != one.word:
+            yield f"{numbered.name}: {one.word} instead of {numbered.word}"
+        yield from differing(numbered, one, values)
 
 
 def differing(numbered: Answer, lettered: Answer, values: Values) -> Iterator[str]:

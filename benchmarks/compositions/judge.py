@@ -21,6 +21,7 @@ LIMIT = 2.0  # seconds of CPU that a scene may take
 CLOSE = Fraction(1, 10**5)  # relative: answers are printed to 7 figures
 LETTERED = "in letters, with the numbers put in"
 REFLECTED = "with its angles in a mirror"
+IDLE = "says nothing here"
 FALSE_WORDS = ("contradict", "too little is known", "never reached")
 RIGHT, UNCONFIRMED, NAMED, UNTRUE, UNTELLABLE, SAID, SILENT, SLOW, BROKEN = (
     "right",
@@ -46,6 +47,8 @@ def run(seed: int, number: int) -> Result:
 
 def judged(scene: Scene, found: Outcome, chance: random.Random) -> tuple[str, str]:
     """The verdict about a scene, with its reason."""
+    if found.kind == BAD and IDLE in found.message:
+        return NAMED, found.message.splitlines()[0]
     if found.kind in (INTERNAL, BAD):
         return BROKEN, found.message.splitlines()[0]
     if found.seconds > LIMIT:

@@ -101,7 +101,8 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
     configuration = search.scene.configuration
     for name, encounter in search.scene.encounters.items():
         for need in encounter.requirements:
-            margin = search.apart().certified(need.left - need.right) if concerns(need, search) else None
+            met = concerns(need, search) or asked_after(need, name, search)
+            margin = search.apart().certified(need.left - need.right) if met else None
             if margin is not None and margin.sign == -1:
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
@@ -116,6 +117,17 @@ def concerns(need: Requirement, search: Search) -> bool:
     used = {name for law in laws for name in law.bodies}
     item = next((item for item in search.scene.configuration.problem.connections if item.name == need.owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())
+
+
+def asked_after(need: Requirement, event: str, search: Search) -> bool:
+    """Whether a question about a state after an event speaks of a body that the requirement is about."""
+    timeline = search.scene.configuration.timeline
+    interval = timeline.interval(event)
+    first = timeline.order[interval.end] if interval is not None else 0
+    terms = [term for answered in search.answered for term in answered.asked.find.terms]
+    later = {term.path.owner for term in terms if timeline.order.get(term.at or term.end or "", -1) >= first}
+    item = next((item for item in search.scene.configuration.problem.connections if item.name == need.owner), None)
+    return item is not None and any(ref.owner in later for ref in item.touches())
 
 
 def objection(need: Requirement, state: str, search: Search, letters: Letters) -> Words:

@@ -97,10 +97,18 @@ def on_mounts(problem: Problem) -> Problem:
     for item in problem.connections:
         moving = set()
         if item.axial and len(item.touches()) > 1:
+            item = item.between_points(lambda ref: middle(ref, bodies))
             others = [other for other in problem.connections if other is not item]
             moving = {ref.owner for ref in item.touches() if ref.owner in bodies and moves(ref, others, bodies)}
         connections.append(item.among(moving) if moving else item)
     return replace(problem, connections=tuple(connections))
+
+
+def middle(ref: PointRef, bodies: Mapping[str, Body]) -> PointRef:
+    """The centre of mass for a body that is named alone and is put together of parts, save a wheel: that has its centre."""
+    body = bodies.get(ref.owner)
+    whole = ref.point is None and body is not None and bool(body.parts or body.holes)
+    return replace(ref, point="cm") if whole and body is not None and rim_radius(body, None) is None else ref
 
 
 def moves(ref: PointRef, others: Sequence[Connection], bodies: Mapping[str, Body]) -> bool:

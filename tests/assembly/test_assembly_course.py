@@ -197,3 +197,31 @@ find: {{w: rod.angular_velocity at late}}
 """
     with pytest.raises(NotConfirmed, match="too long"):
         asked(text, instants=300)
+
+
+WHEEL_ON_A_SPRING = """
+given: {R: 1.7 m, M: 3.8 kg, mu: 0.56, k: 68 N/m, x: 1.2 m, v: 3.5 m/s, w: 5.6 rad/s, t: 0.76 s, g: 9.8 m/s^2}
+surfaces: {floor: level}
+bodies: {wheel: {shape: disc, mass: M, radius: R, moves: left}}
+connections: {base: {contact: [wheel, floor], friction: mu}, coil: {spring: [ground, wheel], stiffness: k}}
+states: {start: {coil.elongation: x, wheel.velocity: v, wheel.angular_velocity: w}, end: {time: t}}
+find: {T: time from start to end, e: coil.elongation at end}
+"""
+
+
+@pytest.mark.parametrize("time", [0.1, 0.3, 0.5, 0.76, 1.1])
+def test_what_rolls_slips_again_where_friction_does_not_do(time: float) -> None:
+    """A wheel on a spring slips, rolls, and slips again; it is followed up to the very time that is told."""
+    M, R, k, limit = 3.8, 1.7, 68.0, 0.56 * 3.8 * 9.8
+    steps = 40000
+    x, u, spin, step = 1.2, -3.5, 5.6, time / steps  # to the right; counterclockwise
+    for _ in range(steps):
+        slip = u + R * spin
+        held = k * x / 3  # what keeps a disc rolling
+        f = -limit if slip > 1e-3 else limit if slip < -1e-3 else max(-limit, min(limit, held))
+        u += (f - k * x) / M * step
+        spin += f * R / (0.5 * M * R * R) * step
+        x += u * step
+    found = asked(WHEEL_ON_A_SPRING.replace("t: 0.76 s", f"t: {time} s"))
+    assert found["T"] == pytest.approx(time, rel=1e-12)
+    assert found["e"] == pytest.approx(x, abs=2e-3)

@@ -97,3 +97,23 @@ def test_rods_struck_anywhere_in_any_direction(seed: int, count: int, held: str)
         return
     answers = solve(scene).answers
     assert {name: answers[name].float for name in truth} == pytest.approx(truth, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("question", ["block.momentum.y", "block.velocity.y", "block.kinetic_energy", "block.velocity"])
+@pytest.mark.parametrize(
+    "mass", ["block: {mass: m, moves: right}", "block: {shape: disc, mass: m, radius: 0.2, moves: left}"]
+)
+def test_what_is_struck_off_a_surface_leaves_it_whatever_is_asked(mass: str, question: str) -> None:
+    """A surface does not pull back what is struck upwards."""
+    scene = f"""
+given: {{m: 2 kg, J: 4 N s}}
+surfaces: {{floor: level}}
+bodies: {{{mass.replace("0.2", "20 cm")}}}
+connections: {{base: {{contact: [block, floor], friction: 0.3}}}}
+states: {{start: {{at rest: all}}, after: {{}}}}
+events: {{hit: {{impulse: J, on: block, direction: WAY, from: start, to: after}}}}
+find: {{x: {question} at after}}
+"""
+    with pytest.raises(Unsolvable, match="leaves the surface"):
+        solve(scene.replace("WAY", "up"))
+    assert solve(scene.replace("WAY", "-30 deg")).answers["x"].float is not None

@@ -123,3 +123,32 @@ def test_a_tile_hung_from_a_truck_is_told_by_the_angle_of_its_centre() -> None:
         scene += "connections: {under: {contact: [truck, rails]}, axle: {axle: [truck, wheel.P]}}\n"
         scene += "states: {start: {at rest: all, wheel.angle: 0}}\nfind: {alpha: wheel.angular_acceleration}\n"
         assert solve(scene).answers["alpha"].float == pytest.approx(-2 * G / (3 * 0.25))
+
+
+HAMMER = "{parts: {stick: {shape: rod, mass: m, start: [0, 0], end: [L, 0]}, head: {mass: 2*m, at: [L, 0]}}, points: {grip: [0, 0]}}"
+PLATE = "{shape: rectangle, mass: m, sides: [L, L/2]}"
+
+
+@pytest.mark.parametrize("order", ["mount, wheel", "wheel, mount"])
+@pytest.mark.parametrize(
+    ("body", "hinge", "named", "arm"),
+    [
+        (HAMMER, "grip", "mount", 2.5 / 3),
+        (HAMMER, "grip", "mount.head", 1.0),
+        (PLATE, "corner1", "mount", (1 / 4 + 1 / 16) ** 0.5),
+        ("{shape: rod, mass: m, length: L}", "start", "mount", 0.5),
+    ],
+)
+def test_a_mount_named_alone_carries_at_its_centre(body: str, hinge: str, named: str, arm: float, order: str) -> None:
+    """The wheel goes round the hinge with the mount, as far from it as the mount's centre of mass is."""
+    axle = order.replace("mount", named)
+    scene = f"""
+given: {{L: 1 m, m: 3 kg, R: 0.5 m, a: 2 rad/s}}
+bodies: {{mount: {body}, wheel: {{shape: ring, mass: m, radius: R}}}}
+connections: {{pin: {{hinge: mount.{hinge}}}, spindle: {{axle: [{axle}]}}}}
+states: {{now: {{mount.angle: 0, mount.angular_velocity: a, wheel.angular_velocity: 0}}}}
+find: {{K: wheel.kinetic_energy, p: wheel.momentum.y}}
+"""
+    answers = solve(scene, digits=9).answers
+    assert answers["K"].float == pytest.approx(0.5 * 3 * (2 * arm) ** 2, rel=1e-8)
+    assert answers["p"].float == pytest.approx(3 * 2 * arm, rel=1e-8)

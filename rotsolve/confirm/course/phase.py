@@ -19,6 +19,7 @@ from rotsolve.confirm.course.steps import TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import FORWARD, OPEN, STICKS, Dynamics, Placed, gathered, moment, slip_speed
 from rotsolve.language.problem import State
 
+VERGE, BEYOND = 1e-9, 1e-6  # parts of a step: no step at all, and the least that tells what happens next
 MOST = 400  # steps of a phase
 STILL = 1e-8  # share of the rates below which slip is rounding
 FAR = 1e6  # seconds after which nothing is waited for any more
@@ -117,18 +118,24 @@ class NextState:
     def phase(self) -> FollowedPhase:
         """TimeStep by step, until the state is reached."""
         before: TimeStep | None = None
-        width = 0.0
+        width, beyond = 0.0, BEYOND
         for _ in range(MOST):
             modes = self.settled()
             step, width = self.stepped(modes, before, width)
             cut = self.changed(Lap(step, modes))
-            if cut is not None and cut < 1.0:
+            if cut is not None and cut < VERGE:  # on the very verge: a little farther it is told which way it goes on
+                step, before, width = self.shortened(step, beyond, modes), None, 0.0
+                beyond = min(4.0 * beyond, 1e-3)
+            elif cut is not None and cut < 1.0:
                 step, before, width = self.shortened(step, cut, modes), None, 0.0
             else:
                 before = step
             reached = self.reached(Lap(step, modes))
             if reached is not None:
-                return self.ended(Lap(self.shortened(step, reached, modes), modes))
+                last = self.shortened(step, reached, modes)
+                if last.width >= step.width * reached * (1.0 - 1e-9):
+                    return self.ended(Lap(last, modes))
+                step, before, width = last, None, 0.0  # a shorter step was as far as one could go at once
             self.laps.append(Lap(step, modes))
             self.node = instant(self.first, self.laps[-1], 1.0)
             if cut is not None:
@@ -212,7 +219,8 @@ class NextState:
         """The first part of a step at which all lines hold; None where they do not."""
         start, width = lap.step.time, lap.step.width
         if self.end_time is not None:
-            part = (self.end_time - start) / width if width else 1.0
+            left = self.end_time - start
+            part = left / width if width else 1.0 + left
             if part > 1.0 + 1e-9:
                 return None
             self.confirm_lines(instant(self.first, lap, min(part, 1.0)))

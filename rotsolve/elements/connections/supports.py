@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Callable, Container, Iterator
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
@@ -174,6 +176,9 @@ class Axle(Driven, frozen=True):
         if len(self.axle) == 1 or not mounts:
             return self
         return Mounted(**{name: getattr(self, name) for name in self.__struct_fields__}, mount=mounts[0])
+
+    def between_points(self, middle: Callable[[PointRef], PointRef]) -> Connection:
+        return replace(self, axle=tuple(map(middle, self.axle)))
 
     def held(self) -> tuple[PointRef, ...]:
         return self.axle
