@@ -106,9 +106,8 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
             if margin is not None and margin.sign == -1:
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
-                help = f"leave out `{need.owner}` where it does not hold through `{name}`"
                 message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
-                yield unsolvable(configuration.problem, message, span, help)
+                yield unsolvable(configuration.problem, message, span)
 
 
 def concerns(need: Requirement, search: Search) -> bool:

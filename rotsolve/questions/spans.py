@@ -165,17 +165,20 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
     if path.owner in scene.configuration.bodies and joined(path.owner, scene.instant(passage.start.state)):
         help = f"ask for the change of its energy, `change of {path.owner}.energy`, or the work of what acts on it"
         raise NotYet(f"the work done on `{path.owner}` alone, which is joined to another, is not solved yet", help=help)
-    if not works and grips(path.owner, passage):
+    if not works and idle(path.owner, passage):
         return ZERO
     if not works:
         raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
     return total([work.amount for work in works])
 
 
-def grips(owner: str, passage: Passage) -> bool:
-    """Whether friction that an element gives holds in a phase, so that it does no work."""
+def idle(owner: str, passage: Passage) -> bool:
+    """Whether all that an element exerts in a phase does no work: across the way, on points at rest, or in all on the bodies it ties.
+
+    What is stored, or told elsewhere, is work.
+    """
     own = [item for body in passage.midst.bodies for item in body.acting if item.owner == owner]
-    return any(item.role.rubs for item in own)
+    return bool(own) and not any(item.role.stores or item.role.inner for item in own)
 
 
 def potential_change(owner: str, passage: Passage, scene: SceneEquations) -> Formula:

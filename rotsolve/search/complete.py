@@ -11,7 +11,7 @@ from itertools import islice
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Broken, Course
-from rotsolve.confirm.course.node import Budget
+from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.verdict import SAME, SETS, sets_of_numbers
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Fault, Unsolvable
@@ -21,6 +21,7 @@ from rotsolve.motion.complete import configured
 from rotsolve.paths.meaning import NotYet
 
 COMPLETE = "nothing is missing in the scene, and nothing in it contradicts the rest: an assembly of all bodies' equations has an answer"
+TOLD = "nothing is missing in the scene: it tells how all bodies stand and move at first, and the laws how they go on"
 INSTANTS = 2000  # of one body, that a set of numbers may cost
 STIR = 0.1  # radians, or rates, of what nothing tells
 VARYING = "the accelerations vary"
@@ -38,10 +39,10 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
     finds = [find for find in ready.finds if find.name in names]
     for course, other in courses(ready):
         for find in finds:
-            if answers(course, other, find, whole=whole):
+            if help := answers(course, other, find, whole=whole):
                 alone = "" if law is None else f" by {FAMILIES[law].words} alone"
                 message = f"`{find.name}` is not solved by these laws{alone}: {hurdle(course, find)}"
-                return Fault(message, find.span, COMPLETE, "unsolvable")
+                return Fault(message, find.span, help, "unsolvable")
     return None
 
 
@@ -51,27 +52,35 @@ def courses(problem: Problem) -> Iterator[tuple[Course, Course]]:
         yield Course(problem, numbers, Budget(INSTANTS)), Course(problem, numbers, Budget(INSTANTS), stir=STIR)
 
 
-def answers(course: Course, other: Course, find: Find, *, whole: bool) -> bool:
-    """Whether the assembly tells what is asked, the same whatever is not told, and no line of a state fails in it.
-
-    `whole` where it has to have followed all states.
+def answers(course: Course, other: Course, find: Find, *, whole: bool) -> str:
+    """What says that nothing is missing: the assembly tells what is asked, the same whatever is not told, and no line of a state fails
+    in it; or the start tells all. '' where neither is so; `whole` where it has to have followed all states.
     """
     if find.where is not None or find.extreme:
-        return False
+        return ""
     try:
         one, two = (Asker(item.problem, item).answer(find, {}) for item in (course, other))
+    except OverBudget:
+        return TOLD if not whole and starts_alike(course, other) else ""
     except (NotConfirmed, ArithmeticError, ValueError):
-        return False
+        return ""
     size = max(one.size, *map(abs, one.values.values()))
     if one.word != two.word or any(abs(two.values[key] - own) > SAME * size for key, own in one.values.items()):
-        return False
+        return ""
     try:
         course.hold()
     except Broken:
-        return False
+        return ""
     except (NotConfirmed, ArithmeticError, ValueError):
-        return not whole
-    return True
+        return "" if whole else COMPLETE
+    return COMPLETE
+
+
+def starts_alike(course: Course, other: Course) -> bool:
+    """Whether the first state tells how all bodies stand and move, so that the laws tell the rest, however long it takes to follow."""
+    first, second = (item.node(item.names[0]).placed for item in (course, other))
+    pairs = zip((*first.q, *first.speed), (*second.q, *second.speed), strict=True)
+    return all(abs(one - two) <= SAME * max(1.0, abs(one)) for one, two in pairs)
 
 
 def hurdle(course: Course, find: Find) -> str:

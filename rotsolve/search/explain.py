@@ -225,5 +225,4 @@ def refuse_unsolved(search: Search, shortage: Shortage, find: Find) -> None:
     driven = next((travel.body for travel in travels if travel.pace == POSITION and not travel.leads), "")
     if driven and open_ == {"time"}:
         message = f"how long `{driven}` takes is not solved yet, since what drives it varies with its place"
-        help = "say what drives it as a `couple` or `force` that speaks of the place, or ask for a `period`"
-        raise unsolvable(problem, message, find.span, help)
+        raise unsolvable(problem, message, find.span)

@@ -17,6 +17,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
 from rotsolve.plan import PATIENCE
 from rotsolve.search.answers import NoAnswer
+from rotsolve.search.consistency import contradiction
 from rotsolve.search.friction import decide
 from rotsolve.search.search import Search
 
@@ -51,8 +52,7 @@ def proposals(missing: Sequence[SceneQuantity], scene: SceneEquations, asked: st
         words = f"say how it starts, as in `states: {{{first.name}: at rest}}`"
         yield Proposal(words, first.name, (Condition(None, rest=True, owner="all"),))
     for item in ranked:
-        if not (at_start(item, scene) and item.kind in RATES):
-            yield told(item.owner, item.kind, state_of(item.when, scene))
+        yield told(item.owner, item.kind, state_of(item.when, scene))
     for state in scene.configuration.timeline.states:
         for body in scene.configuration.present(state.name):
             pivoted = scene.configuration.pivot(body.name, state.name) is not None
@@ -83,7 +83,7 @@ def state_of(when: str, scene: SceneEquations) -> str:
 
 
 def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tuple[str, ...]) -> bool:
-    """Whether a question has an answer in the scene with the lines of a proposal."""
+    """Whether a question has an answer in the scene with the lines of a proposal, and nothing contradicts it."""
     problem = scene.configuration.problem
     states = problem.states or (State("now"),)
     kept = [
@@ -97,7 +97,7 @@ def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tu
         scene = SceneEquations(configuration, decide(configuration).modes)
         search = Search(scene, families, confirming=True)
         search.planner.patience[0] = PATIENCE // 20
-        return has_answer(find, search)
+        return has_answer(find, search) and contradiction(search)[0] is None
     except (NotYet, Unsolvable, SceneError, ArithmeticError, ValueError):
         return False
 

@@ -181,3 +181,39 @@ def test_of_several_questions_each_refusal_is_held_against_the_assembly() -> Non
     solution = solve(text)
     assert solution.answers["a"].float
     assert "is not solved by these laws" in str(solution.refused["x"])
+
+
+HALF_TOLD = {  # first states that tell one rate of several: what is proposed may not contradict it
+    "wheel on a spring": (
+        "one: {mass: M, inertia: M*r^2, radius: r, moves: down}",
+        "coil: {spring: [ceiling, one], stiffness: k}",
+        "coil.elongation: 10 cm, one.velocity: 2 m/s",
+        "one.kinetic_energy",
+    ),
+    "wheel that slides": (
+        "one: {shape: disc, mass: M, radius: r, moves: right}",
+        "base: {contact: [one, floor], friction: none}",
+        "one.velocity: 2 m/s",
+        "one.kinetic_energy",
+    ),
+    "load on a drum, beside a wheel": (
+        "drum: {shape: disc, mass: M, radius: r, turns: clockwise}, load: {mass: M, moves: down}, one: {shape: disc, mass: M, radius: r}",
+        "axle: {axle: drum}, cord: {string: [drum, load]}, stud: {axle: one}",
+        "load.velocity: 2 m/s",
+        "kinetic_energy",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", HALF_TOLD)
+def test_what_a_help_proposes_contradicts_nothing(name: str) -> None:
+    bodies, connections, lines, asked = HALF_TOLD[name]
+    text = (
+        "given: {M: 2 kg, r: 20 cm, k: 150 N/m}\nsurfaces: {floor: level}\n"
+        f"bodies: {{{bodies}}}\nconnections: {{{connections}}}\n"
+        f"states:\n  now: {{{lines}}}\n  later: {{time: 10 ms}}\nfind: {{x: {asked} at now}}\n"
+    )
+    proposed = PROPOSED.search(refusal(text).fault.help)
+    assert proposed is not None and proposed[2] != "at rest", refusal(text).fault.help
+    told = text.replace(f"now: {{{lines}}}", f"now: {{{lines}, {proposed[2].strip('{}')}}}")
+    assert not solve(told).refused
