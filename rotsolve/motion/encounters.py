@@ -178,7 +178,10 @@ def check_rails(meetings: Sequence[Meeting], event: Event, instant: Instant) -> 
         pushed = any(blow.role is CONTACT and blow.direction.along(across) != ZERO for blow in item.blows)
         met = [other for other in meetings if any(blow.role is CONTACT for blow in other.blows)]
         if pushed and any(rate.along(across) != ZERO for other in met for rate in (other.before, other.after)):
-            help = f"leave out `moves` of `{name}`, and give its velocity as [vx, vy]"
+            held = any(
+                ref.owner == name for link in instant.configuration.connections(instant.state) for ref in link.touches()
+            )
+            help = "" if held else f"leave out `moves` of `{name}`, and give its velocity as [vx, vy]"
             message = f"`{event.name}` pushes `{name}` to the side of the line along which it `moves`"
             raise Unsolvable(message, span=instant.body(name).span, help=help)
 

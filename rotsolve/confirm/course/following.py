@@ -120,6 +120,8 @@ class Course:
             path = line.path
             if path is not None and path.point is None and path.quantity == "velocity" and path.owner in model.seats:
                 first.line(path.owner)  # refuses what two points of a body may mean
+        if model.acting.state.steady and any(abs(rate) > 1e-5 * max(model.gravity, 1.0) for rate in first.moment.rates):
+            raise NotConfirmed("how bodies stand that are steady it does not find")
         return first
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:

@@ -1,0 +1,168 @@
+"""What is refused by name: every row of the table in docs/finding.md is printed by a scene, and what it says to do instead leads on."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from rotsolve import solve
+from rotsolve.core.faults import SceneError, Unsolvable
+
+PAGE = Path(__file__).parents[2] / "docs" / "finding.md"
+GIVEN = "given: {M: 2 kg, m: 1 kg, R: 30 cm, L: 80 cm, w: 4 rad/s, c: 0.2 N m s, F: 6 N, t1: 0.2 s, tau: 1 N m}\n"
+ROD = "bodies: {rod: {shape: rod, mass: M, length: L}}\nconnections: {pin: {hinge: rod.start}}\n"
+FALL = "states: {high: {rod.angle: 20 deg, at rest: all}, low: {rod.angle: -30 deg}}\n"
+OIL = "actions: {oil: {couple: -c*rod.angular_velocity, on: rod}}\n"
+MAST = "mast: {shaft: rod.start, turning: w}"
+TRUCK = (
+    "surfaces: {floor: level}\n"
+    "bodies: {truck: {mass: M, moves: right}, wheel: {shape: disc, mass: m, radius: R}, other: {shape: disc, mass: m, radius: R/2}}\n"
+    "connections: {under: {contact: [truck, floor]}, mount: {axle: [truck, wheel]}"
+)
+ATWOOD = (
+    "bodies: {one: {mass: m, moves: down}, pulley: {shape: disc, mass: M, radius: R}, two: {mass: M, moves: down}}\n"
+    "connections: {stud: {axle: pulley}, cord: {string: [one, pulley, two]}}\nstates: {now: {at rest: all}}\n"
+)
+BELT = (
+    "bodies: {wheel: {shape: disc, mass: m, radius: R}, other: {shape: disc, mass: m, radius: R/2}}\n"
+    "connections: {mount: {axle: wheel}, stud: {axle: other}, strap: {belt: [wheel, other]}}\n"
+    "actions: {drive: {couple: tau, on: wheel}}\nstates: {now: {at rest: all}}\n"
+)
+LINKS = "bodies: {a: {shape: rod, mass: M, length: L}, b: {shape: rod, mass: m, length: L}}\n"
+STEADY = "states: {now: {rod.angle: -60 deg, at rest: all}}\n"
+REST = "states: {now: {at rest: all}}\n"
+LOPSIDED = "wheel: {radius: R, %sparts: {hoop: {shape: disc, mass: M, radius: R}, lump: {mass: m, at: [R/2, 0]}}}"
+SWING = "find: {x: period of small swings}\n"
+BLOW = "states: {before: {at rest: all}, after: {}}\n"
+SPIN = "states: {now: {wheel.angular_velocity: 1 rad/s}}\nfind: {x: wheel.angular_acceleration at now}\n"
+
+HUNG = (
+    "bodies: {ring: {shape: ring, mass: M, radius: R, moves: down}, bob: {mass: m, moves: right}}\n"
+    "connections: {cord: {string: [ceiling, ring]}}\nstates: {before: {at rest: [ring], bob.velocity: 2 m/s}, after: {}}\n"
+    "events: {hit: {joins: [bob, ring.center], from: before, to: after}}\nfind: {x: bob.velocity.x at after}\n"
+)
+
+CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
+    "damped fall": (
+        ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
+        ROD + "actions: {oil: {couple: -tau, on: rod}}\n" + FALL + "find: {x: rod.angular_velocity at low}\n",
+    ),
+    "time of a fall": (
+        ROD + FALL + "find: {x: time from high to low}\n",
+        ROD + FALL + "find: {x: rod.angular_velocity at low}\n",
+    ),
+    "place at a time": (
+        ROD
+        + "states: {high: {rod.angle: 20 deg, at rest: all}, low: {time: t1}}\nfind: {x: rod.angular_velocity at low}\n",
+        ROD + FALL + "find: {x: rod.angular_velocity at low}\n",
+    ),
+    "damped swings": (ROD + OIL + SWING, ROD + SWING),
+    "swings of links": (
+        LINKS + "connections: {pin: {hinge: a.start}, joint: {hinge: [a.end, b.start]}}\n" + SWING,
+        LINKS + "connections: {pin: {hinge: a.start}, joint: {weld: [a.end, b.start]}}\n" + SWING,
+    ),
+    "lopsided on a line": (
+        f"bodies: {{{LOPSIDED % 'moves: down, '}}}\nactions: {{pull: {{force: F, on: wheel.center, direction: up}}}}\n"
+        + REST
+        + "find: {x: wheel.angular_acceleration at now}\n",
+        f"bodies: {{{LOPSIDED % ''}}}\nactions: {{pull: {{force: F, on: wheel.center, direction: up}}}}\n"
+        + REST
+        + "find: {x: wheel.angular_acceleration at now}\n",
+    ),
+    "tied on a shaft": (
+        "bodies: {rod: {shape: rod, mass: M, length: L}, wheel: {shape: disc, mass: m, radius: R}}\n"
+        f"connections: {{{MAST}, stud: {{axle: [rod, wheel]}}}}\n"
+        + STEADY
+        + "find: {x: rod.angular_acceleration at now}\n",
+        "bodies: {rod: {shape: rod, mass: M, length: L}, bob: {mass: m}}\n"
+        f"connections: {{{MAST}, bolt: {{weld: [rod.end, bob]}}}}\n"
+        + STEADY
+        + "find: {x: rod.angular_acceleration at now}\n",
+    ),
+    "momentum on a shaft": (
+        f"bodies: {{rod: {{shape: rod, mass: M, length: L}}}}\nconnections: {{{MAST}}}\n{STEADY}find: {{x: rod.angular_momentum at now}}\n",
+        f"bodies: {{rod: {{shape: rod, mass: M, length: L}}}}\nconnections: {{{MAST}}}\n{STEADY}find: {{x: rod.kinetic_energy at now}}\n",
+    ),
+    "balance on a shaft": (
+        f"bodies: {{rod: {{shape: rod, mass: M, length: L}}}}\nconnections: {{{MAST}}}\n"
+        "states: {now: {balance: true}}\nfind: {x: rod.angle at now}\n",
+        f"bodies: {{rod: {{shape: rod, mass: M, length: L}}}}\nconnections: {{{MAST.replace('w}', '6 rad/s}')}}}\n"
+        "states: {now: {steady: true}}\nfind: {x: rod.angle at now}\n",
+    ),
+    "mass told by its moment on a shaft": (
+        "bodies: {wheel: {mass: M, inertia: M*R^2, radius: R}}\nconnections: {mast: {shaft: wheel.center, turning: w}}\n"
+        + SPIN,
+        "bodies: {wheel: {shape: ring, mass: M, radius: R}}\nconnections: {mast: {shaft: wheel.center, turning: w}}\n"
+        + SPIN,
+    ),
+    "brake on what travels": (
+        TRUCK + "}\nactions: {block: {press: F, on: wheel.rim, friction: 0.5}}\n"
+        "states: {now: {wheel.angular_velocity: w, truck.velocity: 1 m/s}}\nfind: {x: wheel.angular_acceleration at now}\n",
+        TRUCK + "}\nactions: {block: {couple: 0.5*F*R, on: wheel, direction: clockwise}}\n"
+        "states: {now: {wheel.angular_velocity: w, truck.velocity: 1 m/s}}\nfind: {x: wheel.angular_acceleration at now}\n",
+    ),
+    "rubbing axle on what travels": (
+        TRUCK.replace("[truck, wheel]", "[truck, wheel], friction_torque: tau") + "}\n"
+        "states: {now: {wheel.angular_velocity: w, truck.velocity: 1 m/s}}\nfind: {x: wheel.angular_acceleration at now}\n",
+        TRUCK + "}\nactions: {rub: {couple: tau, on: wheel, direction: clockwise}}\n"
+        "states: {now: {wheel.angular_velocity: w, truck.velocity: 1 m/s}}\nfind: {x: wheel.angular_acceleration at now}\n",
+    ),
+    "belt to what travels": (
+        TRUCK
+        + ", stud: {axle: other}, strap: {belt: [wheel, other]}}\nactions: {drive: {couple: tau, on: wheel}}\n"
+        + REST
+        + "find: {x: wheel.angular_acceleration at now}\n",
+        TRUCK
+        + ", stud: {axle: [truck, other]}, strap: {belt: [wheel, other]}}\nactions: {drive: {couple: tau, on: wheel}}\n"
+        + REST
+        + "find: {x: wheel.angular_acceleration at now}\n",
+    ),
+    "support of a belt": (BELT + "find: {x: stud.force.y at now}\n", BELT + "find: {x: strap.force at now}\n"),
+    "tension of a string over a heavy pulley": (
+        ATWOOD + "find: {x: cord.tension at now}\n",
+        ATWOOD + "find: {x: cord.two.tension at now}\n",
+    ),
+    "blow that lifts": (
+        "surfaces: {floor: level}\nbodies: {block: {mass: m, moves: right}}\nconnections: {base: {contact: [block, floor]}}\n"
+        + BLOW
+        + "events: {hit: {impulse: 1 N s, on: block, direction: 60 deg, from: before, to: after}}\nfind: {x: block.velocity at after}\n",
+        "",
+    ),
+    "blow to the side of a line": (HUNG, ""),
+}
+
+
+def rows() -> list[str]:
+    """The messages of the table, with … for the names of a scene."""
+    text = PAGE.read_text(encoding="utf-8")
+    lines = text[text.index("| what is printed |") :].split("\n\n")[0].splitlines()[2:]
+    return [line.split("|")[1].strip() for line in lines]
+
+
+def refused(text: str) -> str:
+    with pytest.raises((Unsolvable, SceneError)) as caught:
+        solve(text)
+    fault = caught.value.fault if isinstance(caught.value, Unsolvable) else caught.value.faults[0]
+    return fault.message
+
+
+def fits(row: str, message: str) -> bool:
+    return re.fullmatch(re.escape(row).replace("…", ".+"), message.replace("`", "")) is not None
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_what_is_refused_by_name_stands_in_the_table(case: str) -> None:
+    message = refused(GIVEN + CASES[case][0])
+    assert [row for row in rows() if fits(row, message)], message
+
+
+def test_every_row_of_the_table_is_printed() -> None:
+    messages = [refused(GIVEN + text) for text, _ in CASES.values()]
+    assert not [row for row in rows() if not any(fits(row, message) for message in messages)]
+
+
+@pytest.mark.parametrize("case", [name for name, (_, other) in CASES.items() if other])
+def test_what_is_to_be_said_instead_is_answered(case: str) -> None:
+    assert not solve(GIVEN + CASES[case][1]).refused
