@@ -27,6 +27,8 @@ def main() -> NoReturn:
     match sys.argv[1:]:
         case ["solve", *files] if files and no_options(*files):
             leave_after(lambda: solve_at_once(files))
+        case ["solve", "--no-confirm", *files] if files and no_options(*files):
+            leave_after(lambda: solve_at_once(files, confirm=False))
         case ["check", problem, answers] if no_options(problem, answers):
             leave_after(lambda: check_at_once(problem, answers))
         case ["check", problem, "--answer" | "-a", typed] if no_options(problem):
@@ -41,12 +43,12 @@ def no_options(*words: str) -> bool:
     return not any(word.startswith("-") for word in words)
 
 
-def solve_at_once(files: list[str]) -> NoReturn:
+def solve_at_once(files: list[str], *, confirm: bool = True) -> NoReturn:
     """`rotsolve solve FILES…`, all else by default."""
     with orderly():
         from rotsolve.run import SolveRequest, solve_files
 
-        code = solve_files(SolveRequest(tuple(files), width=page_width(None)))
+        code = solve_files(SolveRequest(tuple(files), width=page_width(None), confirm=confirm))
     sys.exit(code)
 
 

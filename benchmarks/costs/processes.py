@@ -26,7 +26,8 @@ BARE, SYMPY, HELP = "python -c pass", 'python -c "import sympy"', "rotsolve --he
 ROTSOLVE = [sys.executable, "-m", "rotsolve"]
 STAGE = re.compile(r"^  (\w+) +(-?[\d.]+) ms +-?\d+%", re.MULTILINE)
 IMPORTED = re.compile(r"^import time: +(\d+) \| +\d+ \| +(\S+)$", re.MULTILINE)
-OF_RUN = ("start", "import", "read", "laws", "plan", "solve", "verify", "compose", "render")
+OF_RUN = ("start", "import", "read", "laws", "plan", "solve", "verify", "compose", "confirm", "render")
+ASSEMBLY = "loading twenty modules of the assembly takes two thirds of it, what is worked out for an ordinary scene less than 1 ms"
 
 
 class Ratios(NamedTuple):
@@ -71,6 +72,16 @@ def ratios(commands: Mapping[str, Sequence[str]], rounds: int) -> dict[str, Rati
     return {name: Ratios(*map(median, zip(*rows, strict=True))) for name, rows in found.items()}
 
 
+def confirming(files: Sequence[Path], rounds: int) -> list[tuple[float, float]]:
+    """By file, the milliseconds by which the confirmation makes a cold run longer, and the ratio: medians of pairs of runs in turns."""
+    found = []
+    for file in files:
+        commands = [[*ROTSOLVE, "solve", str(file)], [*ROTSOLVE, "solve", "--no-confirm", str(file)]]
+        pairs = [[seconds(command) for command in commands] for _ in range(rounds)]
+        found.append((1000 * median(a - b for a, b in pairs), median(a / b for a, b in pairs)))
+    return found
+
+
 def stages(file: Path) -> dict[str, float]:
     """Milliseconds by stage, as `--profile` tells them."""
     told = run([*ROTSOLVE, "solve", str(file), "--profile"]).stderr
@@ -95,12 +106,16 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
     spent = {name: stages(folder / name) for name in commands}
     packages = [imports(folder / name) for name in commands]
     before = before_work(list(spent.values()))
+    confirmed = confirming(files, rounds)
+    longer, ratio = (median(column) for column in zip(*confirmed, strict=True))
     text = "\n\n".join(
         [
             f"Processor time, medians of {rounds} rounds. {len(files)} problem files: "
             f"median {median(row.bare for row in solved):.1f} × the bare interpreter ({1000 * found[BARE].seconds:.0f} ms) and "
             f"{median(row.sympy for row in solved):.2f} × `import sympy`, 90 % below {share([row.bare for row in solved], 0.9):.1f} × and "
             f"{share([row.sympy for row in solved], 0.9):.2f} ×; `--help` {found[HELP].bare:.1f} × and {found[HELP].sympy:.2f} ×.",
+            f"The assembly that confirms answers, against `--no-confirm`: median {longer:.1f} ms, {ratio:.3f} ×; "
+            f"90 % below {share([ms for ms, _ in confirmed], 0.9):.1f} ms.",
             "Imports by package, mean over the files, in ms with the cost of `-X importtime` itself:",
             table(("package", "ms"), list(by_package(packages))),
             f"{before[0].upper()}{before[1:]}.",
@@ -116,6 +131,7 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
             below(
                 "cold solve, × bare interpreter (median file)", median(row.bare for row in solved), 13, "{:.1f}", before
             ),
+            below("confirmation, ms of a cold solve (median file)", longer, 2, "{:.1f}", ASSEMBLY),
             below("`--help`, × bare interpreter", found[HELP].bare, 8, "{:.1f}"),
         ),
     )

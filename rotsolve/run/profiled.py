@@ -22,6 +22,7 @@ STAGES = (
     ("solve", "one unknown at a time"),
     ("verify", "a second law, all equations, limits, dimensions"),
     ("compose", "letters, sections, answers"),
+    ("confirm", "an assembly of all bodies' equations held against the answers"),
     ("render", "the page"),
     ("rest", "files read and written"),
 )

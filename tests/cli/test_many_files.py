@@ -72,6 +72,9 @@ def command(tmp_path: Path) -> Iterator[Command]:
             stderr=subprocess.PIPE,
             encoding="utf-8",
             start_new_session=True,
+            preexec_fn=lambda: signal.signal(
+                signal.SIGINT, signal.SIG_DFL
+            ),  # which is ignored where tests run in the background
         )
         started.append(process)
         return process

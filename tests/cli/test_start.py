@@ -29,7 +29,9 @@ def process(entry: str, *arguments: str, main: str = "main", before: str = LOADE
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
 
 
-@pytest.mark.parametrize("files", [[SCENE], [SCENE, str(PULLEYS / "atwood.yaml")], ["nowhere.yaml"]])
+@pytest.mark.parametrize(
+    "files", [[SCENE], [SCENE, str(PULLEYS / "atwood.yaml")], ["nowhere.yaml"], ["--no-confirm", SCENE]]
+)
 def test_files_alone_need_no_parser(files: list[str]) -> None:
     plain, parsed = process("rotsolve.start", "solve", *files), process("rotsolve.cli", "solve", *files)
     assert plain.stdout.endswith("False\n") and parsed.stdout.endswith("True\n")
