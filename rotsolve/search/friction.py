@@ -23,6 +23,7 @@ from rotsolve.language.problem import Find, Problem
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
+from rotsolve.plan import PATIENCE
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.endings import tell_ends
@@ -101,8 +102,15 @@ class Trials:
         """What the laws tell where what rubs moves as it is supposed to; the same supposition is looked into once."""
         key = (frozenset(modes.items()), families)
         if key not in self._searches:
-            self._searches[key] = Search(self.scene.where(modes), families, careful=True)
+            self._searches[key] = self.fresh(modes, families)
         return self._searches[key]
+
+    def fresh(self, modes: Mapping[str, str], families: tuple[str, ...]) -> Search:
+        """A search of its own, with little patience where it goes through all laws: what hangs on something open has no answer anyway."""
+        search = Search(self.scene.where(modes), families, careful=True)
+        if families != (NEWTON,):
+            search.planner.patience[0] = PATIENCE // 20
+        return search
 
     def note(self, modes: Mapping[str, str], found: Iterable[Words], holds: bool | None, why: str) -> None:
         """Remember a trial as data."""
@@ -149,13 +157,11 @@ class Trials:
 
     def tried(self, rub: Rub, contact: Connection) -> bool:
         """Take a contact to stick: whether the numbers tell if the friction that this takes is more than there can be."""
-        search = Search(self.scene.where(self.modes), (NEWTON,), careful=True)  # its steps may be shown
+        search = self.fresh(self.modes, (NEWTON,))  # its steps may be shown
         self.tell_way(search, rub.state)
         found = sticking(search, rub, contact)
         if found is None and rub.state != self.configuration.timeline.states[0].name:
-            search = Search(
-                self.scene.where(self.modes), families_for(None), careful=True
-            )  # where it is hangs on the way
+            search = self.fresh(self.modes, families_for(None))  # where it is hangs on the way
             self.tell_way(search, rub.state)
             found = sticking(search, rub, contact)
         if found is None:

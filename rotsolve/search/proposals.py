@@ -96,16 +96,16 @@ def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tu
         configuration = Configuration(replace(problem, states=tuple(kept)))
         scene = SceneEquations(configuration, decide(configuration).modes)
         search = Search(scene, families, confirming=True)
-        search.planner.patience[0] = PATIENCE // 20
         return has_answer(find, search) and contradiction(search)[0] is None
     except (NotYet, Unsolvable, SceneError, ArithmeticError, ValueError):
         return False
 
 
 def has_answer(find: Find, search: Search) -> bool:
-    """Whether a search answers a question."""
+    """Whether a search answers a question, with little patience: it is only for a word of help."""
     from rotsolve.search.answering import answer_by_law, answer_with_condition
 
+    search.planner.patience[0] = PATIENCE // 20
     try:
         if not answer_with_condition(search, find):
             answer_by_law(search, find)
