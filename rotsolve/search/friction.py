@@ -83,8 +83,8 @@ class Trials:
         known = {**dict(self.configuration.timeline.state(state).senses), **dict.fromkeys(at_rest, 0)}
         for rub in rubbing:
             moving = known[rub.name] if rub.name in known else self.sense_at_start(rub)
-            if moving:
-                self.modes[rub.key] = rub.mode(moving)
+            if moving or smooth(rub, self.configuration.signs):
+                self.modes[rub.key] = rub.mode(moving or 1)
         for group in self.moving_together([rub for rub in rubbing if rub.key not in self.modes and self.lasts(rub)]):
             contact = group[0].contact
             if len(group) > 1 or contact is None or not self.tried(group[0], contact):
@@ -258,7 +258,7 @@ class Trials:
         senses = {}
         for rub in group:
             slip, speed, signs = rub.rate(instant), speeds[rub.key], self.configuration.signs
-            if slip is not None and simplify(slip.substitute(allowed)) == ZERO and not smooth(rub, signs):
+            if slip is not None and simplify(slip.substitute(allowed)) == ZERO:
                 # the rules keep it at rest whichever way the rest moves: how much it grips stays open
                 senses[rub.key] = 0
                 continue
