@@ -177,7 +177,7 @@ class FirstReached(Struct, frozen=True):
 
         The roots are all places in one turn at which the condition of the state holds, so that it holds at none before.
         """
-        letter, scale, shift = self._place_behind(name)
+        letter, scale, shift = self.place_behind(name)
         for interval, passage in self.scene.passages.items():
             for travel in passage.travels:
                 begin = self._begin(travel, letter, interval)
@@ -256,7 +256,7 @@ class FirstReached(Struct, frozen=True):
             return self._known(instant.place_on(circle))
         return None if orbit is None else PI / 2 if circle.level == ZERO else -PI / 2
 
-    def _place_behind(self, name: str) -> tuple[str, Formula, Formula]:
+    def place_behind(self, name: str) -> tuple[str, Formula, Formula]:
         """The angle that an asked letter stands for, with the letter = scale · angle + shift."""
         formula = self.definition(name)
         angles = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
@@ -347,7 +347,8 @@ class RootChoice(Struct, frozen=True):
             return []
         from rotsolve.search.swings import stable_roots
 
-        return stable_roots(name, roots, self.scene, self.numbers.signs)
+        letter, scale, shift = FirstReached(self.scene, self.numbers, self.definition).place_behind(name)
+        return stable_roots(letter, [(root - shift) / scale for root in roots], self.scene, self.numbers.signs)
 
     def _first_moment(
         self, name: str, roots: Sequence[tuple[int, Formula]], period: Formula | None
