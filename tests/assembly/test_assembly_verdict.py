@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -190,3 +191,17 @@ find: {{v: washer.{rim}.speed at start}}
     item = solve(text).derivation.confirmed[0]
     assert item.holds
     assert item.found[0] == pytest.approx(3 * turned**0.5)
+
+
+@pytest.mark.parametrize("corner", ["corner1", "corner2", "corner3"])
+def test_what_hangs_in_balance_is_placed_where_it_comes_to_rest(corner: str) -> None:
+    """Nothing but the balance tells how a plate hangs: its centre of mass is below the nail, whichever corner that holds."""
+    solution = solve(f"""
+title: Plate hung from a corner
+bodies: {{plate: {{shape: rectangle, mass: 2 kg, sides: [40 cm, 30 cm]}}}}
+connections: {{nail: {{hinge: plate.{corner}}}}}
+states: {{hangs: {{balance: true}}}}
+find: {{theta: plate.angle at hangs}}
+""")
+    assert solution.answers["theta"].float == pytest.approx(-math.pi / 2)
+    assert [item.holds for item in solution.derivation.confirmed] == [True]

@@ -122,7 +122,11 @@ class Course:
                 first.line(path.owner)  # refuses what two points of a body may mean
         if model.acting.state.steady and any(abs(rate) > 1e-5 * max(model.gravity, 1.0) for rate in first.moment.rates):
             raise NotConfirmed("how bodies stand that are steady it does not find")
-        return first
+        if not model.acting.state.balance:
+            return first
+        from rotsolve.confirm.course.settling import settled
+
+        return settled(first)
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
         from rotsolve.confirm.course.blows import Blow

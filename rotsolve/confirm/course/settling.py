@@ -1,0 +1,45 @@
+"""Settling: where bodies in balance stand, if nothing tells: they are let go as drawn, and go the way they are pushed until nothing does."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.instant import placed
+
+TRIES, FIRST, MOST = 200, 0.1, 0.3  # steps; the size of the first one, and of the largest (rad, m)
+STILL, DONE = 1e-5, 1e-10  # accelerations that are none, as shares of g: at first, and where a step may end
+
+
+def settled(at: Node) -> Node:
+    """The instant at which nothing pushes any more, by steps q̈ s with the s of Barzilai and Borwein; the same where nothing pushes now.
+
+    A stable place: from an unstable one the way leads off. NotConfirmed where there is no end.
+    """
+    try:
+        push = at.pushes
+    except NotConfirmed:
+        return at
+    size = max(at.model.gravity, 1.0)
+    if largest(push) < STILL * size:
+        return at
+    step = FIRST / largest(push)
+    for _ in range(TRIES):
+        step = min(step, MOST / largest(push))
+        moved = replace(at.placed, q=[place + step * rate for place, rate in zip(at.placed.q, push, strict=True)])
+        other = Node(at.model, placed(at.model, moved), at.budget)
+        way = [new - old for new, old in zip(other.placed.q, at.placed.q, strict=True)]
+        change = [new - old for new, old in zip(other.pushes, push, strict=True)]
+        at, push = other, other.pushes
+        if largest(push) < DONE * size:
+            return at
+        back = -sum(a * b for a, b in zip(way, change, strict=True))
+        step = sum(part * part for part in way) / back if back > 0 else 2 * step
+    raise NotConfirmed(f"nothing tells where it is in balance at `{at.model.acting.state.name}`")
+
+
+def largest(values: Sequence[float]) -> float:
+    return max(map(abs, values), default=0.0)
