@@ -38,7 +38,12 @@ class Budget:
 
 
 class Node:
-    """Places and rates at an instant, in what acts there; `modes` say how what may slip behaves, where that is known."""
+    """Places and rates at an instant, in what acts there; `modes` say how what may slip behaves, where that is known.
+
+    `settled` is a place that nothing tells but the balance of forces.
+    """
+
+    settled = False
 
     def __init__(self, model: Model, placed: Placed, budget: Budget, modes: dict[str, str] | None = None) -> None:
         self.model, self.placed, self.modes, self.budget = model, placed, modes, budget

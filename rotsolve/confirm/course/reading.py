@@ -162,7 +162,9 @@ def position(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 
 def angle(at: Node, path: Path, term: Term | None) -> Reckoned:
-    return number(at.angle(path.owner), 1.0)
+    """Of what has settled, and has come there by no way, the one next to 0."""
+    found = at.angle(path.owner)
+    return number(math.remainder(found, math.tau) if at.settled else found, 1.0)
 
 
 def angular(at: Node, path: Path, term: Term | None) -> Reckoned:

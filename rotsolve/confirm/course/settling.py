@@ -35,6 +35,7 @@ def settled(at: Node) -> Node:
         change = [new - old for new, old in zip(other.pushes, push, strict=True)]
         at, push = other, other.pushes
         if largest(push) < DONE * size:
+            at.settled = True
             return at
         back = -sum(a * b for a, b in zip(way, change, strict=True))
         step = sum(part * part for part in way) / back if back > 0 else 2 * step
