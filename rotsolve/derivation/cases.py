@@ -10,8 +10,9 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
-from rotsolve.search.cases import Case, separating
+from rotsolve.search.cases import Case
 from rotsolve.search.letterspace import LetterSpace, Proviso, shown
+from rotsolve.search.provisos import Region, each_once, needed, united
 
 Solved = Case[Derivation]
 
@@ -61,19 +62,16 @@ class CaseTeller(Struct, frozen=True):
         ]
         return replace(told[0], otherwise=tuple(told[1:]))
 
-    def apart(self, own: Sequence[Solved], *, needing: bool = False) -> list[tuple[Proviso, ...]]:
-        """The conditions that tell cases of one answer from all others, for all of them together where that goes; with their needs."""
-        others = [case for case in (*self.good, *self.bad) if case not in own]
+    def apart(self, own: Sequence[Solved], *, needing: bool = False) -> list[Region]:
+        """Where cases of one answer hold, in as few regions as are found; with what their answers need."""
         needs = [needs_within(case) if needing and not case.objected else () for case in own]
-        if self.more:
-            return [each_once(case.bars, own_needs) for case, own_needs in zip(own, needs, strict=True)]
-        whole = separating(own, others) if all(alike_provisos(one, needs[0]) for one in needs) else None
-        if whole is not None:
-            return [each_once(whole, needs[0])]
-        return [
-            each_once(separating([case], others) or case.bars, own_needs)
-            for case, own_needs in zip(own, needs, strict=True)
-        ]
+        if all(alike_provisos(one, needs[0]) for one in needs):
+            return [each_once(region, needs[0]) for region in self.regions(own)]
+        return [each_once(self.regions([case])[0], extra) for case, extra in zip(own, needs, strict=True)]
+
+    def regions(self, cases: Sequence[Solved]) -> list[Region]:
+        """Where one of some cases holds."""
+        return [needed(region, self.space) for region in united([case.bars for case in cases], self.space)]
 
     def equalities(self, provisos: Sequence[Proviso]) -> tuple[Equality, ...]:
         """Conditions as a page tells them."""
@@ -85,7 +83,7 @@ class CaseTeller(Struct, frozen=True):
         for case in self.bad:
             if case.found is not None and any(alike_provisos(case.conditions, one.conditions) for one in self.good):
                 continue  # what it needs is told by the other
-            provisos = separating([case], self.good) or case.bars
+            provisos = self.regions([case])[0]
             found[(f"if {in_a_line(self.equalities(provisos))} there is no answer: ", *why_no_answer(case))] = None
         for case in self.good:
             for need in () if case.objected else case.needs:
@@ -108,11 +106,6 @@ def needs_within(case: Solved) -> tuple[Proviso, ...]:
     return tuple(need.proviso for need in case.needs)
 
 
-def each_once(provisos: Sequence[Proviso], needs: Sequence[Proviso]) -> tuple[Proviso, ...]:
-    """Conditions, each once."""
-    return (*provisos, *(need for need in needs if not any(map(need.same, provisos))))
-
-
 def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
     """Whether these conditions are those."""
     return len(one) == len(other) and all(any(map(proviso.same, other)) for proviso in one)
@@ -120,7 +113,8 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
 
 def same_form(one: Answer, other: Answer) -> bool:
     """Whether two cases answer a question alike."""
-    if (one.word, len(one.components)) != (other.word, len(other.components)):
+    words = [(answer.word, answer.direction, answer.positive, len(answer.components)) for answer in (one, other)]
+    if words[0] != words[1]:
         return False
     forms = (one.closed or one.formula, other.closed or other.formula)
     if forms[0] is None or forms[1] is None:

@@ -57,6 +57,7 @@ def cases_of(space: LetterSpace, solve: Callable[[Point], tuple[Found, bool]]) -
     `solve` says what is found at a point, and whether it objects.
     """
     cases: list[Case[Found]] = []
+    edges: list[Point] = []
     point: Point | None = space.first_point()
     sure = True
     while point is not None and len(cases) < MOST:
@@ -69,7 +70,8 @@ def cases_of(space: LetterSpace, solve: Callable[[Point], tuple[Found, bool]]) -
         conditions = space.provisos(witness.supposed, point)
         needs = tuple(needs_noted(witness.needed, conditions, space, point))
         cases.append(Case(point, conditions, needs, found, fault, objected))
-        point, sure = beyond(cases, space)
+        edges += (place for one in cases[-1].bars for place in space.across(point, one.gap))
+        point, sure = beyond(cases, edges, space)
     return cases, point is not None or not sure
 
 
@@ -83,12 +85,12 @@ def needs_noted(
                 yield Needed(one, cast("Words", failing))
 
 
-def beyond(cases: Sequence[Case[Found]], space: LetterSpace) -> tuple[Point | None, bool]:
+def beyond(cases: Sequence[Case[Found]], edges: Sequence[Point], space: LetterSpace) -> tuple[Point | None, bool]:
     """A point at which none of the cases holds, None where none is found; and whether that is sure enough for conditions of their size."""
     size = sum(length(one.gap) for case in cases for one in case.bars)
     if not size:
         return None, True
-    for points, place in enumerate(places(cases, space)):
+    for points, place in enumerate(places(cases, edges, space)):
         if points * size > LOOKED_AT:
             return None, False
         glance = Glance(space, place)
@@ -97,24 +99,10 @@ def beyond(cases: Sequence[Case[Found]], space: LetterSpace) -> tuple[Point | No
     return None, True
 
 
-def places(cases: Sequence[Case[Found]], space: LetterSpace) -> Iterator[Point]:
-    """Points at which another case may be: with one letter of a condition larger or smaller, then by chance."""
+def places(cases: Sequence[Case[Found]], edges: Sequence[Point], space: LetterSpace) -> Iterator[Point]:
+    """Points at which another case may be: right across the edges of those known, with one letter larger or smaller, then by chance."""
+    yield from edges
     for case in cases:
         names = {name for one in case.bars for name in one.gap.symbols() & space.letters.keys()}
         yield from space.around(case.point, sorted(names))
     yield from space.elsewhere(cases[0].point)
-
-
-def separating(own: Sequence[Case[Found]], others: Sequence[Case[Found]]) -> tuple[Proviso, ...] | None:
-    """The fewest conditions that all of some cases have and that each of the others contradicts; None where there are none such."""
-    common = [one for one in own[0].provisos if all(any(map(one.same, case.provisos)) for case in own[1:])]
-
-    def apart(provisos: Sequence[Proviso]) -> bool:
-        return all(any(one.opposes(bar) for one in provisos for bar in case.bars) for case in others)
-
-    if not apart(common):
-        return None
-    for one in sorted(common, key=lambda item: -length(item.gap)):
-        rest = [other for other in common if other is not one]
-        common = rest if apart(rest) else common
-    return tuple(common)

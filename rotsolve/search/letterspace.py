@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import chain
 from random import Random
 
@@ -31,6 +32,8 @@ from rotsolve.motion.positive import is_angle
 DOUBLINGS = 9  # up to which a letter is made larger or smaller
 LONG = 120  # nodes of a condition from which on it is not solved for a letter
 BITS = 64  # of the balls by which points are looked for
+CLOSER = 10  # halvings of the way to an edge
+HALF = Fraction(1, 2)
 TRIES = 100  # points that are looked at beyond those
 SHARES = ("1/8", "1/4", "1/2", "1", "3/2", "5/2", "5")
 STEEP = Fraction(3, 2)  # rad: no acute angle is larger
@@ -148,7 +151,18 @@ class LetterSpace:
             sign = sign_within(own, {*self.positive, *self.acute}, self.acute)
             if sign is not None:
                 self.assumed |= own.symbols() & self.letters.keys() - self.oracle.positive - self.oracle.limits().keys()
-        return self.within_limits(value) if sign is None else sign
+        sign = self.within_limits(value) if sign is None else sign
+        return self.of_coefficients(value) if sign is None else sign
+
+    def of_coefficients(self, value: Formula) -> int | None:
+        """The sign of a polynomial in an open letter whose coefficients all have it, by the numbers of the givens too."""
+        open_ = sorted(value.symbols() & self.positive & self.letters.keys())
+        for name in open_:
+            parts = coefficients(value, name)
+            signs = {self.sure(part) for part in parts} - {0}
+            if parts and None not in signs and len(signs) < 2:
+                return next(iter(signs), 0)
+        return None if open_ or value.symbols() & self.letters.keys() else self.oracle.by_numbers(value)
 
     def within_limits(self, value: Formula) -> int | None:
         """The sign that a formula has within one of the limits: y + δ stands there for an x that is at least y."""
@@ -233,12 +247,46 @@ class LetterSpace:
         for _ in range(TRIES):
             yield {name: size * Fraction(chance.choice(SHARES)) for name, size in point.items()}
 
+    def across(self, point: Point, gap: Formula) -> Iterator[Point]:
+        """Points right across the edge of a region: with one letter as much larger or smaller as makes a gap negative."""
+        for name in sorted(gap.symbols() & self.letters.keys()):
+            for factor in (2, HALF):
+                inside = point[name]
+                outside = next(filter(partial(self.negative, point, gap, name), steps(inside, factor)), None)
+                for _ in range(CLOSER if outside is not None else 0):
+                    middle = (inside + outside) / 2  # type: ignore[operator]
+                    negative = self.negative(point, gap, name, middle)
+                    inside, outside = (inside, middle) if negative else (middle, outside)
+                if outside is not None:
+                    yield {**point, name: outside}
+
+    def negative(self, point: Point, gap: Formula, name: str, size: Fraction) -> bool:
+        """Whether a gap is, or has no value, where one letter of a point is so large."""
+        return Glance(self, {**point, name: size}).fails((Proviso(gap, True),))
+
     def around(self, point: Point, names: Sequence[str]) -> Iterator[Point]:
         """Points with one letter larger or smaller."""
         for power in range(1, DOUBLINGS):
             for name in names:
                 yield {**point, name: point[name] * 2**power}
                 yield {**point, name: point[name] / 2**power}
+
+
+def coefficients(value: Formula, name: str) -> list[Formula]:
+    """Those of a polynomial in a letter of degree 3 at most, up to positive factors; none of anything else."""
+    power = degree(value, name) if length(value) < LONG else None
+    if power is None or power > 3 or any(name in below.symbols() for below in denominators(value)):
+        return []
+    found = [value]
+    for _ in range(power):
+        found.append(differentiate(found[-1], name))
+    return [simplify(part.substitute({name: ZERO})) for part in found]
+
+
+def steps(size: Fraction, factor: int | Fraction) -> Iterator[Fraction]:
+    """Sizes that are larger, or smaller, each time by a factor."""
+    for power in range(1, DOUBLINGS):
+        yield size * factor**power
 
 
 def shown(proviso: Proviso, space: LetterSpace) -> Equality:
@@ -258,8 +306,12 @@ def shown(proviso: Proviso, space: LetterSpace) -> Equality:
 
 def divides(value: Formula) -> bool:
     """Whether a letter stands below a line."""
-    quotients = (node for node in value.walk(Quotient) if isinstance(node, Quotient))
-    return any(node.denominator.symbols() for node in quotients)
+    return any(below.symbols() for below in denominators(value))
+
+
+def denominators(value: Formula) -> Iterator[Formula]:
+    """All that stands below a line."""
+    return (node.denominator for node in value.walk(Quotient) if isinstance(node, Quotient))
 
 
 def letter_rank(given: Given) -> int:

@@ -1,4 +1,4 @@
-"""Settling: where bodies in balance stand, if nothing tells: they are let go as drawn, and go the way they are pushed until nothing does."""
+"""Settling: where bodies in balance stand, if nothing tells: they are let go as drawn, and go where they are pushed until nothing does."""
 
 from __future__ import annotations
 

@@ -1,0 +1,99 @@
+"""Provisos of a case as few as say the same: what follows from others is left out, and neighbouring regions become one.
+
+Nothing is left out because no other case is known there: what holds under a condition holds only there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import degree, simplify
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ONE, Formula
+from rotsolve.search.letterspace import LetterSpace, Proviso
+
+LONG = 200  # nodes of conditions from which on nothing is proved of them
+
+Region = tuple[Proviso, ...]  # all of these hold
+
+
+def needed(region: Region, space: LetterSpace) -> Region:
+    """The conditions of a region without those that follow from the others, the longest first."""
+    kept = list(each_once(region, ()))
+    for one in sorted(kept, key=lambda item: -length(item.gap)):
+        rest = [other for other in kept if other is not one]
+        kept = rest if follows(one, rest, space) else kept
+    return tuple(kept)
+
+
+def each_once(provisos: Sequence[Proviso], more: Sequence[Proviso]) -> Region:
+    """Conditions, each once."""
+    kept: list[Proviso] = []
+    for one in (*provisos, *more):
+        kept += [] if any(map(one.same, kept)) else [one]
+    return tuple(kept)
+
+
+def follows(one: Proviso, others: Sequence[Proviso], space: LetterSpace) -> bool:
+    """Whether a condition holds wherever one of the others does: gap ≥ k gap' for a k > 0, whatever the letters are."""
+    return any(follows_from(one, other, space) for other in others)
+
+
+def follows_from(one: Proviso, other: Proviso, space: LetterSpace) -> bool:
+    if one.same(other) or (not one.strict and one.gap == other.gap):
+        return True
+    if length(one.gap) + length(other.gap) > LONG:
+        return False
+    for ratio in ratios(one.gap, other.gap, space):
+        left = space.sure(simplify(one.gap - ratio * other.gap, positive=space.positive))
+        if left == 1 or (left == 0 and (other.strict or not one.strict)):
+            return True
+    return False
+
+
+def ratios(gap: Formula, other: Formula, space: LetterSpace) -> Iterator[Formula]:
+    """Positive factors k for which gap − k gap' may have a sure sign: 1, and those with which a letter falls out."""
+    yield ONE
+    for name in sorted(gap.symbols() & other.symbols() & space.letters.keys()):
+        if degree(gap, name) == 1 == degree(other, name):
+            slopes = [simplify(differentiate(value, name)) for value in (gap, other)]
+            signs = [space.sure(slope) for slope in slopes]
+            if signs[0] and signs[0] == signs[1] and slopes[0] != slopes[1]:
+                yield simplify(slopes[0] / slopes[1], positive=space.positive)
+
+
+def united(regions: Sequence[Region], space: LetterSpace) -> list[Region]:
+    """Regions that together are the same, in as few as are found: two that touch where a condition turns round become one."""
+    found = list(regions)
+    while (pair := next(joinable(found, space), None)) is not None:
+        first, second, joined = pair
+        found[first] = joined
+        del found[second]
+    return found
+
+
+def joinable(regions: Sequence[Region], space: LetterSpace) -> Iterator[tuple[int, int, Region]]:
+    """Two regions, by their places, and the one that they are together."""
+    for second in range(1, len(regions)):
+        for first in range(second):
+            joined = together(regions[first], regions[second], space)
+            if joined is not None:
+                yield first, second, joined
+
+
+def together(one: Region, other: Region, space: LetterSpace) -> Region | None:
+    """The region that two make up; None where that is not the region of some conditions, or not known to be."""
+    for small, large in ((one, other), (other, one)):
+        if all(follows(proviso, small, space) for proviso in large):
+            return large
+    for proviso in one:
+        for against in other:
+            if not proviso.opposes(against):
+                continue
+            own = tuple(item for item in one if item is not proviso)
+            rest = tuple(item for item in other if item is not against)
+            covered = all(follows(item, (*own, proviso), space) for item in rest)
+            if covered and all(follows(item, (*rest, against), space) for item in own):
+                return each_once(own, rest)
+    return None
