@@ -212,13 +212,17 @@ class Trials:
 
     def by_trial(self, group: list[Rub]) -> dict[str, str]:
         """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where
-        numbers do not tell."""
+        numbers do not tell, as long as a question may tell them. Unsolvable where none of the ways can be."""
         ways = sorted(product((0, 1, -1), repeat=len(group)), key=lambda way: sum(map(abs, way)))
         for way in ways[:TRIALS]:
             trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
             if self.can_be(trial, group, way):
                 return trial
-        return {}
+        problem = self.configuration.problem
+        if any(given.asked for given in problem.givens):
+            return {}
+        names = ", ".join(f"`{rub.name}`" for rub in group)
+        raise unsolvable(problem, f"which of {names} slip is not told by the laws of motion")
 
     def can_be(self, trial: Mapping[str, str], group: Sequence[Rub], way: Sequence[int]) -> bool:
         """Whether all that rubs does as it is supposed to; the first that does not is told."""
