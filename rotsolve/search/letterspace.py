@@ -32,6 +32,7 @@ from rotsolve.motion.positive import is_angle
 DOUBLINGS = 9  # up to which a letter is made larger or smaller
 LONG = 120  # nodes of a condition from which on it is not solved for a letter
 BITS = 64  # of the balls by which points are looked for
+FURTHEST = 26  # doublings up to which an edge is looked for
 CLOSER = 10  # halvings of the way to an edge
 HALF = Fraction(1, 2)
 TRIES = 100  # points that are looked at beyond those
@@ -285,7 +286,7 @@ def coefficients(value: Formula, name: str) -> list[Formula]:
 
 def steps(size: Fraction, factor: int | Fraction) -> Iterator[Fraction]:
     """Sizes that are larger, or smaller, each time by a factor."""
-    for power in range(1, DOUBLINGS):
+    for power in range(1, FURTHEST):
         yield size * factor**power
 
 
