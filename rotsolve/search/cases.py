@@ -67,7 +67,7 @@ def cases_of(space: LetterSpace, solve: Callable[[Point], tuple[Found, bool]]) -
                 found, objected = solve(point)
             except (Unsolvable, SceneError) as error:
                 fault = error
-        conditions = space.provisos(witness.supposed, point)
+        conditions = tuple(one for one in space.provisos(witness.supposed, point) if space.fails_somewhere(one, point))
         needs = tuple(needs_noted(witness.needed, conditions, space, point))
         cases.append(Case(point, conditions, needs, found, fault, objected))
         edges += (place for one in cases[-1].bars for place in space.across(point, one.gap))

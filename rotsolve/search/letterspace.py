@@ -31,7 +31,7 @@ from rotsolve.motion.positive import is_angle
 
 DOUBLINGS = 9  # up to which a letter is made larger or smaller
 LONG = 120  # nodes of a condition from which on it is not solved for a letter
-BITS = 64  # of the balls by which points are looked for
+BITS, MORE_BITS = 64, 2048  # of the balls by which points are looked for, and where those tell nothing
 FURTHEST = 26  # doublings up to which an edge is looked for
 CLOSER = 10  # halvings of the way to an edge
 HALF = Fraction(1, 2)
@@ -111,13 +111,16 @@ class Glance:
     def sign(self, value: Formula) -> int | None:
         """1 or −1 where it certainly is, 0 where the bits do not tell, None where the formula has no value."""
         if value not in self.told:
-            try:
-                with Precision(BITS):
-                    ball = self.balls(value)
-                self.told[value] = bool(ball > 0) - bool(ball < 0)
-            except (Undefined, ValueError, ZeroDivisionError):
-                self.told[value] = None
+            self.told[value] = self.sign_by(BITS, value) or self.sign_by(MORE_BITS, value)
         return self.told[value]
+
+    def sign_by(self, bits: int, value: Formula) -> int | None:
+        try:
+            with Precision(bits):
+                ball = self.balls(value)
+            return bool(ball > 0) - bool(ball < 0)
+        except (Undefined, ValueError, ZeroDivisionError):
+            return None
 
     def positive(self, value: Formula) -> bool:
         return self.sign(value) == 1
@@ -262,8 +265,16 @@ class LetterSpace:
                     yield {**point, name: outside}
 
     def negative(self, point: Point, gap: Formula, name: str, size: Fraction) -> bool:
-        """Whether a gap is, or has no value, where one letter of a point is so large."""
-        return Glance(self, {**point, name: size}).fails((Proviso(gap, True),))
+        """Whether a gap certainly is where one letter of a point is so large."""
+        return Glance(self, {**point, name: size}).sign(gap) == -1
+
+    def fails_somewhere(self, one: Proviso, point: Point) -> bool:
+        """Whether a condition says anything: it fails where some letters are a few hundred times as large or as small, or at some edge."""
+        if next(self.across(point, one.gap), None) is not None:
+            return True
+        names = sorted(one.gap.symbols() & self.letters.keys())
+        points = filter(self.has, (*self.around(point, names), *self.elsewhere(point)))
+        return any(Glance(self, place).fails((one,)) for place in points)
 
     def around(self, point: Point, names: Sequence[str]) -> Iterator[Point]:
         """Points with one letter larger or smaller."""
