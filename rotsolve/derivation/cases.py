@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
-from rotsolve.search.cases import Case
+from rotsolve.search.cases import Case, Needed
 from rotsolve.search.letterspace import LetterSpace, Proviso, shown
 from rotsolve.search.provisos import Region, each_once, needed, united
 
@@ -73,6 +73,21 @@ class CaseTeller(Struct, frozen=True):
         """Where one of some cases holds."""
         return [needed(region, self.space) for region in united([case.bars for case in cases], self.space)]
 
+    def needing(self) -> list[tuple[Needed, list[Solved]]]:
+        """What answers need, each once, with the cases in which they do."""
+        found: list[tuple[Needed, list[Solved]]] = []
+        for case in self.good:
+            for need in () if case.objected else case.needs:
+                like = (
+                    own for other, own in found if other.proviso.same(need.proviso) and other.failing == need.failing
+                )
+                cases = next(like, None)
+                if cases is None:
+                    found.append((need, [case]))
+                else:
+                    cases.append(case)
+        return found
+
     def equalities(self, provisos: Sequence[Proviso]) -> tuple[Equality, ...]:
         """Conditions as a page tells them."""
         return tuple(dict.fromkeys(shown(one, self.space) for one in provisos))
@@ -85,10 +100,11 @@ class CaseTeller(Struct, frozen=True):
                 continue  # what it needs is told by the other
             provisos = self.regions([case])[0]
             found[(f"if {in_a_line(self.equalities(provisos))} there is no answer: ", *why_no_answer(case))] = None
-        for case in self.good:
-            for need in () if case.objected else case.needs:
-                broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
-                found[(f"if {in_a_line(self.equalities((broken,)))} there is no answer: ", *need.failing)] = None
+        for need, cases in self.needing():
+            broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
+            for region in self.regions(cases):
+                line = in_a_line(self.equalities(needed((*region, broken), self.space)))
+                found[(f"if {line} there is no answer: ", *need.failing)] = None
         if self.more:
             found[("of other letters there are more cases, which are not worked out: give them numbers",)] = None
         return tuple(Check(words, None) for words in found)
@@ -114,11 +130,11 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
 def same_form(one: Answer, other: Answer) -> bool:
     """Whether two cases answer a question alike."""
     words = [(answer.word, answer.direction, answer.positive, len(answer.components)) for answer in (one, other)]
-    if words[0] != words[1]:
+    if words[0] != words[1] or not all(map(same_form, one.components, other.components)):
         return False
     forms = (one.closed or one.formula, other.closed or other.formula)
     if forms[0] is None or forms[1] is None:
-        return forms[0] is forms[1] and all(map(same_form, one.components, other.components))
+        return forms[0] is forms[1]
     return equal(forms[0], forms[1])
 
 

@@ -91,6 +91,14 @@ def test_no_case_is_missing_and_none_says_too_much(text: str, unit: str, ends: t
             assert list(freed.apart(answer, told[answer.name], problem.values)) == [], size
 
 
+def test_a_vector_of_the_same_size_in_two_cases_points_another_way_in_each() -> None:
+    text = LOAD_AND_SLOPE.replace("a: load.acceleration, f: touch.friction_force", "F: touch.force")
+    told = solve_problem(read_text(text.replace("LETTER", "kg"))).derivation.answers[0]
+    for size in ("0.9 kg", "2.2 kg", "5 kg"):
+        problem = read_text(text.replace("LETTER", size))
+        assert list(freed.apart(solve_problem(problem).derivation.answers[0], told, problem.values)) == []
+
+
 @pytest.mark.parametrize(("size", "way"), [("0.9 kg", "up the slope"), ("5 kg", "down the slope")])
 def test_each_case_says_its_own_direction(size: str, way: str) -> None:
     """Friction that is the same in size in two cases points another way in each."""
