@@ -116,6 +116,9 @@ def push_reflected(item: Scene, scene: Scene) -> None:
     body = scene["bodies"].get(owner)
     if isinstance(body, dict) and body.get("shape") == "rod" and f"{owner}.angle" not in str(scene.get("states")):
         raise Asymmetric(owner)
+    spins = isinstance(body, dict) and "moves" in body and owner not in lying(scene)
+    if "couple" in item and spins and "turns" not in body:
+        raise Asymmetric(owner)  # what its positive turn is, `moves` does not say
     if ".angle" in str(item) or (
         on_a_rim(str(item), scene) and (way not in (None, "tangential") or "joins" in item or "collides" in item)
     ):

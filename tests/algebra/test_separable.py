@@ -7,12 +7,13 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from rotsolve.algebra.calculus.separable import Stretch, Unending
+from rotsolve.algebra.calculus.separable import LONG, Stretch, Unending, in_closed_form
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import equal, simplify
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.exact.roots import solve_unwrapped
-from rotsolve.algebra.formula import Formula, Number
+from rotsolve.algebra.formula import Formula, Integral, Number, Symbol, sqrt
 from rotsolve.algebra.notation.parse import parse as parse_any
 from rotsolve.algebra.notation.text import to_text
 
@@ -130,3 +131,22 @@ def test_a_size_has_both_signs() -> None:
         "½ (a + b)",
         "½ (a − b)",
     ]
+
+
+def test_constants_of_a_long_integrand_are_letters_meanwhile() -> None:
+    """∫ dx/√(A + B x − C x²) with long A, B, C is the same number as by steps."""
+    letters = {
+        name: Fraction(number, 10) for name, number in zip("abcdefgh", (13, 7, 21, 9, 16, 11, 5, 8), strict=True)
+    }
+    a, b, c, d, e, f, g, h, x = map(Symbol, "abcdefghx")
+    long = (a + b * c) * (d + e * (f + g) + h**2) / (a + d * e)
+    push = (
+        long + (b + c * (d + e) + f * g) * x / (g + h) - (c * (a + b) + d * e * f) / (b + h) * (x - f / (a * b * h)) * x
+    )
+    node = Integral(1 / sqrt(push), "x", g / (a + b + c), h / (d + e))
+    assert length(node) > LONG
+    signs = SignOracle({name: Number(value) for name, value in letters.items()}, frozenset(letters))
+    found = in_closed_form(node, signs.sign, tuple(letters), frozenset(letters))
+    assert found is not None and not found.holds(Integral)
+    values = {name: Number(value) for name, value in letters.items()}
+    assert evaluate(found, values).float == pytest.approx(evaluate(node, values).float, rel=1e-12)

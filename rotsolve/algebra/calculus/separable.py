@@ -14,6 +14,7 @@ from msgspec import Struct
 from rotsolve.algebra.calculus.integral import integrate, integrate_by_hand
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import Fractions, simplify
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
@@ -22,7 +23,9 @@ from rotsolve.algebra.formula import (
     Integral,
     Negative,
     Number,
+    Product,
     Quotient,
+    Sum,
     Symbol,
     add,
     call,
@@ -185,8 +188,43 @@ def has_root(f: Formula, name: str) -> bool:
     return any(isinstance(node, Call) and node.function == "sqrt" and name in node.symbols() for node in f.walk("sqrt"))
 
 
+LONG = 60  # nodes of an integral whose constants are letters while it is carried out
+
+
 def in_closed_form(node: Integral, sign: SignOf, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
-    """An integral in closed form; None where it has none that a page would hold."""
+    """An integral in closed form; None where it has none that a page would hold. Of a long one the constants are letters meanwhile."""
+    if length(node) <= LONG or node.integrand.holds(Integral):
+        return closed(node, sign, order, positive)
+    told: dict[str, Formula] = {}
+    f = with_letters(node.integrand, node.variable, told)
+    ends = [with_letters(end, node.variable, told) for end in (node.lower, node.upper)]
+
+    def sign_of(value: Formula) -> int | None:
+        return sign(value.substitute(told))
+
+    above = positive | {name for name, value in told.items() if sign(value) == 1}
+    done = closed(Integral(f, node.variable, *ends), sign_of, (*order, *told), above)
+    return None if done is None else done.substitute(told)
+
+
+def with_letters(f: Formula, variable: str, told: dict[str, Formula]) -> Formula:
+    """A formula with a letter for each part without the variable; `told` has what they stand for, the same parts the same letter."""
+    if isinstance(f, (Number, Symbol)):
+        return f
+    if variable not in f.symbols():
+        found = next((name for name, value in told.items() if value == f), f"constant {len(told) + 1}")
+        told[found] = f
+        return Symbol(found)
+    parts = f.children()
+    if isinstance(f, (Sum, Product)):
+        fixed = tuple([part for part in parts if variable not in part.symbols()])
+        parts = tuple([part for part in parts if variable in part.symbols()])
+        parts += (f.with_children(fixed),) if fixed else ()
+    return f.with_children(tuple([with_letters(part, variable, told) for part in parts]))
+
+
+def closed(node: Integral, sign: SignOf, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
+    """An integral in closed form; None where it has none."""
     f, name = node.integrand, node.variable
     rooted = has_root(f, name)
     if rooted or any(isinstance(part, Quotient) and name in part.denominator.symbols() for part in f.walk(Quotient)):
