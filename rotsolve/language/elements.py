@@ -266,6 +266,10 @@ class Connection(ActingElement, frozen=True):
         """Circle along which it makes a body's centre travel."""
         return None
 
+    def winds(self) -> tuple[PointRef, ...]:
+        """The bodies that it turns back by their angles."""
+        return ()
+
     def hangs(self, body: Body) -> bool:
         """Whether a body hangs from it, so that it travels up and down."""
         return False

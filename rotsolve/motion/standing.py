@@ -210,7 +210,11 @@ class Standing(Struct, frozen=True, dict=True):
             if path.owner in self.configuration.bodies
         ):
             return False
-        tilts = self.tilts(name) and not shape_of(self.body(name)).slender
+        slender, problem = shape_of(self.body(name)).slender, self.configuration.problem
+        held = any(state.balance or state.steady for state in problem.states)
+        if self.wound(name) and not slender and not held:
+            return not any(self.configuration.mentions.says(state.name, name, "angle") for state in problem.states)
+        tilts = self.tilts(name) and not slender
         return tilts or self.follows_marks(name) or self.leant_on(name) or self.carries_round(name)
 
     def weight_swings(self, name: str) -> bool:
@@ -226,6 +230,8 @@ class Standing(Struct, frozen=True, dict=True):
             return True
         if any(drive.word == "angle" for drive in configuration.drives(name, self.state)) or self.leant_on(name):
             return True
+        if self.wound(name):
+            return True
         values = (value for item in (*problem.connections, *problem.actions) for value in varying_values(item))
         return any(owner in carried and word == "angle" for value in values for _, owner, word in paths_in(value))
 
@@ -233,6 +239,11 @@ class Standing(Struct, frozen=True, dict=True):
         """Whether a state or question speaks of a quantity of a body, not of a point of it."""
         paths = self.configuration.mentions.paths
         return any((path.owner, path.quantity) == (name, word) and not path.point for path in paths)
+
+    def wound(self, name: str) -> bool:
+        """Whether a wire turns a body, or what is joined to it, back by its angle."""
+        carried = self.configuration.carried(name, self.state)
+        return any(ref.owner in carried for item in self.configuration.connections(self.state) for ref in item.winds())
 
     def leant_on(self, name: str) -> bool:
         """Whether something pulls on a body in a direction that stays while the arm turns with it, from one state to another."""

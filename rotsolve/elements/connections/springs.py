@@ -107,6 +107,9 @@ class Torsion(Connection, frozen=True):
     def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
 
+    def winds(self) -> tuple[PointRef, ...]:
+        return self.torsion
+
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """Torque −κ (θ − θ₀) on the last-named body, the opposite on the other."""
         own = [ref.owner for ref in self.torsion if ref.owner in instant.configuration.bodies]
