@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot, on_rim, radius_of, side_of
-from rotsolve.confirm.carried import centrifugal, hanging, rope_weight
 from rotsolve.confirm.constraints import tied_at
 from rotsolve.confirm.jet import Jet, Slope, distance
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
@@ -67,6 +66,8 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
     found = {}
     for item in model.acting.connections:
         if isinstance(item, Drapes) and item.name not in known:
+            from rotsolve.confirm.carried import hanging
+
             for line in model.acting.state.conditions:
                 path = line.path
                 if (
@@ -200,11 +201,18 @@ def power(item: AppliedPower, pose: Pose, model: Known) -> Pushes:
     yield item.name, {turn: model.now(item.power, pose) / pose.speed[turn]}
 
 
+def carried(item: Drapes | Shaft, pose: Pose, model: Known) -> Pushes:
+    """What a heavy rope and a shaft do, which few scenes have."""
+    from rotsolve.confirm.carried import centrifugal, rope_weight
+
+    return rope_weight(item, pose, model) if isinstance(item, Drapes) else centrifugal(item, pose, model)
+
+
 FORCES: dict[type[ActingElement], Callable[[Any, Pose, Known], Pushes]] = {
     Spring: spring,
     Torsion: torsion,
-    Drapes: rope_weight,
-    Shaft: centrifugal,
+    Drapes: carried,
+    Shaft: carried,
     MutualDrive: mutual,
     Rims: pressed,
     AppliedForce: applied,
