@@ -301,13 +301,16 @@ def answered_fully(search: Search) -> Found | Unsolvable:
 def following(search: Search, *, stuck: bool) -> Problem | None:
     """The problem with a state more, where the laws of a phase end before it does; or told what friction there is, where that matters."""
     from rotsolve.search.endings import Endings, with_state_at
-    from rotsolve.search.friction import with_friction_found
 
     with stage("solve"):
-        ending = Endings(search, stuck).first()
+        ending, configuration = Endings(search, stuck).first(), search.scene.configuration
         if ending is not None:
-            return with_state_at(search.scene.configuration.problem, ending)
-        return None if stuck else with_friction_found(search)
+            return with_state_at(configuration.problem, ending)
+        if stuck or not rubs(configuration):
+            return None
+        from rotsolve.search.friction import with_friction_found
+
+        return with_friction_found(search)
 
 
 def may_be(problem: Problem, numbers: Mapping[str, float]) -> bool:

@@ -201,7 +201,7 @@ def power(item: AppliedPower, pose: Pose, model: Known) -> Pushes:
     yield item.name, {turn: model.now(item.power, pose) / pose.speed[turn]}
 
 
-def carried(item: Drapes | Shaft, pose: Pose, model: Known) -> Pushes:
+def rope_or_shaft(item: Drapes | Shaft, pose: Pose, model: Known) -> Pushes:
     """What a heavy rope and a shaft do, which few scenes have."""
     from rotsolve.confirm.carried import centrifugal, rope_weight
 
@@ -211,8 +211,8 @@ def carried(item: Drapes | Shaft, pose: Pose, model: Known) -> Pushes:
 FORCES: dict[type[ActingElement], Callable[[Any, Pose, Known], Pushes]] = {
     Spring: spring,
     Torsion: torsion,
-    Drapes: carried,
-    Shaft: carried,
+    Drapes: rope_or_shaft,
+    Shaft: rope_or_shaft,
     MutualDrive: mutual,
     Rims: pressed,
     AppliedForce: applied,

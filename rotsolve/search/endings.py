@@ -21,7 +21,6 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.search.answers import NoAnswer, unsolvable
-from rotsolve.search.explain import clash
 from rotsolve.search.search import Search, asked_letter
 
 MOST = 12  # states that are opened in one scene
@@ -166,6 +165,8 @@ def never_reached(interval: Interval, configuration: Configuration, why: str) ->
     """A state to which the motion never gets, and why."""
     start, end = configuration.timeline.told(interval)
     span = configuration.timeline.state(end).span
+    from rotsolve.search.explain import clash
+
     return clash(configuration.problem, f"`{end}` is never reached from `{start}`", span, why)
 
 
