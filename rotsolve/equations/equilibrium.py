@@ -56,7 +56,8 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
     drive = balance[0] - balance[1]
     letters = of_kinds(drive.symbols(), PLACES)
-    if not any(letter in node.symbols() for letter in letters for node in drive.walk(Call)):  # in a sine or cosine
+    calls = [node for node in drive.walk(Call) if isinstance(node, Call)]
+    if not any(letter in node.symbols() for letter in letters for node in calls):  # in a sine or cosine
         root = solve_linear(drive, letters[0]) if len(letters) == 1 else None
         return (letters[0], root) if isinstance(root, (Number, Symbol)) else None
     if len(letters) > 1:

@@ -81,3 +81,19 @@ def test_so_it_is_in_letters(wheel: str) -> None:
     given = "M: kg, R: m, k: N m/rad, tau: N m"
     solution = wound(wheel, "{at rest: all}", "", "a: wheel.angular_acceleration at start", actions=DRIVE, given=given)
     assert "k" not in (solution.answers["a"].exact or "")
+
+
+@pytest.mark.parametrize("couple", ["", "actions: {twist: {couple: tau, on: wheel}}\n"])
+@pytest.mark.parametrize("surface", ["level", "{slope: 35 deg, down: left}", "{slope: 35 deg, down: right}"])
+@pytest.mark.parametrize("wheel", ["disc", "ring"])
+def test_a_wheel_on_a_spring_swings_alike_on_every_slope(wheel: str, surface: str, couple: str) -> None:
+    """T = 2π √((M + I/R²)/k): weight and couple only move the equilibrium."""
+    moves = "right" if surface == "level" else "down"
+    text = (
+        f"given: {{M: {M} kg, R: {R} m, tau: {TAU} N m}}\nsurfaces: {{ramp: {surface}}}\n"
+        f"bodies: {{wheel: {{shape: {wheel}, mass: M, radius: R, moves: {moves}}}}}\n"
+        "connections: {base: {rolls: [wheel, ramp]}, coil: {spring: [ground, wheel], stiffness: 90 N/m}}\n"
+        f"{couple}find: {{T: period of small swings}}\n"
+    )
+    solution = solve(text)
+    assert value(solution, "T") == pytest.approx(2 * math.pi * math.sqrt((M + WHEELS[wheel][1] / R**2) / 90), rel=1e-3)
