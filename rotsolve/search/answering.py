@@ -14,6 +14,7 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.language.problem import Find, Problem
 from rotsolve.paths.meaning import NotYet, Unclear
@@ -136,6 +137,22 @@ def answer_one(search: Search, find: Find) -> None:
         if error.shortage is not None:
             refuse_unsolved(search, error.shortage, find)
         raise no_answer(error, search, find) from None
+    refuse_open(search, find)
+
+
+def refuse_open(search: Search, find: Find) -> None:
+    """Unsolvable where an answer still holds quantities of the laws: a letter that nothing tells is no answer."""
+    for answered in search.answered if not find.runs else ():  # a function of time holds what runs with it
+        formula = answered.found.formula if answered.asked.find.name == find.name and not answered.aside else None
+        open_ = sorted(name for name in formula.symbols() if is_key(name)) if formula is not None else []
+        if open_:
+            from rotsolve.search.explain import open_quantities, unknowns_listed
+
+            scene = search.scene
+            missing = unknowns_listed(open_quantities(open_, scene), scene) or "what moves on the way"
+            raise unsolvable(
+                scene.configuration.problem, f"`{find.name}` hangs on {missing}, which nothing tells", find.span
+            )
 
 
 def answer_with_condition(search: Search, find: Find) -> bool:

@@ -217,3 +217,36 @@ def test_what_a_help_proposes_contradicts_nothing(name: str) -> None:
     assert proposed is not None and proposed[2] != "at rest", refusal(text).fault.help
     told = text.replace(f"now: {{{lines}}}", f"now: {{{lines}, {proposed[2].strip('{}')}}}")
     assert not solve(told).refused
+
+
+HANGING = {
+    "a spring of which no length is told": (
+        """
+given: {M: 2 kg, L: 1 m, k1: 30 N/m, kappa: unknown}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections:
+  pin: {hinge: rod.start}
+  wire: {torsion: rod, stiffness: kappa, rest_angle: 90 deg}
+  coil: {spring: [ground, rod.at(L/2)], stiffness: k1}
+states: {upright: {rod.angle: 90 deg, balance: true}}
+find: {kappa: smallest kappa where upright is stable}
+""",
+        "hangs on elongation of coil at upright, which nothing tells",
+    ),
+    "a wire that twists between two bodies": (
+        """
+given: {I: kg m^2, J: kg m^2, kappa: N m/rad, b: rad}
+bodies: {one: {inertia: I}, two: {inertia: J}}
+connections: {shaft: {axle: [one, two]}, wire: {torsion: [one, two], stiffness: kappa}}
+states: {start: {one.angle: 0, two.angle: b, at rest: all}, mid: {wire.angle: 0}}
+find: {w1: one.angular_velocity at mid}
+""",
+        "which nothing tells",
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), HANGING.values(), ids=HANGING)
+def test_an_answer_that_holds_what_nothing_tells_is_none(text: str, message: str) -> None:
+    with pytest.raises(Unsolvable, match=message):
+        solve(text)
