@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
 
 CLOSE, TRIES, STILL = 1e-12, 50, 1e-9
+ROUNDING = 1e-13  # share of the forces on a body below which what is left of them is rounding: what rests stays at rest
 STICKS, FORWARD, BACK, OPEN = "sticks", "slips forward", "slips back", "open"
 MODES = (STICKS, FORWARD, BACK)
 
@@ -58,6 +59,20 @@ class Dynamics(Struct, frozen=True):
     open_rates: frozenset[int]
     open_reactions: frozenset[tuple[str, str]]
     clash: float
+    grips: Sequence[Grip] = ()
+
+    @property
+    def room(self) -> dict[tuple[str, str], float]:
+        """How far what holds is from giving way: μₛ N ± f of what sticks, by how it would slip then; what pushes only by its push."""
+        found: dict[tuple[str, str], float] = {}
+        for grip in self.grips:
+            if grip.static is None or self.modes.get(grip.name, STICKS) != STICKS:
+                continue
+            push = self.reactions.get(grip.normal, 0.0) if grip.normal is not None else 1.0
+            limit, friction = grip.static * abs(push), self.reactions[grip.row.key]
+            found[FORWARD, grip.name], found[BACK, grip.name] = limit + friction, limit - friction
+        pushes = [(key, value) for key, value in self.reactions.items() if self.rows[key].push]
+        return found | {(f"push {kind}", owner): value for (owner, kind), value in pushes}
 
     @property
     def lifted(self) -> list[tuple[str, str]]:
@@ -198,15 +213,23 @@ def nearest(equations: Sequence[tuple[Slope, float]], free: Sequence[float]) -> 
     return replace(found, values=[own + value for own, value in zip(free, found.values, strict=True)])
 
 
-def moment(model: Known, at: Placed, modes: Mapping[str, str] | None = None) -> Dynamics:
-    """Accelerations and reactions, in the given modes of what may slip; the modes that are consistent where none are given."""
+def moment(
+    model: Known, at: Placed, modes: Mapping[str, str] | None = None, letting: Mapping[str, str] | None = None
+) -> Dynamics:
+    """Accelerations and reactions, in the given modes of what may slip; the modes that are consistent where none are given.
+
+    `letting` tells how some of it gives way, whose friction has just reached its limit.
+    """
     pose = at.pose(model)
     rows, grips, loads = gathered(model, pose)
     rows = [row for row in rows if not row.loose and row.bend is not None]
     if modes is not None:
         return balanced(model, at, rows, grips, loads, dict(modes))
     said = model.acting.words()
-    choices = [choice(grip, pose, said.get(grip.name, "")) for grip in grips]
+    letting = letting or {}
+    choices = [
+        (letting[grip.name],) if grip.name in letting else choice(grip, pose, said.get(grip.name, "")) for grip in grips
+    ]
     first = None
     for trial in product(*choices):
         found = balanced(
@@ -273,7 +296,7 @@ def balanced(
             else:
                 rubbing[grip.normal] = drag
     columns = [plus(row.column, rubbing.get(row.key)) for row in active]
-    return assembled(model, at, active, columns, applied, modes)
+    return replace(assembled(model, at, active, columns, applied, modes), grips=grips)
 
 
 def plus(one: Slope, other: Slope | None) -> Slope:
@@ -292,10 +315,11 @@ def assembled(
 ) -> Dynamics:
     """The linear system in the reactions and the accelerations of what has no mass."""
     masses, size = model.masses, model.size
-    force = [0.0] * size
+    force, terms = [0.0] * size, [0.0] * size  # and how large its parts are
     for load in loads.values():
         for index, part in load.items():
             force[index] += part
+            terms[index] += abs(part)
     light = {index: len(rows) + number for number, index in enumerate(i for i in range(size) if masses[i] == 0.0)}
     system, right = [], []
     by_index: dict[int, list[tuple[int, float]]] = {}
@@ -326,8 +350,9 @@ def assembled(
             if light[index] in answer.open:
                 open_rates.add(index)
             continue
-        acting = by_index.get(index, ())
-        rates.append((force[index] + sum([part * answer.values[number] for number, part in acting])) / masses[index])
+        held = [part * answer.values[number] for number, part in by_index.get(index, ())]
+        whole, large = force[index] + sum(held), terms[index] + sum(map(abs, held))
+        rates.append(whole / masses[index] if abs(whole) > ROUNDING * large else 0.0)
     keys = [row.key for row in rows]
     return Dynamics(
         placed=at,

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import is_round
-from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, gathered, moment
+from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, moment
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.lines import bent, circle_of
 from rotsolve.confirm.model import Model
@@ -102,7 +102,7 @@ class Node:
         found: list[tuple[str, str, float, Slope]] = []
         if not {FORWARD, BACK}.intersection(self.moment.modes.values()):
             return found
-        for grip in gathered(self.model, self.pose)[1]:
+        for grip in self.moment.grips:
             mode = self.moment.modes.get(grip.name)
             if mode not in (FORWARD, BACK):
                 continue

@@ -7,7 +7,9 @@ have to pull though it only pushes ends it.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from itertools import pairwise
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -15,13 +17,14 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
 from rotsolve.confirm.course.node import Node
-from rotsolve.confirm.course.steps import TimeStep, adapted, is_constant
-from rotsolve.confirm.instant import FORWARD, OPEN, STICKS, Dynamics, Placed, gathered, moment, slip_speed
+from rotsolve.confirm.course.steps import PLACES, TimeStep, adapted, is_constant
+from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Placed, gathered, moment, slip_speed
+from rotsolve.confirm.rows import Grip
 from rotsolve.language.problem import State
 
-VERGE, BEYOND = 1e-9, 1e-6  # parts of a step: no step at all, and the least that tells what happens next
 MOST = 400  # steps of a phase
 STILL = 1e-8  # share of the rates below which slip is rounding
+STOPPED = 1e-6  # the same of what has just been found to stop
 FAR = 1e6  # seconds after which nothing is waited for any more
 SAMPLES = (0.25, 0.5, 0.75, 1.0)
 GAUSS = ((-0.8611363115940526, 0.3478548451374539), (-0.3399810435848563, 0.6521451548625461))
@@ -118,28 +121,26 @@ class NextState:
     def phase(self) -> FollowedPhase:
         """TimeStep by step, until the state is reached."""
         before: TimeStep | None = None
-        width, beyond = 0.0, BEYOND
+        width = 0.0
         for _ in range(MOST):
             modes = self.settled()
             step, width = self.stepped(modes, before, width)
-            cut = self.changed(Lap(step, modes))
-            if cut is not None and cut < VERGE:  # on the very verge: a little farther it is told which way it goes on
-                step, before, width = self.shortened(step, beyond, modes), None, 0.0
-                beyond = min(4.0 * beyond, 1e-3)
-            elif cut is not None and cut < 1.0:
-                step, before, width = self.shortened(step, cut, modes), None, 0.0
+            cut, way = self.changed(Lap(step, modes))
+            if cut < 1.0:
+                step, before = self.shortened(step, cut, modes), None
             else:
                 before = step
-            reached = self.reached(Lap(step, modes))
+            reached = self.reached(Lap(step, modes)) if cut else None
             if reached is not None:
-                last = self.shortened(step, reached, modes)
-                if last.width >= step.width * reached * (1.0 - 1e-9):
-                    return self.ended(Lap(last, modes))
-                step, before, width = last, None, 0.0  # a shorter step was as far as one could go at once
-            self.laps.append(Lap(step, modes))
-            self.node = instant(self.first, self.laps[-1], 1.0)
-            if cut is not None:
-                self.node = stilled(self.node)
+                return self.ended(Lap(self.shortened(step, reached, modes), modes))
+            if cut:
+                self.laps.append(Lap(step, modes))
+                self.node = instant(self.first, self.laps[-1], 1.0)
+            if way is not None:
+                if way[0] not in (FORWARD, BACK):
+                    raise NotConfirmed(f"`{way[1]}` lets go on the way")
+                held = modes.get(way[1]) == STICKS
+                self.node = let_go(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
         raise NotConfirmed(f"`{self.state.name}` is not reached")
 
     def settled(self) -> dict[str, str]:
@@ -150,24 +151,26 @@ class NextState:
         return found.modes
 
     def law(self, modes: dict[str, str]) -> Callable[[float, list[float], list[float]], list[float]]:
+        """Accelerations, and how far what holds is from giving way."""
         placed = self.first.placed
 
         def pushes(time: float, q: list[float], speed: list[float]) -> list[float]:
             self.first.budget.spend(self.model)
-            return moment(self.model, replace(placed, q=q, speed=speed, time=time), modes).rates
+            now = moment(self.model, replace(placed, q=q, speed=speed, time=time), modes)
+            return [*now.rates, *now.room.values()]
 
         return pushes
 
     def stepped(self, modes: dict[str, str], before: TimeStep | None, width: float) -> tuple[TimeStep, float]:
         """The next step: up to where the state would be if the accelerations stayed, where they do; else as long as it may be."""
         at, law = self.node.placed, self.law(modes)
-        push = self.node.pushes
+        push = [*self.node.pushes, *self.node.moment.room.values()]
         bare = Lap(TimeStep(at.time, 1.0, at.q, at.speed, [push]), modes)
         if before is None:
             guess = self.foreseen(bare)
             if guess is not None and is_constant(law, at.time, at.q, at.speed, guess, push):
                 return TimeStep(at.time, guess, at.q, at.speed, [push]), 0.0
-            width = 0.3 * (guess or pace(at, push))
+            width = min(0.3 * (guess or pace(at, self.node.pushes)), width or FAR)
         if self.end_time is not None:
             width = min(width, self.end_time - at.time)
         return adapted(law, at.time, at.q, at.speed, width, push, before)
@@ -179,15 +182,32 @@ class NextState:
         times = [time for gauge in self.gauges for time in [first_zero(gauge, self.first, bare)] if time is not None]
         return max(times) * (1.0 + 1e-9) if times else None
 
-    def changed(self, lap: Lap) -> float | None:
-        """The part of a step at which what slips sticks, what sticks slips, or a push would be a pull; None where nothing does."""
-        ends = [margins(instant(self.first, lap, part)) for part in (0.0, 1.0)]
-        least = None
-        for key, (value, size) in ends[1].items():
-            if key in ends[0] and value < -1e-7 * size:
-                part = self.zero(lambda at, key=key: margins(at)[key][0], lap, 0.0, 1.0)  # type: ignore[misc]
-                least = part if least is None else min(least, part)
+    def changed(self, lap: Lap) -> tuple[float, tuple[str, str] | None]:
+        """The part of a step at which what slips sticks, what sticks slips, or a push would be a pull, and which; 1.0 where nothing does.
+
+        It is looked for within the step too: what holds may give way in its midst, and hold again at its end.
+        """
+        start, end = (margins(instant(self.first, lap, part)) for part in (0.0, 1.0))
+        least: tuple[float, tuple[str, str] | None] = (1.0, None)
+        for key, (value, size) in end.items():
+            if key not in start:
+                continue
+            known = [(0.0, start[key][0]), *self.within(key, lap), (1.0, value)]
+            for (low, before), (high, after) in pairwise(known):
+                if low < least[0] and after < -1e-7 * size:
+                    least = (self.zero(partial(margin, key), lap, low, high) if before > 0.0 else low, key)
+                    break
         return least
+
+    def within(self, key: tuple[str, str], lap: Lap) -> list[tuple[float, float]]:
+        """How far something is from giving way, or from sticking, at the places of a step: as its law has told, or by how fast it slips."""
+        names = list(self.node.moment.room)
+        if len(lap.step.pushes) == 1:
+            return []
+        if key not in names:
+            return [(part, margin(key, instant(self.first, lap, part))) for part in PLACES[1:]]
+        number = len(lap.step.place) + names.index(key)
+        return [(part, push[number]) for part, push in zip(PLACES[1:], lap.step.pushes[1:], strict=True)]
 
     def zero(self, function: Callable[[Node], float], lap: Lap, low: float, high: float) -> float:
         """The part of a step at which a function changes its sign, by the rule of Illinois."""
@@ -213,14 +233,13 @@ class NextState:
         width = step.width * part
         if len(step.pushes) == 1:
             return replace(step, width=width)
-        return adapted(self.law(modes), step.time, step.place, step.speed, width, step.pushes[0])[0]
+        return adapted(self.law(modes), step.time, step.place, step.speed, width, step.pushes[0], step)[0]
 
     def reached(self, lap: Lap) -> float | None:
         """The first part of a step at which all lines hold; None where they do not."""
         start, width = lap.step.time, lap.step.width
         if self.end_time is not None:
-            left = self.end_time - start
-            part = left / width if width else 1.0 + left
+            part = (self.end_time - start) / width
             if part > 1.0 + 1e-9:
                 return None
             self.confirm_lines(instant(self.first, lap, min(part, 1.0)))
@@ -259,16 +278,23 @@ class NextState:
         return FollowedPhase(self.first, self.laps, end, lap.modes)
 
 
-def stilled(at: Node) -> Node:
-    """The same instant where what has all but ceased to slip does not slip: what is left is the rounding of the steps."""
+def stilled(at: Node, stopped: str = "") -> Node:
+    """The same instant where what has all but ceased to slip does not slip, as what has `stopped`: the rest is rounding."""
     speed = list(at.placed.speed)
     size = max(map(abs, speed), default=0.0)
     for grip in gathered(at.model, at.pose)[1]:
         slip, square = slip_speed(grip, speed), sum(part * part for part in grip.row.slope.values())
-        if slip and abs(slip) <= STILL * max(size, 1.0) * math.sqrt(square):
+        small = STILL if grip.name != stopped else STOPPED
+        if slip and abs(slip) <= small * max(size, 1.0) * math.sqrt(square):
             for index, part in grip.row.slope.items():
                 speed[index] -= slip * part / square
     return Node(at.model, replace(at.placed, speed=speed), at.budget)
+
+
+def let_go(at: Node, letting: Mapping[str, str]) -> Node:
+    """The same instant as it goes on from there, where something gives way that held so far; what the state says is of its start."""
+    at.budget.spend(at.model)
+    return Node(at.model, at.placed, at.budget, moment(at.model, at.placed, letting=letting).modes)
 
 
 def pace(at: Placed, push: Sequence[float]) -> float:
@@ -311,22 +337,27 @@ def least_positive(a: float, b: float, c: float) -> float | None:
     return min(positive, default=None)
 
 
+def margin(key: tuple[str, str], at: Node) -> float:
+    """One of the margins at an instant; how fast something slips needs no forces."""
+    if at.modes is not None and at.modes.get(key[1]) == key[0]:
+        grips = gathered(at.model, at.pose)[1]
+        return next(slip_along(key[0], grip, at) for grip in grips if grip.name == key[1])
+    return margins(at)[key][0]
+
+
+def slip_along(mode: str, grip: Grip, at: Node) -> float:
+    """How fast something slips in the sense of its mode."""
+    return slip_speed(grip, at.placed.speed) * (1.0 if mode == FORWARD else -1.0)
+
+
 def margins(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
     """How far what slips is from sticking, what sticks from slipping, what pushes from pulling; each with what it is small against."""
-    found: dict[tuple[str, str], tuple[float, float]] = {}
     now: Dynamics = at.moment
     size = max([abs(value) for value in now.reactions.values()], default=0.0)
-    for grip in gathered(at.model, at.pose)[1]:
+    open_ = {(f"push {kind}", owner) for owner, kind in now.open_reactions}
+    found = {key: (value, size) for key, value in now.room.items() if key not in open_}
+    for grip in now.grips:
         mode = now.modes.get(grip.name, STICKS)
-        if grip.static is None or mode == OPEN:
-            continue
-        if mode == STICKS:
-            push = now.reactions.get(grip.normal, 0.0) if grip.normal is not None else 1.0
-            found["sticks", grip.name] = (grip.static * abs(push) - abs(now.reactions[grip.row.key]), size)
-        else:
-            slip = slip_speed(grip, at.placed.speed)
-            found[mode, grip.name] = (slip if mode == FORWARD else -slip, 1.0)
-    for key, value in now.reactions.items():
-        if now.rows[key].push and key not in now.open_reactions:
-            found[f"push {key[1]}", key[0]] = (value, size)
+        if mode in (FORWARD, BACK):
+            found[mode, grip.name] = (slip_along(mode, grip, at), 1.0)
     return found

@@ -1,6 +1,7 @@
 """Steps: a motion q̈ = f(t, q, q̇) followed in time by collocation: q̈ is a polynomial through Radau's places of each step.
 
 The ends of a step of width h are right to the order h¹¹; while q̈ stays as it is, one step is as long as it is asked to be, and exact.
+A law may tell more behind q̈ (how far what holds is from giving way): a step is as short as this takes to be a polynomial too.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from msgspec import Struct
 from rotsolve.confirm import NotConfirmed
 
 Numbers = list[float]
-Law = Callable[[float, Numbers, Numbers], Numbers]  # q̈ by time, q and q̇
+Law = Callable[[float, Numbers, Numbers], Numbers]  # q̈ by time, q and q̇, and what else it tells
 
 PLACES = (0.0, 0.09853508579882625, 0.30453572664636386, 0.5620251897526138, 0.8019865821263917, 0.9601901429485313)
 ROUNDS = 14  # of the iteration for q̈ at the places
@@ -79,11 +80,11 @@ class TimeStep(Struct, frozen=True):
         return collocated(self.place, self.speed, self.pushes, self.width, part, once, twice)
 
     def push(self, part: float) -> Numbers:
-        """q̈ after a part of the width."""
+        """q̈ after a part of the width, and what else the law tells."""
         if len(self.pushes) == 1:
             return self.pushes[0]
         shares = [sum(c * part**n for n, c in enumerate(row)) for row in rule().powers]
-        return [sum(s * p[i] for s, p in zip(shares, self.pushes, strict=True)) for i in range(len(self.place))]
+        return [sum(s * p for s, p in zip(shares, column, strict=True)) for column in zip(*self.pushes, strict=True)]
 
 
 def collocated(
@@ -107,15 +108,16 @@ def stretch(
     """One step of this width from where q̈ is `push`, which `before` foretells; None where it is too long."""
     known = rule()
     pushes = [push] * len(PLACES)
-    if before is not None and len(before.pushes) > 1:
+    if before is not None and len(before.pushes) > 1 and len(before.pushes[0]) == len(push):
         pushes[1:] = [before.push(1.0 + part * width / before.width) for part in PLACES[1:]]
     for _ in range(ROUNDS):
         change, size = 0.0, 1e-300
         for number in range(1, len(PLACES)):
             q, v = collocated(place, speed, pushes, width, PLACES[number], known.once[number], known.twice[number])
             found = law(time + PLACES[number] * width, q, v)
-            change = max(change, max([abs(a - b) for a, b in zip(found, pushes[number], strict=True)], default=0.0))
-            size = max(size, max(map(abs, found), default=0.0))
+            moved = [(abs(found[i] - pushes[number][i]), abs(found[i])) for i in range(len(place))]
+            change = max(change, max([by for by, _ in moved], default=0.0))
+            size = max(size, max([large for _, large in moved], default=0.0))
             pushes[number] = found
         if change <= SETTLED * size:
             return TimeStep(time, width, place, speed, pushes)
@@ -124,26 +126,34 @@ def stretch(
     return None
 
 
+def parts(values: Sequence[float], step: Sequence[float]) -> tuple[Sequence[float], Sequence[float]]:
+    """q̈, and what else a law tells, which is of another size."""
+    return values[: len(step)], values[len(step) :]
+
+
+def largest(values: Sequence[float]) -> float:
+    return max(map(abs, values), default=0.0)
+
+
 def roughness(step: TimeStep) -> float:
-    """The share of the highest power in q̈ over the step."""
-    last = [
-        sum(row[-1] * push[i] for row, push in zip(rule().powers, step.pushes, strict=True))
-        for i in range(len(step.place))
-    ]
-    size = max(max(map(abs, push), default=0.0) for push in step.pushes)
-    return max(map(abs, last), default=0.0) / size if size else 0.0
+    """The share of the highest power in q̈ over the step, or in what else its law tells."""
+    last = [sum(row[-1] * a for row, a in zip(rule().powers, own, strict=True)) for own in zip(*step.pushes, strict=True)]
+    sizes = [largest(own) for own in zip(*step.pushes, strict=True)]
+    shares = zip(parts(last, step.place), parts(sizes, step.place), strict=True)
+    return max(largest(own) / largest(size) if largest(size) else 0.0 for own, size in shares)
 
 
 def is_constant(law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers) -> bool:
-    """Whether q̈ is the same in the midst and at the end of a stretch."""
-    size = max(max(map(abs, push), default=0.0), 1e-300)
+    """Whether q̈ is the same in the midst and at the end of a stretch, and what else the law tells."""
     bare = TimeStep(time, width, place, speed, [push])
     for part in (1.0, 0.4):
         found = law(time + part * width, *bare.at(part))
-        if max([abs(a - b) for a, b in zip(found, push, strict=True)], default=0.0) > SAME * max(
-            size, *map(abs, found)
-        ):
+        if len(found) != len(push):
             return False
+        for now, then in zip(parts(found, place), parts(push, place), strict=True):
+            change = largest([a - b for a, b in zip(now, then, strict=True)])
+            if change > SAME * max(1e-300, largest(now), largest(then)):
+                return False
     return True
 
 
