@@ -218,14 +218,14 @@ def moment(
 ) -> Dynamics:
     """Accelerations and reactions, in the given modes of what may slip; the modes that are consistent where none are given.
 
-    `letting` tells how some of it gives way, whose friction has just reached its limit.
+    On the way `letting` tells how some of it gives way, whose friction has just reached its limit; what the state says is of its start.
     """
     pose = at.pose(model)
     rows, grips, loads = gathered(model, pose)
     rows = [row for row in rows if not row.loose and row.bend is not None]
     if modes is not None:
         return balanced(model, at, rows, grips, loads, dict(modes))
-    said = model.acting.words()
+    said = model.acting.words() if letting is None else {}
     letting = letting or {}
     choices = [
         (letting[grip.name],) if grip.name in letting else choice(grip, pose, said.get(grip.name, "")) for grip in grips
@@ -236,7 +236,7 @@ def moment(
             model, at, rows, grips, loads, {grip.name: mode for grip, mode in zip(grips, trial, strict=True)}
         )
         first = first or found
-        if all(fits(grip, found) for grip in grips):
+        if all(grip.name in letting or fits(grip, found) for grip in grips):
             return found
     raise NotConfirmed("no way to stick and slip fits")
 

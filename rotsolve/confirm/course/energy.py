@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.constraints import held_by
 from rotsolve.confirm.course.node import Node
-from rotsolve.confirm.instant import STICKS, Placed, split
+from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Placed, split
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.lines import placed_value
@@ -70,8 +70,10 @@ def conserves(first: Node) -> bool:
 
 
 def sticks(at: Node) -> bool:
-    """Whether nothing begins to slip there, and nothing pulls that only pushes."""
-    return all(mode == STICKS for mode in at.moment.modes.values())
+    """Whether nothing begins to slip there, so that all that sticks has friction to spare."""
+    now = at.moment
+    room = [value for (mode, _), value in now.room.items() if mode in (FORWARD, BACK)]
+    return min(room, default=0.0) >= -1e-9 * max(map(abs, now.reactions.values()), default=0.0)
 
 
 def told_from(first: Node) -> Pose:
@@ -157,4 +159,5 @@ def with_its_speed(first: Node, q: list[float], line: Condition, whole: float, g
     if left <= 1e-12 * abs(whole) or share <= 0.0:
         return None
     rate = math.copysign(math.sqrt(left / share), gap)
-    return Node(first.model, replace(placed, speed=[rate * part for part in way]), first.budget)
+    speed = [rate * part for part in way]
+    return Node(first.model, replace(placed, speed=speed), first.budget, first.moment.modes)

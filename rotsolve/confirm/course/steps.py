@@ -103,13 +103,14 @@ def collocated(
 
 
 def stretch(
-    law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers, before: TimeStep | None
+    law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers, known_of: TimeStep | None
 ) -> TimeStep | None:
-    """One step of this width from where q̈ is `push`, which `before` foretells; None where it is too long."""
+    """One step of this width from where q̈ is `push`, which a step before or about it foretells; None where it is too long."""
     known = rule()
     pushes = [push] * len(PLACES)
-    if before is not None and len(before.pushes) > 1 and len(before.pushes[0]) == len(push):
-        pushes[1:] = [before.push(1.0 + part * width / before.width) for part in PLACES[1:]]
+    if known_of is not None and len(known_of.pushes) > 1 and len(known_of.pushes[0]) == len(push):
+        since = time - known_of.time
+        pushes[1:] = [known_of.push((since + part * width) / known_of.width) for part in PLACES[1:]]
     for _ in range(ROUNDS):
         change, size = 0.0, 1e-300
         for number in range(1, len(PLACES)):
@@ -137,7 +138,9 @@ def largest(values: Sequence[float]) -> float:
 
 def roughness(step: TimeStep) -> float:
     """The share of the highest power in q̈ over the step, or in what else its law tells."""
-    last = [sum(row[-1] * a for row, a in zip(rule().powers, own, strict=True)) for own in zip(*step.pushes, strict=True)]
+    last = [
+        sum(row[-1] * a for row, a in zip(rule().powers, own, strict=True)) for own in zip(*step.pushes, strict=True)
+    ]
     sizes = [largest(own) for own in zip(*step.pushes, strict=True)]
     shares = zip(parts(last, step.place), parts(sizes, step.place), strict=True)
     return max(largest(own) / largest(size) if largest(size) else 0.0 for own, size in shares)
@@ -158,12 +161,18 @@ def is_constant(law: Law, time: float, place: Numbers, speed: Numbers, width: fl
 
 
 def adapted(
-    law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers, before: TimeStep | None = None
+    law: Law,
+    time: float,
+    place: Numbers,
+    speed: Numbers,
+    width: float,
+    push: Numbers,
+    known_of: TimeStep | None = None,
 ) -> tuple[TimeStep, float]:
     """A step that is as long as it may be, and the width to try next."""
     for _ in range(60):
         try:
-            step = stretch(law, time, place, speed, width, push, before)
+            step = stretch(law, time, place, speed, width, push, known_of)
         except ArithmeticError:
             step = None
         if step is not None:
