@@ -23,6 +23,7 @@ from rotsolve.confirm.rows import Grip
 from rotsolve.language.problem import State
 
 MOST = 400  # steps of a phase
+VERGE = 1e-9  # part of a step that is no step at all
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
 FAR = 1e6  # seconds after which nothing is waited for any more
@@ -126,13 +127,17 @@ class NextState:
             modes = self.settled()
             step, width = self.stepped(modes, before, width)
             cut, way = self.changed(Lap(step, modes))
-            if cut < 1.0:
-                step, before = self.shortened(step, cut, modes), None
-            else:
-                before = step
+            cut = cut if cut > VERGE else 0.0
+            before = step if cut == 1.0 else None
+            if 0.0 < cut < 1.0:
+                whole, step = step, self.shortened(step, cut, modes)
+                way = way if step.width >= whole.width * cut * (1.0 - 1e-9) else None  # else it is not there yet
             reached = self.reached(Lap(step, modes)) if cut else None
             if reached is not None:
-                return self.ended(Lap(self.shortened(step, reached, modes), modes))
+                last = self.shortened(step, reached, modes)
+                if last.width >= step.width * reached * (1.0 - 1e-9):
+                    return self.ended(Lap(last, modes))
+                step, before, way = last, None, None  # a shorter step was as far as one could go at once
             if cut:
                 self.laps.append(Lap(step, modes))
                 self.node = instant(self.first, self.laps[-1], 1.0)
@@ -239,7 +244,8 @@ class NextState:
         """The first part of a step at which all lines hold; None where they do not."""
         start, width = lap.step.time, lap.step.width
         if self.end_time is not None:
-            part = (self.end_time - start) / width
+            left = self.end_time - start
+            part = left / width if width else 1.0 + left
             if part > 1.0 + 1e-9:
                 return None
             self.confirm_lines(instant(self.first, lap, min(part, 1.0)))
