@@ -183,6 +183,12 @@ class Course:
                     raise Broken(f"`{state.name}` is not in balance")
             check_lines(state, at, self.node(self.names[max(0, self.names.index(state.name) - 1)]))
 
+    def varies(self, start: str, end: str) -> bool:
+        """Whether accelerations or forces change on the way between two neighbouring states."""
+        self.timed(end)
+        phase = self._phases.get(start)
+        return phase is not None and any(len(lap.step.pushes) > 1 for lap in phase.laps)
+
     def integral(self, start: str, end: str, rate: Callable[[Node], float]) -> tuple[float, float]:
         """∫ rate dt from one state to a later one, and ∫ |rate| dt."""
         self.timed(end)
