@@ -200,7 +200,7 @@ class NextState:
             known = [(0.0, start[key][0]), *self.within(key, lap), (1.0, value)]
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:
-                    least = (self.zero(partial(margin, key), lap, low, high) if before > 0.0 else low, key)
+                    least = (self.zero(partial(margin_of, key), lap, low, high) if before > 0.0 else low, key)
                     break
         return least
 
@@ -210,7 +210,7 @@ class NextState:
         if len(lap.step.pushes) == 1:
             return []
         if key not in names:
-            return [(part, margin(key, instant(self.first, lap, part))) for part in PLACES[1:]]
+            return [(part, margin_of(key, instant(self.first, lap, part))) for part in PLACES[1:]]
         number = len(lap.step.place) + names.index(key)
         return [(part, push[number]) for part, push in zip(PLACES[1:], lap.step.pushes[1:], strict=True)]
 
@@ -343,15 +343,15 @@ def least_positive(a: float, b: float, c: float) -> float | None:
     return min(positive, default=None)
 
 
-def margin(key: tuple[str, str], at: Node) -> float:
+def margin_of(key: tuple[str, str], at: Node) -> float:
     """One of the margins at an instant; how fast something slips needs no forces."""
     if at.modes is not None and at.modes.get(key[1]) == key[0]:
         grips = gathered(at.model, at.pose)[1]
-        return next(slip_along(key[0], grip, at) for grip in grips if grip.name == key[1])
+        return next(slip_by_mode(key[0], grip, at) for grip in grips if grip.name == key[1])
     return margins(at)[key][0]
 
 
-def slip_along(mode: str, grip: Grip, at: Node) -> float:
+def slip_by_mode(mode: str, grip: Grip, at: Node) -> float:
     """How fast something slips in the sense of its mode."""
     return slip_speed(grip, at.placed.speed) * (1.0 if mode == FORWARD else -1.0)
 
@@ -365,5 +365,5 @@ def margins(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
     for grip in now.grips:
         mode = now.modes.get(grip.name, STICKS)
         if mode in (FORWARD, BACK):
-            found[mode, grip.name] = (slip_along(mode, grip, at), 1.0)
+            found[mode, grip.name] = (slip_by_mode(mode, grip, at), 1.0)
     return found

@@ -127,12 +127,12 @@ def stretch(
     return None
 
 
-def parts(values: Sequence[float], step: Sequence[float]) -> tuple[Sequence[float], Sequence[float]]:
+def apart_from_rates(values: Sequence[float], step: Sequence[float]) -> tuple[Sequence[float], Sequence[float]]:
     """q̈, and what else a law tells, which is of another size."""
     return values[: len(step)], values[len(step) :]
 
 
-def largest(values: Sequence[float]) -> float:
+def most_of(values: Sequence[float]) -> float:
     return max(map(abs, values), default=0.0)
 
 
@@ -141,9 +141,9 @@ def roughness(step: TimeStep) -> float:
     last = [
         sum(row[-1] * a for row, a in zip(rule().powers, own, strict=True)) for own in zip(*step.pushes, strict=True)
     ]
-    sizes = [largest(own) for own in zip(*step.pushes, strict=True)]
-    shares = zip(parts(last, step.place), parts(sizes, step.place), strict=True)
-    return max(largest(own) / largest(size) if largest(size) else 0.0 for own, size in shares)
+    sizes = [most_of(own) for own in zip(*step.pushes, strict=True)]
+    shares = zip(apart_from_rates(last, step.place), apart_from_rates(sizes, step.place), strict=True)
+    return max(most_of(own) / most_of(size) if most_of(size) else 0.0 for own, size in shares)
 
 
 def is_constant(law: Law, time: float, place: Numbers, speed: Numbers, width: float, push: Numbers) -> bool:
@@ -153,9 +153,9 @@ def is_constant(law: Law, time: float, place: Numbers, speed: Numbers, width: fl
         found = law(time + part * width, *bare.at(part))
         if len(found) != len(push):
             return False
-        for now, then in zip(parts(found, place), parts(push, place), strict=True):
-            change = largest([a - b for a, b in zip(now, then, strict=True)])
-            if change > SAME * max(1e-300, largest(now), largest(then)):
+        for now, then in zip(apart_from_rates(found, place), apart_from_rates(push, place), strict=True):
+            change = most_of([a - b for a, b in zip(now, then, strict=True)])
+            if change > SAME * max(1e-300, most_of(now), most_of(then)):
                 return False
     return True
 
