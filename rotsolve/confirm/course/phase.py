@@ -145,7 +145,7 @@ class NextState:
                 if way[0] not in (FORWARD, BACK):
                     raise NotConfirmed(f"`{way[1]}` lets go on the way")
                 held = modes.get(way[1]) == STICKS
-                self.node = let_go(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
+                self.node = giving_way(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
         raise NotConfirmed(f"`{self.state.name}` is not reached")
 
     def settled(self) -> dict[str, str]:
@@ -200,7 +200,7 @@ class NextState:
             known = [(0.0, start[key][0]), *self.within(key, lap), (1.0, value)]
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:
-                    least = (self.zero(partial(margin_of, key), lap, low, high) if before > 0.0 else low, key)
+                    least = (self.zero(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low, key)
                     break
         return least
 
@@ -210,7 +210,7 @@ class NextState:
         if len(lap.step.pushes) == 1:
             return []
         if key not in names:
-            return [(part, margin_of(key, instant(self.first, lap, part))) for part in PLACES[1:]]
+            return [(part, margin_in_step(key, instant(self.first, lap, part))) for part in PLACES[1:]]
         number = len(lap.step.place) + names.index(key)
         return [(part, push[number]) for part, push in zip(PLACES[1:], lap.step.pushes[1:], strict=True)]
 
@@ -297,7 +297,7 @@ def stilled(at: Node, stopped: str = "") -> Node:
     return Node(at.model, replace(at.placed, speed=speed), at.budget)
 
 
-def let_go(at: Node, letting: Mapping[str, str]) -> Node:
+def giving_way(at: Node, letting: Mapping[str, str]) -> Node:
     """The same instant as it goes on from there, where something gives way that held so far; what the state says is of its start."""
     at.budget.spend(at.model)
     return Node(at.model, at.placed, at.budget, moment(at.model, at.placed, letting=letting).modes)
@@ -343,7 +343,7 @@ def least_positive(a: float, b: float, c: float) -> float | None:
     return min(positive, default=None)
 
 
-def margin_of(key: tuple[str, str], at: Node) -> float:
+def margin_in_step(key: tuple[str, str], at: Node) -> float:
     """One of the margins at an instant; how fast something slips needs no forces."""
     if at.modes is not None and at.modes.get(key[1]) == key[0]:
         grips = gathered(at.model, at.pose)[1]
