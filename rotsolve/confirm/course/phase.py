@@ -129,21 +129,22 @@ class NextState:
             cut, way = self.changed(Lap(step, modes))
             cut = cut if cut > VERGE else 0.0
             before = step if cut == 1.0 else None
-            if 0.0 < cut < 1.0:
+            lifts = way is not None and way[0] not in (FORWARD, BACK)
+            if 0.0 < cut < 1.0 and not lifts:  # what lets go may be what the state says: it is looked for beyond it
                 whole, step = step, self.shortened(step, cut, modes)
                 way = way if step.width >= whole.width * cut * (1.0 - 1e-9) else None  # else it is not there yet
-            reached = self.reached(Lap(step, modes)) if cut else None
-            if reached is not None:
+            reached = self.reached(Lap(step, modes)) if cut or lifts else None
+            if reached is not None and not (lifts and reached > cut + STILL):
                 last = self.shortened(step, reached, modes)
                 if last.width >= step.width * reached * (1.0 - 1e-9):
                     return self.ended(Lap(last, modes))
                 step, before, way = last, None, None  # a shorter step was as far as one could go at once
+            if way is not None and lifts:
+                raise NotConfirmed(f"`{way[1]}` lets go on the way")
             if cut:
                 self.laps.append(Lap(step, modes))
                 self.node = instant(self.first, self.laps[-1], 1.0)
             if way is not None:
-                if way[0] not in (FORWARD, BACK):
-                    raise NotConfirmed(f"`{way[1]}` lets go on the way")
                 held = modes.get(way[1]) == STICKS
                 self.node = giving_way(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
         raise NotConfirmed(f"`{self.state.name}` is not reached")
