@@ -31,12 +31,12 @@ from rotsolve.motion.rigid import Frame, locate, rim_ways, tidy
 
 if TYPE_CHECKING:
     from rotsolve.language.bodies import Orbit
-    from rotsolve.language.problem import Body, Path
+    from rotsolve.language.problem import Body
     from rotsolve.motion.configuration import Configuration
 
 
 TURNED = ("angle", "rotation", "turns")
-FOLLOWED = ("position", "displacement", "velocity", "acceleration")
+FOLLOWED = ("position", "displacement", "velocity", "acceleration", "speed", "momentum", "kinetic_energy")
 
 
 class Standing(Struct, frozen=True, dict=True):
@@ -270,11 +270,12 @@ class Standing(Struct, frozen=True, dict=True):
         configuration, carried = self.configuration, self.configuration.carried(name, self.state)
         if len(configuration.timeline.states) < 2:
             return False
-        asked = [
-            path
-            for path in (term.path for find in configuration.problem.finds for term in find.terms)
-            if path.owner in carried and path.quantity in FOLLOWED and path.component in (None, *PLANE)
+        terms = [term for find in configuration.problem.finds for term in find.terms if term.path.owner in carried]
+        paths = [
+            term.path for term in terms if term.path.quantity in FOLLOWED and term.path.component in (None, *PLANE)
         ]
+        asked = [PointRef(path.owner, path.point, path.argument) for path in paths]
+        asked += [term.about for term in terms if term.about is not None and term.about.owner in carried]
         if not asked:
             return False
         told = any(
@@ -286,10 +287,10 @@ class Standing(Struct, frozen=True, dict=True):
             return False
         return any(map(self._goes_round, asked))
 
-    def _goes_round(self, path: Path) -> bool:
-        """Whether the point of which a path speaks goes round another; the names of rims are directions in space from their centre."""
-        on_rim = path.point in rim_ways(self.body(path.owner))
-        place = PointRef(path.owner, "center" if on_rim else path.point or "cm", path.argument)
+    def _goes_round(self, ref: PointRef) -> bool:
+        """Whether a point of which a question speaks goes round another; names of rims are directions in space from their centre."""
+        on_rim = ref.point in rim_ways(self.body(ref.owner))
+        place = PointRef(ref.owner, "center" if on_rim else ref.point or "cm", ref.argument)
         return self.configuration.swings_round(place, self.state)
 
     def stands_as_drawn(self, name: str) -> bool:

@@ -17,7 +17,7 @@ from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import POSITION, RATE, has_quantities, is_key, key_of
+from rotsolve.core.symbols import POSITION, RATE, RATES, has_quantities, is_key, key_of, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
 from rotsolve.plan import Plan, Planner, Shortage
@@ -356,10 +356,16 @@ class Search(Struct, dict=True):
             return None
 
     def apart(self, *, careful: bool = False) -> Search:
-        """A search by all laws that knows the answers of this one and leaves no trace in it."""
+        """A search by all laws that knows the answers of this one, and the rates on the way to them, and leaves no trace in it."""
         other = Search(self.scene, families_for(None), careful=careful or self.careful, ground=self.ground)
         other.solver.solved.update(self.solver.solved)
-        other.known |= self.solver.solved.keys()
+        for name in of_kinds(
+            self.solver.told.keys() - self.solver.solved.keys(), RATES
+        ):  # no other root of theirs is meant
+            value = self.solver.with_found(Symbol(name))
+            if not has_quantities(value):
+                other.solver.solved[name] = Found(name, value)
+        other.known |= other.solver.solved.keys()
         return other
 
     def certified(self, value: Formula) -> Certified | None:

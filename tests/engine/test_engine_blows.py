@@ -117,3 +117,22 @@ find: {{x: {question} at after}}
     with pytest.raises(Unsolvable, match="leaves the surface"):
         solve(scene.replace("WAY", "up"))
     assert solve(scene.replace("WAY", "-30 deg")).answers["x"].float is not None
+
+
+@pytest.mark.parametrize(
+    "question", ["x: stone.kinetic_energy", "x: wheel.angular_acceleration", "x: wheel.angular_velocity"]
+)
+@pytest.mark.parametrize(("way", "moves"), [("right", "left"), ("right", "right")])
+def test_a_stone_that_sticks_to_the_rim_of_a_wheel_lifts_it(way: str, moves: str, question: str) -> None:
+    """The stone on the right-hand rim goes down as the wheel rolls off to the right: the floor would have to pull."""
+    scene = f"""
+given: {{R: 1 m, M: 3.8 kg, m: 0.61 kg, u: 3.7 m/s}}
+surfaces: {{floor: level}}
+bodies: {{wheel: {{shape: disc, mass: M, radius: R, moves: {moves}}}, stone: {{mass: m, moves: {way}}}}}
+connections: {{base: {{contact: [wheel, floor], friction: any}}}}
+states: {{start: {{at rest: [wheel], stone.velocity: u}}, after: {{}}}}
+events: {{hit: {{joins: [stone, wheel.rim], from: start, to: after}}}}
+find: {{{question} at after, y: wheel.angular_acceleration at after}}
+"""
+    with pytest.raises(Unsolvable, match="leaves the surface"):
+        solve(scene)
