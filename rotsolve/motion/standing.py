@@ -36,7 +36,8 @@ if TYPE_CHECKING:
 
 
 TURNED = ("angle", "rotation", "turns")
-FOLLOWED = ("position", "displacement", "velocity", "acceleration", "speed", "momentum", "kinetic_energy")
+FOLLOWED = ("position", "displacement", "velocity", "acceleration", "momentum")
+SIZES = ("speed", "kinetic_energy")  # which on a fixed axis are the same all round
 
 
 class Standing(Struct, frozen=True, dict=True):
