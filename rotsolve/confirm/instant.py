@@ -15,7 +15,7 @@ from rotsolve.confirm.constraints import ROWS, held_by
 from rotsolve.confirm.jet import Slope
 from rotsolve.confirm.linear import Solved, solved
 from rotsolve.confirm.lines import Stated, told
-from rotsolve.confirm.pose import Pose
+from rotsolve.confirm.pose import Pose, Way
 from rotsolve.confirm.rows import Grip, Row, unknown
 from rotsolve.confirm.seating import seated
 from rotsolve.elements.connections.drapes import Drapes
@@ -31,6 +31,14 @@ STICKS, FORWARD, BACK, OPEN = "sticks", "slips forward", "slips back", "open"
 MODES = (STICKS, FORWARD, BACK)
 
 
+class Met(Struct, frozen=True):
+    """Two bodies that have bounced off each other: from then on the second stays ahead of the first along `way`."""
+
+    pair: tuple[str, str]
+    way: Way
+    apart: float  # how far it was ahead as they met, counted from where both are drawn
+
+
 class Placed(Struct, frozen=True):
     """Coordinates and rates at an instant; `open` are the rates that nothing tells, `clash` how far what is told contradicts."""
 
@@ -41,6 +49,7 @@ class Placed(Struct, frozen=True):
     origin: Sequence[float]
     open: frozenset[int] = frozenset()
     clash: float = 0.0
+    met: tuple[Met, ...] = ()
 
     def pose(self, model: Known) -> Pose:
         return Pose(model.seats, self.q, self.speed, self.time, self.offsets, self.origin)

@@ -10,11 +10,12 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.blow import Struck, struck
 from rotsolve.confirm.bodies import SPATIAL
 from rotsolve.confirm.course.node import Node
-from rotsolve.confirm.instant import Placed
+from rotsolve.confirm.instant import Met, Placed
 from rotsolve.confirm.lines import bent
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.seating import seated
+from rotsolve.elements.events import Collides
 from rotsolve.language.elements import Event
 
 
@@ -25,6 +26,25 @@ def brought(before: Node, model: Model) -> Placed:
         if bent(name, model) is not None and bent(name, before.model) is None:
             q[seat.first : seat.turn] = seated(model)[seat.first : seat.turn]
     return replace(before.placed, q=q)
+
+
+def met_through(before: Node, event: Event, model: Model) -> tuple[Met, ...]:
+    """Who has met up to an event and may not go through each other: bodies on one line; a later blow of theirs counts anew."""
+    if not isinstance(event, Collides):
+        return before.placed.met
+    one, other = (ref.owner for ref in event.collides)
+    kept = tuple(met for met in before.placed.met if set(met.pair) != {one, other})
+    ways = [model.way(name) if name in model.seats else None for name in (one, other)]
+    if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
+        return kept
+    (x, y), (ahead, above) = (before.pose.place(name, (0.0, 0.0)) for name in (one, other))
+    way = ways[0]
+    closing = (x.rate - ahead.rate) * way[0] + (y.rate - above.rate) * way[1]
+    if closing == 0.0:
+        return kept
+    way = way if closing > 0.0 else (-way[0], -way[1])
+    apart = (ahead.value - x.value) * way[0] + (above.value - y.value) * way[1]
+    return (*kept, Met((one, other), way, apart))
 
 
 class Blow:
@@ -40,7 +60,8 @@ class Blow:
         self.struck: Struck = struck(model, brought(before, model), event)
         if self.struck.clash > 1e-7:
             raise NotConfirmed(f"what holds through `{event.name}` can not hold together")
-        self.after = Node(model, self.struck.placed, before.budget)
+        placed = replace(self.struck.placed, met=met_through(before, event, model))
+        self.after = Node(model, placed, before.budget)
 
     def on_body(self, owner: str, body: str) -> tuple[Way, float]:
         """Impulse, and angular impulse about the centre of mass, that an element or the event gives a body."""

@@ -150,7 +150,7 @@ def turning(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Where on a curved surface a body touches it; how the last body turns against the first, else how the body turns that is held."""
     item = element(at, path.owner)
     if isinstance(item, Touch) and path.quantity == "angle":
-        return number(at.touching_angle(item), 1.0)
+        return Reckoned({"": at.touching_angle(item)}, 1.0, period=2 * math.pi)
     between = item.between() if hasattr(item, "between") else ()
     if between and path.quantity != "angle":
         first, last = (at.pose.turn(ref.owner) for ref in between)

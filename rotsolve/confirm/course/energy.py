@@ -12,8 +12,9 @@ from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.constraints import held_by
-from rotsolve.confirm.course.node import Node
-from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Placed, split
+from rotsolve.confirm.course.astray import LetsGo, check_apart
+from rotsolve.confirm.course.node import Astray, Node
+from rotsolve.confirm.instant import BACK, FORWARD, STICKS, split
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.lines import placed_value
@@ -22,6 +23,8 @@ from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.language.problem import Condition, State
 
 NEWTON, EXACT, SAMPLES = 30, 1e-13, (0.35, 0.7, 1.0)
+LOOKS = 8  # places at which it is seen whether what only pushes would have to pull
+MISSING = 1e-6  # share of the energy that is missing where a place is not reached
 
 
 def by_energy(first: Node, state: State) -> Node | None:
@@ -38,15 +41,34 @@ def by_energy(first: Node, state: State) -> Node | None:
         return None
     whole = rate_energy(first, first.placed.speed) + stored(first)
     q = list(first.placed.q)
-    for part in SAMPLES:
+    pushes = any(row.push for row in first.moment.rows.values())
+    for part in [number / LOOKS for number in range(1, LOOKS + 1)] if pushes else SAMPLES:
         found = placed_at(first, q, line, start + part * (goal - start))
         if found is None:
             return None
         q = found
         at = with_its_speed(first, q, line, whole, goal - start)
+        if at is None and part < 1.0:
+            check_reached(first, q, whole, state)
+        if at is not None and part < 1.0:
+            check_way(at, state)
         if at is None or at.moment.lifted or not sticks(at):
             return None
     return at
+
+
+def check_reached(first: Node, q: list[float], whole: float, state: State) -> None:
+    """Astray where the energy does not suffice for a place on the way."""
+    there = stored(Node(first.model, replace(first.placed, q=q), first.budget, first.moment.modes))
+    if there - whole > MISSING * max(abs(there - stored(first)), rate_energy(first, first.placed.speed)):
+        raise Astray(f"`{state.name}` is not reached: what moves turns back before it")
+
+
+def check_way(at: Node, state: State) -> None:
+    """Astray where what only pushes would have to pull on the way, or bodies meet again."""
+    for owner, _ in at.moment.lifted:
+        raise LetsGo(owner, at.model.acting.state.name, state.name)
+    check_apart(at, state.name)
 
 
 def only_place(state: State) -> Condition | None:
@@ -104,12 +126,20 @@ def placed_at(first: Node, q: Sequence[float], line: Condition, value: float) ->
     for _ in range(NEWTON):
         first.budget.spend(first.model)
         rows, place = kept_rows(first, q), slope_of(first, q, line)
-        gaps = [old - gap for (_, gap), old in zip(rows, before, strict=True)] + [value - place.value]
+        gaps = [old - gap for (_, gap), old in zip(rows, before, strict=True)] + [
+            still_to_go(line, value - place.value)
+        ]
         if max(map(abs, gaps)) < EXACT * 100:
             return q
         step = solved([*[slope for slope, _ in rows], place.slope], gaps, len(q))
         q = [old + change for old, change in zip(q, step.values, strict=True)]
     return None
+
+
+def still_to_go(line: Condition, gap: float) -> float:
+    """What is left up to a place; of an angle up to the nearest way that is the same, since a place round a circle tells no turns."""
+    whole = line.path is not None and line.path.quantity == "angle"
+    return math.remainder(gap, 2 * math.pi) if whole else gap
 
 
 def rates_along(first: Node, q: Sequence[float], line: Condition) -> list[float] | None:
@@ -153,7 +183,7 @@ def with_its_speed(first: Node, q: list[float], line: Condition, whole: float, g
     way = rates_along(first, q, line)
     if way is None:
         return None
-    placed = Placed(q, way, first.time, first.placed.offsets, first.placed.origin)
+    placed = replace(first.placed, q=q, speed=way)
     probe = Node(first.model, placed, first.budget, first.moment.modes)
     left, share = whole - stored(probe), rate_energy(first, way)
     if left <= 1e-12 * abs(whole) or share <= 0.0:

@@ -11,6 +11,7 @@ from rotsolve.confirm.course.node import Budget, Node
 from rotsolve.confirm.instant import placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import Problem, State
 
@@ -63,13 +64,21 @@ class Course:
         """The instant of a state."""
         if name not in self._nodes:
             try:
-                self._nodes[name] = self._reached(self.names.index(name))
+                self._nodes[name] = node = self._reached(self.names.index(name))
+                self._standing(node)
             except NotConfirmed as reason:
                 self._nodes[name] = reason
         found = self._nodes[name]
         if isinstance(found, NotConfirmed):
             raise found
         return found
+
+    def _standing(self, node: Node) -> None:
+        """Whether all that stands with corners on something stays on them; loaded where a scene has corners."""
+        if any("corner1" in shape_of(body).points for body in self.problem.bodies):
+            from rotsolve.confirm.course.tipping import check_standing
+
+            check_standing(node)
 
     def _reached(self, number: int) -> Node:
         """A state by its own lines where it is the first or in balance; by its event, or by following the motion, from the one before."""

@@ -21,6 +21,10 @@ from rotsolve.language.problem import Term
 Load = tuple[str, str, Slope]
 
 
+class Astray(NotConfirmed):
+    """A state to which the motion does not come as the scene says, so that what is answered of it is wrong."""
+
+
 class OverBudget(NotConfirmed):
     """A motion that costs more than the budget."""
 

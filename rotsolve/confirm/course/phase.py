@@ -15,6 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.astray import LetsGo, MeetAgain, spaces
 from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.steps import PLACES, TimeStep, adapted, is_constant
@@ -22,6 +23,7 @@ from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Placed, ga
 from rotsolve.confirm.rows import Grip
 from rotsolve.language.problem import State
 
+APART = "apart "  # margins of bodies that have met
 MOST = 400  # steps of a phase
 VERGE = 1e-9  # part of a step that is no step at all
 STILL = 1e-8  # share of the rates below which slip is rounding
@@ -140,7 +142,7 @@ class NextState:
                     return self.ended(Lap(last, modes))
                 step, before, way = last, None, None  # a shorter step was as far as one could go at once
             if way is not None and lifts:
-                raise NotConfirmed(f"`{way[1]}` lets go on the way")
+                raise self.astray(way)
             if cut:
                 self.laps.append(Lap(step, modes))
                 self.node = instant(self.first, self.laps[-1], 1.0)
@@ -149,11 +151,20 @@ class NextState:
                 self.node = giving_way(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
         raise NotConfirmed(f"`{self.state.name}` is not reached")
 
+    def astray(self, way: tuple[str, str]) -> NotConfirmed:
+        """What tells against a state; not against one of several lines, at rest just at the top, which rounding passes by."""
+        names = self.model.acting.state.name, self.state.name
+        if len(self.gauges) > 1:
+            return NotConfirmed(f"whether it comes to `{self.state.name}` or just passes it by")
+        if way[0].startswith(APART):
+            return MeetAgain((way[0].removeprefix(APART), way[1]), *names)
+        return LetsGo(way[1], *names)
+
     def settled(self) -> dict[str, str]:
         """How what may slip behaves from here on."""
         found = self.node.moment
         if found.lifted:
-            raise NotConfirmed(f"`{found.lifted[0][0]}` lets go on the way")
+            raise self.astray(("push", found.lifted[0][0]))
         return found.modes
 
     def law(self, modes: dict[str, str]) -> Callable[[float, list[float], list[float]], list[float]]:
@@ -367,4 +378,6 @@ def margins(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
         mode = now.modes.get(grip.name, STICKS)
         if mode in (FORWARD, BACK):
             found[mode, grip.name] = (slip_by_mode(mode, grip, at), 1.0)
+    for (one, other), space in spaces(at).items():
+        found[f"{APART}{one}", other] = space
     return found

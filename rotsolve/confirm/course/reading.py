@@ -28,6 +28,7 @@ class Reckoned(Struct, frozen=True):
     size: float = 1e-4
     word: str = ""
     sized: bool = False  # whether its sign says nothing: only the size is compared
+    period: float = 0.0  # numbers so far apart are the same: a place round a circle tells no turns
 
     @property
     def number(self) -> float:

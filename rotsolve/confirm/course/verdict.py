@@ -16,7 +16,7 @@ from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker, related
 from rotsolve.confirm.course.following import Broken, Course
-from rotsolve.confirm.course.node import Budget
+from rotsolve.confirm.course.node import Astray, Budget
 from rotsolve.confirm.course.reading import Reckoned
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Equality, Refusal, Words
@@ -86,9 +86,14 @@ def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> Ans
     return before if before.holds is not None else now
 
 
+def letters_open(problem: Problem) -> list[Given]:
+    """The letters that have no number and are not asked for."""
+    return [given for given in problem.givens if given.value is None and not given.asked]
+
+
 def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
     """The numbers of the givens; where some have none, several sets drawn for those."""
-    open_ = [given for given in problem.givens if given.value is None and not given.asked]
+    open_ = letters_open(problem)
     for number in range(DRAWS if open_ else 1):
         numbers = {given.name: number_drawn(given, number, place) for place, given in enumerate(open_)}
         for given in problem.givens:
@@ -126,7 +131,7 @@ def at_numbers(
             continue
         verdict = judged(finds[answer.name][0], said, asker, answer.name)
         if (
-            verdict.holds is False and problem.states[1:]
+            verdict.holds is False and verdict.found and problem.states[1:]
         ):  # the forces of the last state may be those of the phase before it
             ended = Asker(problem, Course(problem, known, budget, ending=True))
             other = judged(finds[answer.name][0], said, ended, answer.name)
@@ -138,6 +143,8 @@ def judged(find: Find, said: Mapping[str, float | str], asker: Asker, name: str)
     """One answer held against what the assembly has."""
     try:
         return compared(name, said, asker.answer(find, said))
+    except Astray as reason:  # letters may have other numbers, with which it comes about
+        return AnswerConfirmation(name, None if letters_open(asker.problem) else False, str(reason))
     except Broken as reason:
         return AnswerConfirmation(name, False if asks_for_letter(find) else None, str(reason))
     except NotConfirmed as reason:
@@ -224,6 +231,8 @@ def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> Ans
         answered = tuple(abs(a) if key == "" else a for key, a in zip(parts, answered, strict=True))
     if not all(map(math.isfinite, own)):
         return AnswerConfirmation(name, None, "its number is beyond those of the assembly")
+    if found.period:
+        own = tuple(a - math.remainder(a - b, found.period) for a, b in zip(answered, own, strict=True))
     size = max(found.size, *map(abs, own), *map(abs, answered))
     if found.sized:
         answered, own = (tuple(map(abs, values)) for values in (answered, own))
@@ -251,7 +260,10 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
     if all(not item.holds for item in derivation.confirmed):
         fault = next(refused[item.name] for item in derivation.confirmed if item.holds is False)
         names = ", ".join(f"`{item.name}`" for item in derivation.confirmed if item.holds is False)
-        message = f"not confirmed: an assembly of all bodies' equations contradicts {names}"
+        whys = [item.why for item in derivation.confirmed if item.holds is False and not item.found]
+        message = f"not confirmed: an assembly of all bodies' equations contradicts {names}" + "".join(
+            f": {why}" for why in whys[:1]
+        )
         raise Unsolvable(message, span=fault.span, help=WAYS, lines=problem.lines, file=problem.file)
     answers = tuple(answer for answer in derivation.answers if answer.name not in refused)
     told = tuple(Refusal(name, fault) for name, fault in refused.items())
@@ -261,7 +273,8 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
 def against(item: AnswerConfirmation) -> str:
     """Why an answer is withheld, where one of the scene is contradicted."""
     if item.holds is False:
-        return f"not confirmed: an assembly of all bodies' equations contradicts `{item.name}`"
+        why = f": {item.why}" if not item.found else ""
+        return f"not confirmed: an assembly of all bodies' equations contradicts `{item.name}`{why}"
     return f"not confirmed: `{item.name}`, beside answers that an assembly of all bodies' equations contradicts ({item.why})"
 
 

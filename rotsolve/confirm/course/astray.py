@@ -1,0 +1,38 @@
+"""Astray: why the motion does not come to a state as the scene says: what lets go, turns back, or meets again on the way."""
+
+from __future__ import annotations
+
+from rotsolve.confirm.course.node import Astray, Node
+
+TOUCHING = 1e-9  # metres: at the blow itself they are not yet through each other
+
+
+class LetsGo(Astray):
+    """What only pushes or pulls would have to do the opposite on the way."""
+
+    def __init__(self, owner: str, first: str, last: str) -> None:
+        super().__init__(f"`{owner}` lets go on the way from `{first}` to `{last}`")
+
+
+class MeetAgain(Astray):
+    """Two bodies that bounced off each other would go through each other on the way."""
+
+    def __init__(self, pair: tuple[str, str], first: str, last: str) -> None:
+        super().__init__(f"`{pair[0]}` and `{pair[1]}` meet again on the way from `{first}` to `{last}`")
+
+
+def spaces(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
+    """How far apart those are that have bounced off each other, each with what it is small against."""
+    found = {}
+    for met in at.placed.met:
+        (x, y), (ahead, above) = (at.pose.place(name, (0.0, 0.0)) for name in met.pair)
+        gap = (ahead.value - x.value) * met.way[0] + (above.value - y.value) * met.way[1]
+        found[met.pair] = (gap - met.apart + TOUCHING, abs(gap) + abs(met.apart) + TOUCHING)
+    return found
+
+
+def check_apart(at: Node, last: str) -> None:
+    """MeetAgain where bodies have gone through each other."""
+    for pair, (gap, size) in spaces(at).items():
+        if gap < -1e-6 * size:
+            raise MeetAgain(pair, at.model.acting.state.name, last)
