@@ -212,7 +212,8 @@ class NextState:
             known = [(0.0, start[key][0]), *self.within(key, lap), (1.0, value)]
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:
-                    least = (self.zero(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low, key)
+                    part = self.zero(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
+                    least = min(least, (part, key), key=lambda one: one[0])
                     break
         return least
 
@@ -237,8 +238,7 @@ class NextState:
             if (value > 0) == (b > 0):
                 high, b, a = part, value, a / 2
             else:
-                low, a = part, value
-                low, high, a, b = low, high, a, b
+                low, a, b = part, value, b / 2
             if abs(value) < 1e-14 * max(abs(a), abs(b), 1e-300):
                 return part
         return part
