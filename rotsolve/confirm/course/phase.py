@@ -23,6 +23,7 @@ from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Placed, ga
 from rotsolve.confirm.rows import Grip
 from rotsolve.language.problem import State
 
+SOON = (1e-4, 1e-3, 1e-2, 0.05)  # parts of a step after which bodies that have bounced are seen to part
 APART = "apart "  # margins of bodies that have met
 MOST = 400  # steps of a phase
 VERGE = 1e-9  # part of a step that is no step at all
@@ -210,6 +211,8 @@ class NextState:
             if key not in start:
                 continue
             known = [(0.0, start[key][0]), *self.within(key, lap), (1.0, value)]
+            if key[0].startswith(APART):  # from nothing at the blow it grows first
+                known[1:1] = [(part, margin_in_step(key, instant(self.first, lap, part))) for part in SOON]
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:
                     part = self.zero(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
@@ -238,7 +241,8 @@ class NextState:
             if (value > 0) == (b > 0):
                 high, b, a = part, value, a / 2
             else:
-                low, a, b = part, value, b / 2
+                low, a = part, value
+                low, high, a, b = low, high, a, b
             if abs(value) < 1e-14 * max(abs(a), abs(b), 1e-300):
                 return part
         return part
