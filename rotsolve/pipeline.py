@@ -253,6 +253,10 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
         first, configuration = first or (found if isinstance(found, Unsolvable) else None), Configuration(further)
     if isinstance(found, Unsolvable):
         raise found if isinstance(found, Contradicted) else first or found
+    if untimely(*found):
+        from rotsolve.search.endings import not_in_time
+
+        not_in_time(*found)
     return decision, found
 
 

@@ -55,6 +55,10 @@ def declared(item: String, here: int, there: int, model: Known) -> Way | None:
     ref, neighbour = item.string[here], item.string[there]
     word = dict(item.pulls).get(ref.owner)
     if word is not None:
+        slope = lain_on(ref.owner, model) if word in ("up", "down") else None
+        if isinstance(slope, Slope):  # along the slope
+            x, y = uphill(slope, model)
+            return (x, y) if word == "up" else (-x, -y)
         return WORDS[word]
     surface = model.surfaces.get(item.along or "")
     if surface is None:

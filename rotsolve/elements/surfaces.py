@@ -36,6 +36,9 @@ class Slope(Surface, frozen=True):
     def normal(self) -> Heading:
         return self.downhill.turned(90 if self.down == "right" else -90)
 
+    def ways(self) -> tuple[str, ...]:
+        return ("up", "down", "left", "right")
+
     def travel(self, moves: str | None) -> tuple[Heading, str]:
         """`up` and `down` mean along the slope; so do the sides to which it rises and falls."""
         if moves == "down" or moves == self.down:
@@ -52,6 +55,9 @@ class Wall(Surface, frozen=True):
     @property
     def normal(self) -> Heading:
         return RIGHT if self.wall == "left" else LEFT
+
+    def ways(self) -> tuple[str, ...]:
+        return ("up", "down")
 
     def travel(self, moves: str | None) -> tuple[Heading, str]:
         word = moves if moves in ("up", "down") else "up"

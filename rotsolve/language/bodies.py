@@ -91,6 +91,10 @@ class Surface(Element, frozen=True):
         """Height above the floor of an edge."""
         return None
 
+    def ways(self) -> tuple[str, ...]:
+        """What a body that lies on the surface may be said to move."""
+        return ("left", "right")
+
     def travel(self, moves: str | None) -> tuple[Heading, str]:
         """Direction in which a body moves along the surface for a declared word, and how to say it."""
         word = moves if moves in ("left", "right") else "right"

@@ -133,6 +133,11 @@ class Arrangement(Struct, frozen=True, dict=True):
         """By body that an axle or hinge holds from the start: what that is called."""
         return {ref.owner: item.name for item in self.problem.connections for ref in item.fixed_points()}
 
+    def throughout(self, name: str) -> tuple[str, ...]:
+        """All states, where a connection acts at each of them; else none."""
+        states = tuple(state.name for state in self.timeline.states)
+        return states if all(self.connection(name, state) is not None for state in states) else ()
+
     @remembered
     def connections(self, state: str) -> tuple[Connection, ...]:
         """Connections that act at a state, those too by which events hold bodies."""

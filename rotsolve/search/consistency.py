@@ -59,19 +59,23 @@ def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
 def untimely(search: Search, numbers: KnownBalls) -> bool:
     """Whether the answers are not what time brings about next: a phase that takes none, a way that is not the way in which a body goes
     all along it, bodies that pass through each other where they meet."""
-    for passage in search.scene.passages.values():
-        duration = numbers.size(passage.duration)
-        if duration is not None and side_of(duration) in (0, -1):
-            return True
-        timed = not has_quantities(passage.times[1])  # for so long it may go to and fro
-        if any(against_its_way(one, numbers) for one in passage.travels if not (timed and one.pace == POSITION)):
-            return True
+    if any(no_way(passage, numbers) for passage in search.scene.passages.values()):
+        return True
     for encounter in search.scene.encounters.values():
         speeds = [numbers.size(speed) for speed in encounter.closing or ()]
         sides = [side_of(speed) for speed in speeds if speed is not None]
         if len(sides) == 2 and sides[0] and sides[1] == -sides[0]:
             return True
     return False
+
+
+def no_way(passage: Passage, numbers: KnownBalls) -> bool:
+    """Whether a phase takes no time, or a way in it is not the one in which its body goes."""
+    duration = numbers.size(passage.duration)
+    if duration is not None and side_of(duration) in (0, -1):
+        return True
+    timed = not has_quantities(passage.times[1])  # for so long it may go to and fro
+    return any(against_its_way(one, numbers) for one in passage.travels if not (timed and one.pace == POSITION))
 
 
 def against_its_way(travel: Travel, numbers: KnownBalls) -> bool:

@@ -21,6 +21,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.search.answers import NoAnswer, unsolvable
+from rotsolve.search.consistency import KnownBalls, no_way
 from rotsolve.search.search import Search, asked_letter
 
 MOST = 12  # states that are opened in one scene
@@ -105,8 +106,9 @@ class Endings(Struct, dict=True):
         found = []
         for rub, sense in rubbing:
             if sense and self.configuration.pace(rub.body, rub.state) in (TIME, RATE) and interval.end != OPEN:
-                start, end = (self.settled(rub.rate(self.scene.instant(at))) for at in (interval.start, interval.end))
-                if start is not None and end is not None and self.side(start) == sense and self.side(end) == -sense:
+                ends = (self.settled(rub.rate(self.scene.instant(at))) for at in (interval.start, interval.end))
+                sides = [None if rate is None else self.side(rate) for rate in ends]
+                if sides[0] in (0, sense) and sides[1] == -sense:
                     found.append(rub)
         if len(found) > 1:
             names = " and ".join(spoken(rub.name) for rub in found)
@@ -168,6 +170,20 @@ def never_reached(interval: Interval, configuration: Configuration, why: str) ->
     from rotsolve.search.explain import clash
 
     return clash(configuration.problem, f"`{end}` is never reached from `{start}`", span, why)
+
+
+def not_in_time(search: Search, numbers: KnownBalls) -> None:
+    """Refuse a state to which a body does not come by its steady acceleration: what tells that is a condition in letters."""
+    endings = Endings(search)
+    for interval in endings.configuration.timeline.intervals:
+        passage = search.scene.passages.get(interval.name)
+        for travel in passage.travels if passage is not None and no_way(passage, numbers) else ():
+            told = [endings.settled(value) for value in (travel.before, travel.acceleration, travel.change)]
+            sides = [endings.side(value) for value in told if value is not None]
+            if travel.pace == CONSTANT and len(sides) == 3:
+                where = "there" if sides[2] else "back"
+                why = f"{spoken(travel.body)} does not come {where}"
+                raise never_reached(interval, endings.configuration, why)
 
 
 def tell_openings(search: Search) -> None:

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import partial
-from itertools import chain
+from functools import cached_property, partial
+from itertools import chain, islice
 from random import Random
 
 from msgspec import Struct
@@ -35,6 +35,7 @@ BITS, MORE_BITS = 64, 2048  # of the balls by which points are looked for, and w
 FURTHEST = 26  # doublings up to which an edge is looked for
 CLOSER = 10  # halvings of the way to an edge
 HALF = Fraction(1, 2)
+SEEN = 12  # points at which it is seen first whether a formula has both signs
 TRIES = 100  # points that are looked at beyond those
 SHARES = ("1/8", "1/4", "1/2", "1", "3/2", "5/2", "5")
 STEEP = Fraction(3, 2)  # rad: no acute angle is larger
@@ -145,10 +146,33 @@ class LetterSpace:
             str
         ]()  # letters of which it was needed that they are positive, or acute, though nothing else says so
 
+        self.told: dict[Formula, int | None] = {}
+
     # signs
 
     def sure(self, value: Formula) -> int | None:
         """The sign that a formula has wherever its letters may be."""
+        if value not in self.told:
+            self.told[value] = None if self.has_both_signs(value) else self.proved(value)
+        return self.told[value]
+
+    @cached_property
+    def glances(self) -> tuple[Glance, ...]:
+        """Points by which is seen at once that a formula has no sure sign."""
+        point = any_point(self.letters.values())
+        return tuple(Glance(self, place) for place in islice(filter(self.has, self.elsewhere(point)), SEEN))
+
+    def has_both_signs(self, value: Formula) -> bool:
+        """Whether a formula is positive at one point and negative at another."""
+        found = set[int]()
+        for glance in self.glances if value.symbols() & self.letters.keys() else ():
+            found.add(glance.sign_by(BITS, value) or 0)
+            if {1, -1} <= found:
+                return True
+        return False
+
+    def proved(self, value: Formula) -> int | None:
+        """The sign of a formula by what is known of its letters, or of its coefficients."""
         sign = self.oracle.by_letters(value)
         if sign is None:
             own = simplify(value, positive=self.positive)
@@ -163,9 +187,14 @@ class LetterSpace:
         open_ = sorted(value.symbols() & self.positive & self.letters.keys())
         for name in open_:
             parts = coefficients(value, name)
-            signs = {self.sure(part) for part in parts} - {0}
-            if parts and None not in signs and len(signs) < 2:
-                return next(iter(signs), 0)
+            found = set[int]()
+            for part in parts:
+                sign = self.sure(part)
+                if sign is None or len(found := found | ({sign} - {0})) > 1:
+                    break
+            else:
+                if parts:
+                    return next(iter(found), 0)
         return None if open_ or value.symbols() & self.letters.keys() else self.oracle.by_numbers(value)
 
     def within_limits(self, value: Formula) -> int | None:

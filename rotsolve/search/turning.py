@@ -55,8 +55,6 @@ def way_of(travel: Travel, settled: Settled, search: Search) -> Way | None:
     start, end, speed = (settled(value) for value in (travel.start, travel.end, travel.before))
     if start is None or end is None or speed is None:
         return None
-    if any(search.numbers.signs.lacking(value) for value in (start, end, speed)):
-        return None
     sets_out = search.numbers.side(speed)
     if sets_out == 0:
         push = settled(travel.initial)

@@ -101,10 +101,12 @@ class Textbook(Struct, kw_only=True):
         return with_fewest_exponentials(one_logarithm(node, tidy), tidy)
 
     def without_bars(self, node: Formula) -> Formula:
-        """|x| as x or −x where the numbers tell its sign."""
+        """|x| as x or −x where the numbers tell its sign, or that letters without one stand for positive values."""
         if not (isinstance(node, Call) and node.function == "abs"):
             return node
-        sign = self.signs.decide(self.with_answers(node.arguments[0]))
+        inside = self.with_answers(node.arguments[0])
+        sign = self.signs.decide(inside)
+        sign = self.signs.as_meant(inside) if sign is None else sign
         return node.arguments[0] * sign if sign is not None else node
 
     def with_answers(self, value: Formula) -> Formula:

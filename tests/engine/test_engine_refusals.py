@@ -241,7 +241,7 @@ connections: {shaft: {axle: [one, two]}, wire: {torsion: [one, two], stiffness: 
 states: {start: {one.angle: 0, two.angle: b, at rest: all}, mid: {wire.angle: 0}}
 find: {w1: one.angular_velocity at mid}
 """,
-        "which nothing tells",
+        "is not solved by these laws",
     ),
 }
 

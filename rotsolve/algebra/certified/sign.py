@@ -86,6 +86,13 @@ class SignOracle(Struct, frozen=True):
             suppose(value, number.sign or 0)
         return None if number is None else number.sign or 0
 
+    def as_meant(self, value: Formula) -> int | None:
+        """The sign where all letters without a number are positive, which is then supposed of them; None where that does not tell it."""
+        sign = sign_within(value, self.positive | self.trials.keys()) if self.trials else None
+        if sign is not None:
+            suppose(value, sign)
+        return sign
+
     def at_trial(self, value: Formula) -> Certified | None:
         """The number of a formula in the case that is looked at."""
         try:

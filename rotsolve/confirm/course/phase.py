@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import LetsGo, MeetAgain, spaces
 from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
-from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.steps import PLACES, TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Placed, gathered, moment, slip_speed
 from rotsolve.confirm.rows import Grip
@@ -27,6 +27,7 @@ SOON = (1e-4, 1e-3, 1e-2, 0.05)  # parts of a step after which bodies that have 
 APART = "apart "  # margins of bodies that have met
 MOST = 400  # steps of a phase
 VERGE = 1e-9  # part of a step that is no step at all
+AGAIN = 1e-6  # share of all rates and accelerations within which they are those of the start
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
 FAR = 1e6  # seconds after which nothing is waited for any more
@@ -147,10 +148,29 @@ class NextState:
             if cut:
                 self.laps.append(Lap(step, modes))
                 self.node = instant(self.first, self.laps[-1], 1.0)
+                if self.recurs(self.laps[-1]):
+                    raise Astray(f"`{self.state.name}` is not reached: what moves comes back before it as it began")
             if way is not None:
                 held = modes.get(way[1]) == STICKS
                 self.node = giving_way(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
         raise NotConfirmed(f"`{self.state.name}` is not reached")
+
+    def recurs(self, lap: Lap) -> bool:
+        """Whether all is as it was at the start: the first gauge, all rates and accelerations; then it goes on so for ever."""
+        if not self.gauges or self.gauges[0].passing or self.end_time is not None or len(lap.step.pushes) == 1:
+            return False
+        origin = self.gauges[0].value(self.first)
+
+        def gone(at: Node) -> float:
+            return self.gauges[0].value(at) - origin
+
+        values = [gone(instant(self.first, lap, part)) for part in (0.0, 1.0)]
+        if values[0] * values[1] >= 0.0 or lap is self.laps[0]:
+            return False
+        again = instant(self.first, lap, self.zero(gone, lap, 0.0, 1.0))
+        begun = [(*at.placed.speed, *at.pushes) for at in (self.first, again)]
+        size = max(map(abs, begun[0]))
+        return all(abs(one - two) <= AGAIN * size for one, two in zip(*begun, strict=True))
 
     def astray(self, way: tuple[str, str]) -> NotConfirmed:
         """What tells against a state; not against one of several lines, at rest just at the top, which rounding passes by."""
@@ -211,7 +231,8 @@ class NextState:
             if key not in start:
                 continue
             known = [(0.0, start[key][0]), *self.within(key, lap), (1.0, value)]
-            if key[0].startswith(APART):  # from nothing at the blow it grows first
+            begins = key[0] in (FORWARD, BACK) and abs(start[key][0]) <= STILL * abs(value)
+            if begins or key[0].startswith(APART):  # from rest, or from nothing at the blow, it grows first
                 known[1:1] = [(part, margin_in_step(key, instant(self.first, lap, part))) for part in SOON]
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:

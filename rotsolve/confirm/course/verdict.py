@@ -27,7 +27,7 @@ SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and tha
 ORDINARY = 0.1  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 SETS, DRAWS = 3, 9  # sets of numbers for letters, and how often one is drawn for them
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
-BUDGET = 900  # instants of one body that a scene may cost
+BUDGET = 2500  # instants of one body that a scene may cost
 LIMITS = {  # numbers that are drawn for letters, by what they measure
     kinds.MASS: (0.5, 5.0),
     kinds.LENGTH: (0.3, 1.5),

@@ -84,7 +84,20 @@ class Routing(Struct, frozen=True, dict=True):
         first, second = (self.pulls.get(self.points[station].owner) for station in (index, index + 1))
         if first is not None and second is not None and opposite(first) != second:
             raise self.crossed(self.points[index + 1], second)
-        return unit(WORDS[first or opposite(second or "")]) if first or second else NOWHERE
+        if first:
+            return self.worded(index, first)
+        return -self.worded(index + 1, second) if second else NOWHERE
+
+    def worded(self, station: int, word: str) -> Vector:
+        """Unit vector of a direction at an end: `up` and `down` of what lies on a slope mean along the slope."""
+        owner = self.points[station].owner
+        bodily = owner in self.instant.configuration.bodies
+        surface = (
+            supporting(self.instant.host(owner), self.instant.configuration, self.instant.state) if bodily else None
+        )
+        if surface is not None and surface.slanted and word in ("up", "down"):
+            return unit(surface.travel(word)[0])
+        return unit(WORDS[word])
 
     def agreed(self, index: int, said: Vector, way: Vector) -> Vector:
         """The direction of a leg that does not go against what is said of it."""

@@ -86,6 +86,21 @@ class Touch(Connection, frozen=True):
         elif under.owner in scene.bodies:
             self.check_carrier(scene)
         self.check_places(scene)
+        self.check_way(scene)
+
+    def check_way(self, scene: Surroundings) -> None:
+        """What lies on a surface all the time moves along it."""
+        ref, body = self.pair()[0], scene.bodies.get(self.lying())
+        states = scene.throughout(self.name)
+        if body is None or body.moves is None or not self.rests(body) or not states:
+            return
+        surface = self.surface(scene, states[0])
+        if surface is None or body.moves in surface.ways():
+            return
+        words = " or ".join(surface.ways())
+        message = f"`{body.name}` lies on `{surface.name}`, along which it can not move {body.moves}"
+        help = f"it moves {words} there; what is lifted off lies on nothing: leave `{self.name}` out"
+        raise Unsolvable(message, span=ref.span, help=help)
 
     @property
     def pressed(self) -> bool:
@@ -106,7 +121,7 @@ class Touch(Connection, frozen=True):
             raise Unsolvable(message, span=under.span, help="solved is a level back, as that of a body without a shape")
         if not on_flat and carrier.moves not in ("left", "right"):
             help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
-            message = f"nothing tells how `{carrier.name}`, which carries `{ref.owner}`, travels"
+            message = f"nothing tells on what `{carrier.name}`, which carries `{ref.owner}`, travels"
             raise Unsolvable(message, span=under.span, help=help)
 
     def check_places(self, scene: Surroundings) -> None:

@@ -1,0 +1,199 @@
+"""The way between two states has to be possible, in letters as in numbers: what turns back, never comes back, or lets go on the way."""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+
+import pytest
+
+from rotsolve.confirm.course.verdict import holds, number_of
+from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.pipeline import solve
+from tests.confirm.stepping import numbers
+
+G = 9.8
+PLANK = """
+title: A block rides on a plank that swings on a spring
+given: {m: MASS, M: 2 kg, k: STIFF, mu: 0.3, u: SPEED}
+surfaces: {ice: level}
+bodies: {plank: {mass: M, moves: WAY}, block: {mass: m, moves: WAY}}
+connections: {below: {contact: [plank, ice]}, grip: {contact: [block, plank], friction: mu}, coil: {spring: ENDS, stiffness: k}}
+states: {start: {coil.elongation: 0, plank.velocity: u, block.velocity: u}, back: {coil.elongation: 0}}
+find: {v: block.velocity at back}
+"""
+
+
+def plank(mass: str, stiff: str, speed: str, way: str = "right", ends: str = "[ground, plank]") -> str:
+    named = {"MASS": mass, "STIFF": stiff, "SPEED": speed, "WAY": way, "ENDS": ends}
+    scene = PLANK
+    for word, text in named.items():
+        scene = scene.replace(word, text)
+    return scene
+
+
+@pytest.mark.parametrize("ends", ["[ground, plank]", "[plank, ground]"])
+@pytest.mark.parametrize("way", ["right", "left"])
+def test_what_rides_on_a_swinging_plank_slips_first_where_that_turns_back(way: str, ends: str) -> None:
+    """The largest acceleration, u √(k/(m + M)) where it turns back, must not be more than μ g."""
+    letters = solve(plank("kg", "N/m", "m/s", way, ends))
+    answer = letters.derivation.answers[0]
+    (condition,) = answer.conditions
+    held = {"m": 1.0, "M": 2.0, "k": 60.0, "mu": 0.3, "g": G}
+    limit = 0.3 * G * sqrt(3 / 60)
+    assert holds(condition, {**held, "u": 0.99 * limit})
+    assert not holds(condition, {**held, "u": 1.01 * limit})
+    within = plank("1 kg", "60 N/m", f"{0.99 * limit} m/s", way, ends)
+    assert numbers(solve(within))["v"] == pytest.approx(-0.99 * limit)
+    with pytest.raises(Unsolvable):
+        solve(plank("1 kg", "60 N/m", f"{1.01 * limit} m/s", way, ends))
+
+
+ATWOOD = """
+title: Started the wrong way
+given: {m1: LEFT, m2: RIGHT, u: SPEED, J: 0.02 kg m^2, R: 0.2 m}
+bodies: {left: {mass: m1, moves: up}, right: {mass: m2, moves: down}, wheel: {inertia: J, radius: R, turns: clockwise}}
+connections: {axle: {axle: wheel}, rope: {string: [left, wheel, right]}}
+states: {start: {right.velocity: u}, back: {right.displacement: 0}}
+find: {v: right.velocity at back, t: time from start to back}
+"""
+SLOPE = """
+title: Pushed along a slope, and back
+given: {m: 1 kg, u: 3 m/s, F: FORCE}
+surfaces: {ramp: {slope: 30 deg, down: left}}
+bodies: {block: {mass: m, moves: up}}
+connections: {base: {contact: [block, ramp]}}
+actions: {push: {force: F, on: block, direction: 30 deg}}
+states: {start: {block.velocity: u}, back: {block.displacement: 0}}
+find: {v: block.velocity at back, t: time from start to back}
+"""
+
+
+def test_what_comes_back_to_a_place_in_letters_has_turned_round() -> None:
+    """v = −u and t = 2 u/|a|, and only where the other load is heavier."""
+    found = solve(ATWOOD.replace("LEFT", "kg").replace("RIGHT", "kg").replace("SPEED", "m/s"))
+    told = {answer.name: answer for answer in found.derivation.answers}
+    heavy = {"m1": 3.0, "m2": 2.0, "u": 2.0, "J": 0.02, "R": 0.2, "g": G}
+    for answer in told.values():
+        assert all(holds(one, heavy) for one in answer.conditions)
+        assert not all(holds(one, {**heavy, "m2": 4.0}) for one in answer.conditions)
+    rate = (3 - 2) * G / (3 + 2 + 0.02 / 0.04)
+    assert number_of(told["v"], heavy) == pytest.approx(-2.0)
+    assert number_of(told["t"], heavy) == pytest.approx(4.0 / rate)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ATWOOD.replace("LEFT", "1 kg").replace("RIGHT", "2 kg").replace("SPEED", "1 m/s"),
+        ATWOOD.replace("LEFT", "2 kg").replace("RIGHT", "1 kg").replace("SPEED", "-1 m/s"),
+        SLOPE.replace("FORCE", "6 N"),
+    ],
+)
+def test_what_is_driven_away_never_comes_back(text: str) -> None:
+    """Neither at once, with the speed that it has, nor ever."""
+    with pytest.raises(Unsolvable, match="`back` is never reached from `start`"):
+        solve(text)
+
+
+def test_what_is_driven_back_comes_back() -> None:
+    found = numbers(solve(SLOPE.replace("FORCE", "2 N")))
+    assert found["v"] == pytest.approx(-3.0)
+    assert found["t"] == pytest.approx(6.0 / (G / 2 - 2))
+
+
+HELD = """
+title: Held until the brake gives way
+given: {J: 0.1 kg m^2, R: 0.2 m, m: 3 kg, tau: 2 N m, Q: START, c: 2 N m/s, T: 5 s}
+bodies: {drum: {inertia: J, radius: R, turns: clockwise}, load: {mass: m, moves: down}}
+connections: {ax: {axle: drum, friction_torque: tau}, rope: {string: [drum, load]}}
+actions: {hold: {couple: Q - c*time, on: drum, direction: counterclockwise}}
+states: {start: at rest, end: {time: T}}
+find: {v: load.velocity at end}
+"""
+
+
+@pytest.mark.parametrize("start", ["7.5 N m", "8 N m"])
+def test_a_friction_that_gives_way_in_time_is_never_taken_to_hold(start: str) -> None:
+    """It begins to slip where the couple has come down to m g R − τ; with 8 N m it turns the other way for a moment before."""
+    with pytest.raises(Unsolvable, match="contradicts `v`"):
+        solve(HELD.replace("START", start))
+
+
+CART = """
+title: A rod turns round on a light cart
+given: {M: CART, m: 4 kg, L: 1 m, w0: SPIN}
+surfaces: {rails: level}
+bodies: {cart: {mass: M, moves: right}, rod: {shape: rod, mass: m, length: L}}
+connections: {base: {contact: [cart, rails], friction: none}, pin: {hinge: [cart.center, rod.start]}}
+states: {start: {rod.angle: -90 deg, cart.velocity: 0, rod.angular_velocity: w0}, end: {rod.angle: END deg}}
+find: {w: rod.angular_velocity at end}
+"""
+
+
+@pytest.mark.parametrize(("spin", "end"), [("9 rad/s", "210"), ("-9 rad/s", "-390")])
+def test_what_swings_to_and_fro_on_a_cart_never_gets_beyond_where_it_turns(spin: str, end: str) -> None:
+    """Its speed beyond the top has a number, and none at the top itself."""
+    with pytest.raises(Unsolvable, match="comes back before it as it began"):
+        solve(CART.replace("SPIN", spin).replace("END", end).replace("CART", "0.5 kg"))
+
+
+LYING = """
+title: What moves where it lies
+given: {m: 2 kg, F: 5 N}
+surfaces: {place: SURFACE}
+bodies: {block: {mass: m, moves: WAY}}
+connections: {base: {contact: [block, place], friction: none}}
+actions: {push: {force: F, on: block, direction: right}}
+find: {a: block.acceleration}
+"""
+
+
+@pytest.mark.parametrize(
+    ("surface", "way"),
+    [
+        ("level", "up"),
+        ("level", "down"),
+        ("{wall: right}", "left"),
+        ("{wall: right}", "right"),
+        ("{dome: 200 cm}", "up"),
+    ],
+)
+def test_what_lies_on_a_surface_moves_along_it(surface: str, way: str) -> None:
+    with pytest.raises((SceneError, Unsolvable), match=f"can not move {way}"):
+        solve(LYING.replace("SURFACE", surface).replace("WAY", way))
+
+
+TIED = """
+title: Two blocks that are tied on a slope
+given: {m: 2 kg, M: 3 kg, mu: 0.3, nu: 0.1}
+surfaces: {ramp: {slope: 30 deg, down: SIDE}}
+bodies: {upper: {mass: m, moves: down}, lower: {mass: M, moves: down}}
+connections: {c1: {contact: [upper, ramp], friction: mu}, c2: {contact: [lower, ramp], friction: nu}, rope: {string: ROPE}}
+find: {a: lower.acceleration, T: rope.tension}
+"""
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+@pytest.mark.parametrize(
+    "rope",
+    [
+        "[lower, upper], pulls: {lower: up, upper: down}",
+        "[lower, upper], pulls: {lower: up}",
+        "[upper, lower], pulls: {lower: up}",
+        "[upper, lower], pulls: {upper: down}",
+    ],
+)
+def test_up_and_down_on_a_slope_are_along_it_for_a_string_too(side: str, rope: str) -> None:
+    found = numbers(solve(TIED.replace("SIDE", side).replace("ROPE", rope)))
+    along, down = sqrt(3) / 2 * G, G / 2
+    rate = down - (0.3 * 2 + 0.1 * 3) * along / 5
+    assert found["a"] == pytest.approx(rate)
+    assert found["T"] == pytest.approx(3 * (down - 0.1 * along - rate))
+
+
+def test_a_state_in_letters_is_reached_where_the_spring_sends_it_back() -> None:
+    """With numbers for all but the speed: half a period later, whichever way it set out."""
+    scene = plank("1 kg", "60 N/m", "m/s").replace("find: {", "find: {t: time from start to back, ")
+    answer = next(one for one in solve(scene).derivation.answers if one.name == "t")
+    assert answer.value is not None
+    assert answer.value.float == pytest.approx(pi * sqrt(3 / 60))
