@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.core.equation import Equation
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Requirement
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Requirement, Rule
 from rotsolve.core.vectors.heading import Vector
 
 
@@ -108,6 +108,7 @@ class Encounter(Struct, frozen=True):
     requirements: tuple[Requirement, ...] = ()
     restitution: tuple[Formula, Formula, Formula] | None = None  # e, approach speed, separation speed
     closing: tuple[Formula, Formula] | None = None  # approach speed, separation speed of two that do not stay together
+    rules: tuple[Rule, ...] = ()  # of what sticks through the event, though it slips from then on
 
     def gives(self, impulse: Force | Couple) -> bool:
         """Whether an impulse is the event's own, from outside the scene."""

@@ -76,10 +76,18 @@ def momentum_without_force(over: OverPhase) -> Iterator[Equation]:
         if not free or any(body.changing or body.sliding for body in bodies) or None in (*ends[0], *ends[1]):
             continue
         for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
+            if any(led_across(body, axis) for body in bodies):
+                continue  # whatever holds it on its line pushes
             if is_zero(total([force.vector.along(axis) for body in bodies for force in body.forces])):
                 before, after = ([body.mass * body.centre_velocity.along(axis) for body in end if body] for end in ends)
                 label = f"no {words} force: momentum is conserved, {named_together(group)}"
                 yield MOMENTUM.equation(total(before), total(after), over.section, tuple(sorted(group)), words=label)
+
+
+def led_across(body: BodyFacts, axis: Heading) -> bool:
+    """Whether a body travels along a line to which its word alone holds it, and which is not that of the axis."""
+    way = body.motion.heading if body.motion.kind == "line" else None
+    return way is not None and (way - axis).sin() != ZERO and not any(force.role.presses for force in body.forces)
 
 
 def named_together(names: Iterable[str]) -> str:

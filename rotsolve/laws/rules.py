@@ -13,7 +13,7 @@ from rotsolve.core.facts import GivenMotion, Rule, signed
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import TIME, is_quantity
 from rotsolve.core.writing import flat, is_negative, spoken
-from rotsolve.laws.table import AtMoment, OverPhase
+from rotsolve.laws.table import AtMoment, OverPhase, ThroughEvent
 
 
 def rules_for_accelerations(at: AtMoment) -> Iterator[Equation]:
@@ -27,6 +27,12 @@ def rules_for_velocities(at: AtMoment) -> Iterator[Equation]:
     """The rules for velocities."""
     for rule in at.facts.rules:
         yield rule_equation(rule, rule.velocity, at.state)
+
+
+def rules_through_event(at: ThroughEvent) -> Iterator[Equation]:
+    """The rules for velocities right after an event of what sticks through it."""
+    for rule in at.encounter.rules:
+        yield rule_equation(rule, rule.velocity, at.section)
 
 
 def rules_for_displacements(over: OverPhase) -> Iterator[Equation]:

@@ -180,4 +180,5 @@ LAWS = (
     Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:group_through_event"),
     Principle((BLOWS, TWISTS), (EVENT,), "momentum:bodies_through_event"),
     Principle((RESTITUTION,), (EVENT,), "momentum:restitution"),
+    Principle((RULE,), (EVENT,), "rules:rules_through_event"),
 )

@@ -15,7 +15,7 @@ from rotsolve.core.vectors.heading import RIGHT, UP, WORDS, Heading, Vector, hea
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.rigid import Frame, centre_of_mass, direction_of, locate, pieces, polar, rim_centre, tidy
+from rotsolve.motion.rigid import Frame, centre_of_mass, direction_of, locate, pieces, polar, rim_centre, rim_ways, tidy
 from rotsolve.motion.welds import Member, seated
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
         return seated(
             pairs,
             lambda name: (name in held, *self._carried_along(name, state), not shape_of(self.bodies[name]).pointlike),
-            lambda ref: locate(self.body(ref.owner, state), ref),
+            lambda ref: self._met_at(ref, state),
             lambda first, second: self._bend(first, second, state),
         )
 
@@ -82,6 +82,14 @@ class Configuration(Arrangement, frozen=True, dict=True):
         body, items = self.bodies[name], self.connections(state)
         on_surface = any(item.track(body, self, state) or item.orbit(body, self, state) for item in items)
         return on_surface, any(item.hangs(body) for item in items)
+
+    def _met_at(self, ref: PointRef, state: str) -> Vector:
+        """Where a body is joined, in its own axes: that of a rim by an event is the mark that is in this direction in space then."""
+        body = self.body(ref.owner, state)
+        place, event = locate(body, ref), next((item for item in self.events(state) if ref in item.joined()), None)
+        if event is None or ref.point not in rim_ways(body) or (ref.owner, ref.point) in self.marks(state):
+            return place
+        return place.rotated(RIGHT - (self._heading_told(ref.owner, event.from_ or "") or RIGHT))
 
     def _bend(self, first: str, second: str, state: str) -> Heading:
         """How far the second of two bodies that meet is turned against the first: two rods that are welded as the first state says that

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Number
-from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Facts, Force, Requirement, signed
+from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Facts, Force, Requirement, Rule, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.symbols import is_key, key_of, rub_key
@@ -22,6 +22,7 @@ from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.language.bodies import PointRef
 from rotsolve.motion.freebody import free_bodies, moment_of_inertia
 from rotsolve.motion.rigid import tidy
+from rotsolve.motion.rubs import STICKS
 
 if TYPE_CHECKING:
     from rotsolve.language.elements import Event
@@ -47,7 +48,7 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     group = frozenset(
         name for ref in points for state in states for name in first.configuration.component(ref.owner, state)
     )
-    modes = modes_afterwards(first, last)
+    modes, stuck = modes_through(interval, first, last)
     if modes != first.modes:
         first = replace(first, modes=modes)
         facts = free_bodies(first)
@@ -70,7 +71,7 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     about = supports(involved, points, event, first)
     needs = tuple(need for need in needs if need.left != ZERO)
     bounce, closing = event.bounce(first, last), event.closing(first, last)
-    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing)
+    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck)
 
 
 def participants(interval: Interval, configuration: Configuration) -> tuple[PointRef, ...]:
@@ -78,14 +79,21 @@ def participants(interval: Interval, configuration: Configuration) -> tuple[Poin
     return interval.event.points(configuration.problem.connections) if interval.event is not None else ()
 
 
-def modes_afterwards(first: Instant, last: Instant) -> dict[str, str]:
-    """How what rubs moves right after the event: as it does then it rubs in it."""
+def modes_through(interval: Interval, first: Instant, last: Instant) -> tuple[dict[str, str], tuple[Rule, ...]]:
+    """How what rubs moves in an event: as right after it, or it sticks, with the rules of what does though it slips from then on."""
     configuration, modes = first.configuration, dict(first.modes)
     start, end = (configuration.phase_start(instant.state) for instant in (first, last))
+    stuck = {}
     for item in configuration.connections(first.state):
         if item.rubs():
-            modes[rub_key(item.name, start)] = last.modes.get(rub_key(item.name, end), "sticks")
-    return modes
+            after = last.modes.get(rub_key(item.name, end), STICKS)
+            modes[rub_key(item.name, start)] = last.modes.get(rub_key(item.name, interval.name), after)
+            if modes[rub_key(item.name, start)] != after:
+                stuck[item.name] = rub_key(item.name, end)
+    if not stuck:
+        return modes, ()
+    held = replace(last, modes={**last.modes, **dict.fromkeys(stuck.values(), STICKS)})
+    return modes, tuple(rule for rule in free_bodies(held).rules if rule.owner in stuck)
 
 
 # impulses of connections

@@ -152,7 +152,7 @@ class Standing(Struct, frozen=True, dict=True):
 
     def _measured(self, name: str) -> Heading:
         """Direction that the angle of a body measures, in the axes of the one that stands for it: a rod's start to end, of what is held
-        by a hinge or rolls from there to the centre of mass, else its own axis to the right."""
+        by a hinge or rolls from there to the centre of mass of all that is welded to it, else its own axis to the right."""
         seat = self.configuration.seat(name, self.state)
         hung, own = self.configuration.hung(name, self.state), self.frame(seat.host)
         if shape_of(self.body(name)).slender or (seat.host != name and hung is None):
@@ -160,6 +160,9 @@ class Standing(Struct, frozen=True, dict=True):
         arm = own.cm
         if hung is not None:
             arm = tidy(own.reference + own.cm - seat.place(locate(self.body(name), hung)))
+        elif any(event.joined() for event in self.configuration.events(self.state)):  # which turn no angle by being joined
+            welded = self.configuration.frame(name, self.configuration.timeline.states[0].name)
+            arm = tidy(welded.reference + welded.cm - own.reference)
         return self.configuration.direction(arm, name) if arm.parts else RIGHT
 
     def angle(self, name: str) -> Formula | None:

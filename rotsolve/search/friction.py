@@ -75,7 +75,8 @@ class Trials:
         """Phase by phase: what one leaves moving hangs on how it moved there."""
         for state in dict.fromkeys(rub.state for rub in rubbing):
             self.decide_from(state, [rub for rub in rubbing if rub.state == state], at_rest)
-        modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS)}
+        states = {rub.state for rub in rubbing}  # through an event that something sticks is said, else it moves as afterwards
+        modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS) or rub_of(key)[1] not in states}
         return Decision(modes, self.scene.where(modes), tuple(self.made), tuple(self.slipping))
 
     def decide_from(self, state: str, rubbing: Sequence[Rub], at_rest: Collection[str]) -> None:
@@ -85,7 +86,9 @@ class Trials:
             moving = known[rub.name] if rub.name in known else self.sense_at_start(rub)
             if moving or smooth(rub, self.configuration.signs):
                 self.modes[rub.key] = rub.mode(moving or 1)
-        for group in self.moving_together([rub for rub in rubbing if rub.key not in self.modes and self.lasts(rub)]):
+        resting = [rub for rub in rubbing if rub.key not in self.modes]
+        self.modes.update({rub.key: rub.mode(0) for rub in resting if not self.lasts(rub)})
+        for group in self.moving_together([rub for rub in resting if self.lasts(rub)]):
             contact = group[0].contact
             if len(group) > 1 or contact is None or not self.tried(group[0], contact):
                 carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
@@ -137,11 +140,20 @@ class Trials:
         return 0 if rub.contact is not None and first else self.sense_left(rub, speed)
 
     def sense_left(self, rub: Rub, speed: Formula) -> int:
-        """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it."""
+        """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it.
+
+        What an event would leave moving against either sense of its friction sticks through it.
+        """
+        told: list[int] = []
         for sense in (1, -1):
             found = self.search({**self.modes, rub.key: rub.mode(sense)}, families_for(None)).settled(speed)
-            if found is not None and not has_quantities(found) and self.sense_of(rub, found) == sense:
-                return sense
+            if found is not None and not has_quantities(found):
+                told.append(self.sense_of(rub, found))
+                if told[-1] == sense:
+                    return sense
+        before = self.configuration.timeline.before(rub.state)
+        if told == [-1, 1] and rub.contact is not None and before is not None and before.event is not None:
+            self.modes[rub_key(rub.name, before.name)] = STICKS
         return 0
 
     def sense_of(self, rub: Rub, speed: Formula) -> int:

@@ -8,8 +8,7 @@ from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.blow import Struck, struck
-from rotsolve.confirm.bodies import SPATIAL
-from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.node import Node, check_turns
 from rotsolve.confirm.instant import Met, Placed
 from rotsolve.confirm.lines import bent
 from rotsolve.confirm.model import Model
@@ -54,12 +53,11 @@ class Blow:
         before.budget.spend(model)
         self.event, self.before = event, before
         self.own = (event.name, *event.begins())  # whose impulses are the event's
-        for ref in event.points(model.problem.connections):
-            if ref.point in SPATIAL and ref.owner in model.seats and math.sin(before.pose.turn(ref.owner).value):
-                raise NotConfirmed(f"`{ref.owner}.{ref.point}` is a direction in space, not a mark on the body")
         self.struck: Struck = struck(model, brought(before, model), event)
         if self.struck.clash > 1e-7:
             raise NotConfirmed(f"what holds through `{event.name}` can not hold together")
+        changes = [now - old for now, old in zip(self.struck.placed.speed, before.placed.speed, strict=True)]
+        check_turns(model, changes, self.struck.placed.open)
         placed = replace(self.struck.placed, met=met_through(before, event, model))
         self.after = Node(model, placed, before.budget)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Container, Sequence
 from functools import cached_property
 
 from rotsolve.confirm import NotConfirmed
@@ -41,6 +42,15 @@ class Budget:
             raise OverBudget("its motion takes too long to follow")
 
 
+def check_turns(model: Model, changes: Sequence[float], open_: Container[int]) -> None:
+    """Raises NotConfirmed where something would turn a body that just goes along a line: nothing tells whether it may."""
+    for name in model.guided:
+        body, turn = model.body(name), model.seats[name].turn
+        turns = body.turns is not None or is_round(body) or turn in open_
+        if not turns and abs(changes[turn]) > 1e-9 * max(map(abs, changes)):
+            raise NotConfirmed(f"what keeps `{name}` from turning the scene does not tell")
+
+
 class Node:
     """Places and rates at an instant, in what acts there; `modes` say how what may slip behaves, where that is known.
 
@@ -67,11 +77,7 @@ class Node:
         found = moment(self.model, self.placed, self.modes)
         if found.clash:
             raise NotConfirmed("what is held can not be held together")
-        for name in self.model.guided:
-            body, turn = self.model.body(name), self.model.seats[name].turn
-            turns = body.turns is not None or is_round(body) or not self.model.masses[turn]
-            if not turns and abs(found.rates[turn]) > 1e-9 * max(map(abs, found.rates)):
-                raise NotConfirmed(f"what keeps `{name}` from turning the scene does not tell")
+        check_turns(self.model, found.rates, found.open_rates)
         return found
 
     @property
