@@ -160,7 +160,9 @@ class Standing(Struct, frozen=True, dict=True):
         arm = own.cm
         if hung is not None:
             arm = tidy(own.reference + own.cm - seat.place(locate(self.body(name), hung)))
-        elif any(event.joined() for event in self.configuration.events(self.state)):  # which turn no angle by being joined
+        elif any(
+            event.joined() for event in self.configuration.events(self.state)
+        ):  # which turn no angle by being joined
             welded = self.configuration.frame(name, self.configuration.timeline.states[0].name)
             arm = tidy(welded.reference + welded.cm - own.reference)
         return self.configuration.direction(arm, name) if arm.parts else RIGHT

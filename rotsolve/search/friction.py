@@ -75,8 +75,12 @@ class Trials:
         """Phase by phase: what one leaves moving hangs on how it moved there."""
         for state in dict.fromkeys(rub.state for rub in rubbing):
             self.decide_from(state, [rub for rub in rubbing if rub.state == state], at_rest)
-        states = {rub.state for rub in rubbing}  # through an event that something sticks is said, else it moves as afterwards
-        modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS) or rub_of(key)[1] not in states}
+        states = {
+            rub.state for rub in rubbing
+        }  # through an event that something sticks is said, else it moves as afterwards
+        modes = {
+            key: mode for key, mode in self.modes.items() if mode not in ("", STICKS) or rub_of(key)[1] not in states
+        }
         return Decision(modes, self.scene.where(modes), tuple(self.made), tuple(self.slipping))
 
     def decide_from(self, state: str, rubbing: Sequence[Rub], at_rest: Collection[str]) -> None:

@@ -46,4 +46,4 @@ def test_the_relation_sees_what_differs(monkeypatch: pytest.MonkeyPatch) -> None
     """A block that is taken to stick whatever its letters are: the branch in which it slips is missing."""
     assert list(freed.differences(read_text(WRONG_WAY))) == []
     monkeypatch.setattr("rotsolve.search.cases.MOST", 1)
-    assert list(freed.differences(read_text(WRONG_WAY))) == ["a: 0 branches of 1 hold"]
+    assert list(freed.differences(read_text(WRONG_WAY))) == ["a: none of 1 branches holds"]

@@ -128,9 +128,10 @@ find: {{a: crate.acceleration at start}}
 
 def test_what_a_guide_pushes_is_no_momentum_that_is_kept() -> None:
     scene = """title: Rod on a block that a spring holds
+given: {v: 1 m/s}
 bodies: {block: {mass: 3 kg, moves: up}, rod: {shape: rod, mass: 2 kg, length: 1 m}}
 connections: {coil: {spring: [ceiling, block], stiffness: 90 N/m}, joint: {hinge: [block, rod.start]}}
-states: {start: {rod.angle: -40 deg, coil.elongation: 10 cm, block.velocity: 1 m/s, rod.angular_velocity: 4 rad/s}, end: {block.velocity: 0}}
+states: {start: {rod.angle: -40 deg, coil.elongation: 10 cm, block.velocity: v, rod.angular_velocity: 4 rad/s}, end: {block.velocity: 0}}
 find: {u: rod.cm.velocity.x at end}
 """
     with pytest.raises(Unsolvable, match="not solved by these laws"):

@@ -24,7 +24,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.language.problem import Find, Given, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
-ORDINARY = 0.1  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
+ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 SETS, DRAWS = 3, 9  # sets of numbers for letters, and how often one is drawn for them
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
 BUDGET = 2500  # instants of one body that a scene may cost
