@@ -28,8 +28,10 @@ from rotsolve.core.derivation import Equality
 from rotsolve.core.letters import Given
 from rotsolve.language.problem import Problem, references
 from rotsolve.motion.positive import is_angle
+from rotsolve.search.answers import unsolvable
 
 DOUBLINGS = 9  # up to which a letter is made larger or smaller
+LONGEST = 150  # nodes of what a case hangs on from which on it is not told in letters
 LONG = 120  # nodes of a condition from which on it is not solved for a letter
 BITS, MORE_BITS = 64, 2048  # of the balls by which points are looked for, and where those tell nothing
 FURTHEST = 26  # doublings up to which an edge is looked for
@@ -139,7 +141,7 @@ class LetterSpace:
         known = self.letters.keys() | oracle.values.keys()
         limits = [limit for limit in reaches_of(problem) if limit.symbols() <= known]
         self.limits = tuple(limit for limit in limits if limit.symbols() & self.letters.keys())
-        self.oracle, self.order = oracle, order
+        self.oracle, self.order, self.problem = oracle, order, problem
         self.acute = {name for name, given in self.letters.items() if is_angle(given)}
         self.positive = (oracle.positive | self.letters.keys()) - self.acute
         self.assumed = set[
@@ -228,7 +230,13 @@ class LetterSpace:
         return tuple(found)
 
     def factors(self, value: Formula, sign: int, point: Point) -> Iterator[Proviso]:
-        """The conditions for a formula to have a sign: for all of its factors whose own is not sure."""
+        """The conditions for a formula to have a sign: for all of its factors whose own is not sure.
+
+        Unsolvable where it is longer than a page would hold.
+        """
+        if length(value) > LONGEST:
+            help = f"give a number to {', '.join(f'`{name}`' for name in list(self.letters)[:3])}"
+            raise unsolvable(self.problem, "on what the answers hang is too long to print in letters", None, help)
         if self.sure(value) is not None:
             return
         for node in value.walk("abs"):
