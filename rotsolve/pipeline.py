@@ -292,7 +292,7 @@ def answered_fully(search: Search) -> Found | Unsolvable:
     try:
         with stage("solve"):
             if any(state.opened for state in problem.states):
-                from rotsolve.search.endings import tell_openings
+                from rotsolve.search.openings import tell_openings
 
                 tell_openings(search)
             search = answered(search, problem.finds)

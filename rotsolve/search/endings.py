@@ -7,22 +7,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities, is_quantity
+from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.motion.timeline import OPEN, Interval
-from rotsolve.search.answers import NoAnswer, unsolvable
+from rotsolve.paths.meaning import NotYet
+from rotsolve.search.answers import unsolvable
 from rotsolve.search.consistency import KnownBalls, no_way
-from rotsolve.search.search import Search, asked_letter
+from rotsolve.search.search import Search
+
+if TYPE_CHECKING:
+    from rotsolve.search.holding import InTime, Slipping
 
 MOST = 12  # states that are opened in one scene
 
@@ -35,6 +41,9 @@ class Ending(Struct, frozen=True):
     senses: tuple[tuple[str, int], ...]
     name: str
     words: str
+
+
+Stopping = tuple[tuple[Rub, ...], "Formula | None"]  # what comes to rest, and when on the clock, where that is told
 
 
 class Endings(Struct, dict=True):
@@ -82,40 +91,137 @@ class Endings(Struct, dict=True):
     def within(self, interval: Interval) -> Ending | None:
         """What ends first in a phase, where that is before the phase does."""
         rubbing = [(rub, self.sense(rub)) for rub in rubs_at(self.configuration, interval.start)]
-        resting = self.resting_first(interval, rubbing) or self.turned(interval, rubbing)
+        resting, at = self.resting_first(interval, rubbing)
+        if not resting:
+            resting, at = self.turned(interval, rubbing)
+        begun = {name for name, sense in self.configuration.timeline.state(interval.end).senses if sense}
+        slipping = self.slipping(interval, [rub for rub, sense in rubbing if not sense and rub.name not in begun])
+        if slipping is not None and not (
+            resting and self.sooner(at or self.rest_of(interval, resting[0]), slipping.at)
+        ):
+            return self.beginning(interval, rubbing, slipping)
         if not resting or self.said(interval, resting):
             return None
+        self.check_closed(interval, resting)
         senses = tuple((rub.name, 0 if rub in resting else sense) for rub, sense in rubbing)
         words = " and ".join(dict.fromkeys(words_for(rub, self.search) for rub in resting))
         name = "rest" if all(stops(rub, self.search) for rub in resting) else "hold"
         return Ending(interval, tuple(map(resting_line, resting)), senses, name, words)
 
-    def resting_first(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> tuple[Rub, ...]:
+    def beginning(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]], slipping: Slipping) -> Ending:
+        """The state at which something begins to slip: a time on the clock since the last state of which the scene speaks."""
+        begin = {rub.name: sense for rub, sense in slipping.senses.items()}
+        senses = tuple((rub.name, begin.get(rub.name, sense)) for rub, sense in rubbing)
+        if self.side(slipping.at - self.clock(interval.start)) == 0:  # it does so where the phase begins
+            return Ending(interval, (), senses, "", "")
+        told = self.clock(self.configuration.timeline.told(interval)[0])
+        line = Condition(Path("", "time"), simplify(slipping.at - told, order=self.configuration.order))
+        moving = [rub for rub, sense in slipping.senses.items() if sense]
+        words = " and ".join(dict.fromkeys(moving_words(rub, self.search) for rub in moving))
+        words = f"{words} at t = {to_text(simplify(slipping.at, order=self.configuration.order))}"
+        return Ending(interval, (line,), senses, "slip" if moving[0].item is not None else "go", words)
+
+    def check_closed(self, interval: Interval, resting: Sequence[Rub]) -> None:
+        """What comes to rest on a rubbing axle at a time without a closed form is not followed further."""
+        for rub in resting:
+            timed = rub.item is None and self.configuration.pace(rub.body, rub.state) == TIME
+            course = self.course(interval) if timed else None
+            speed = self.settled(rub.rate(self.scene.instant(interval.start)))
+            if course is not None and not course.has_closed_form(rub, speed):
+                start, end = self.configuration.timeline.told(interval)
+                message = f"{spoken(rub.body)} comes to rest on the way from `{start}` to `{end}`, at a time without a closed form"
+                span, help = self.configuration.timeline.state(end).span, "let the scene end before that"
+                raise unsolvable(self.configuration.problem, f"{message}: what it does then is not solved", span, help)
+
+    def clock(self, state: str) -> Formula:
+        """The time on the clock at a state, as far as it is told."""
+        time = self.scene.instant(state).time()
+        return self.settled(time) or time
+
+    def slipping(self, interval: Interval, held: Sequence[Rub]) -> Slipping | None:
+        """What friction holds at first, and not until the phase ends."""
+        held = [rub for rub in held if self.configuration.pace(rub.body, rub.state) == TIME]
+        course = self.course(interval) if held else None
+        if course is None:
+            return None
+        try:
+            return course.slipping(held)
+        except NotYet as error:
+            names = " and ".join(dict.fromkeys(f"`{rub.owner}`" for rub in held))
+            raise self.not_told(interval, f"when friction of {names} gives way, if it does,", error) from None
+
+    def course(self, interval: Interval) -> InTime | None:
+        """A phase whose forces vary in time; None where nothing tells when it begins."""
+        from rotsolve.questions.functions_of_time import Beside
+        from rotsolve.search.holding import InTime
+
+        start, end = (self.settled(self.scene.instant(state).time()) for state in (interval.start, interval.end))
+        beside = Beside(self.settled, self.search.signs)
+        return InTime(self.search, beside, start, end) if start is not None else None
+
+    def sooner(self, at: Formula | None, other: Formula) -> bool:
+        """Whether what comes to rest does so before something else begins to slip."""
+        if at is None:
+            why = "whether something comes to rest or begins to slip first is not told by closed forms"
+            raise unsolvable(self.configuration.problem, why)
+        return self.side(other - at) != -1
+
+    def resting_first(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> Stopping:
         """Of what slows down steadily, that which comes to rest before the phase ends, and before the others."""
         ends = [(rub, at) for rub, sense in rubbing if sense and (at := self.moment(rub, sense)) is not None]
         if not ends:
-            return ()
+            return (), None
         first = ends[0][1]
         for _, at in ends[1:]:
             first = at if self.numbers.side(at - first) == -1 else first
         resting = tuple(rub for rub, at in ends if self.numbers.side(at - first) == 0)
-        return resting if self.passed(interval, first) else ()
+        return (resting, self.clock(interval.start) + first) if self.passed(interval, first) else ((), None)
 
-    def turned(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> tuple[Rub, ...]:
-        """What slows down in another way, and by its laws would go backwards where the phase ends: it comes to rest before."""
-        found = []
-        for rub, sense in rubbing:
-            if sense and self.configuration.pace(rub.body, rub.state) in (TIME, RATE) and interval.end != OPEN:
-                ends = (self.settled(rub.rate(self.scene.instant(at))) for at in (interval.start, interval.end))
-                sides = [None if rate is None else self.side(rate) for rate in ends]
-                if sides[0] in (0, sense) and sides[1] == -sense:
-                    found.append(rub)
-        if len(found) > 1:
+    def turned(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> Stopping:
+        """What slows down in another way, and by its laws would go backwards before the phase ends: it comes to rest before."""
+        moving = [(rub, sense) for rub, sense in rubbing if sense and not self.said(interval, (rub,))]
+        found = [rub for rub, sense in moving if self.turns_back(interval, rub, sense)]
+        if len(found) < 2:
+            return tuple(found), None
+        ends = [(rub, self.rest_of(interval, rub)) for rub in found]
+        times = [at for _, at in ends if at is not None]
+        if len(times) < len(ends):
             names = " and ".join(spoken(rub.name) for rub in found)
             raise unsolvable(
                 self.configuration.problem, f"which of {names} comes to rest first is not told by closed forms"
             )
-        return tuple(found)
+        first = times[self.numbers.least(times)]
+        return tuple(rub for rub, at in ends if at is not None and self.side(at - first) == 0), first
+
+    def turns_back(self, interval: Interval, rub: Rub, sense: int) -> bool:
+        """Whether something would go backwards before a phase ends."""
+        pace = self.configuration.pace(rub.body, rub.state)
+        if pace not in (TIME, RATE) or interval.end == OPEN:
+            return False
+        start, end = (self.settled(rub.rate(self.scene.instant(at))) for at in (interval.start, interval.end))
+        sides = [None if rate is None else self.side(rate) for rate in (start, end)]
+        if sides[0] in (0, sense) and sides[1] == -sense:
+            return True
+        course = self.course(interval) if pace == TIME else None
+        try:
+            return course is not None and course.comes_back(rub, sense, start)
+        except NotYet as error:
+            raise self.not_told(interval, f"whether {spoken(rub.body)} comes to rest", error) from None
+
+    def not_told(self, interval: Interval, what: str, error: NotYet) -> Unsolvable:
+        """What is not solved of a phase, at its place in the file."""
+        start, end = self.configuration.timeline.told(interval)
+        message = f"{what} from `{start}` to `{end}` is not solved: {error}"
+        span = self.configuration.timeline.state(end).span
+        return unsolvable(self.configuration.problem, message, span, error.help)
+
+    def rest_of(self, interval: Interval, rub: Rub) -> Formula | None:
+        """When on the clock something comes to rest that slows down as forces vary in time; None where that is not told."""
+        course = self.course(interval) if self.configuration.pace(rub.body, rub.state) == TIME else None
+        if course is not None:
+            with suppress(NotYet):
+                return course.rests_at(rub, self.settled(rub.rate(self.scene.instant(interval.start))))
+        return None
 
     def sense(self, rub: Rub) -> int:
         """The sense in which it slips or turns in its phase; 0 where it sticks or is held."""
@@ -186,23 +292,6 @@ def not_in_time(search: Search, numbers: KnownBalls) -> None:
                 raise never_reached(interval, endings.configuration, why)
 
 
-def tell_openings(search: Search) -> None:
-    """Work out how long it takes to the states that the scene does not name, and how fast all moves then: the next phase begins so."""
-    for interval in search.scene.configuration.timeline.intervals:
-        if search.scene.configuration.timeline.state(interval.end).opened:
-            tell_ends(search, interval)
-
-
-def tell_ends(search: Search, interval: Interval) -> None:
-    """The speeds at both ends of a phase, and how long it takes, as far as the laws of a search tell them."""
-    passage = search.scene.passages[interval.name]
-    speeds = [speed for travel in passage.travels for speed in (travel.before, travel.after)]
-    for value in (*speeds[::2], passage.duration, *speeds[1::2]):
-        if is_quantity(value) and value.name not in search.solver.solved:
-            with suppress(NoAnswer):
-                search.answer(asked_letter(value.name), aside=True)
-
-
 def stops(rub: Rub, search: Search) -> bool:
     """Whether a body stands where it no longer slips: unless it rolls, or something carries it."""
     if rub.item is None:
@@ -217,9 +306,21 @@ def words_for(rub: Rub, search: Search) -> str:
     return f"{spoken(rub.body)} comes to rest" if stops(rub, search) else f"{spoken(slider)} no longer slips"
 
 
+def moving_words(rub: Rub, search: Search) -> str:
+    """What begins, in words: "wheel begins to turn", "block begins to slide", "roller begins to slip"."""
+    if rub.item is None:
+        return f"{spoken(rub.body)} begins to turn"
+    slider = rub.body if rub.contact is not None else rub.name
+    return f"{spoken(slider)} begins to {'slide' if stops(rub, search) else 'slip'}"
+
+
 def with_state_at(problem: Problem, ending: Ending) -> Problem:
-    """The problem with a state of its own at which a phase ends before its time."""
+    """The problem with a state of its own at which a phase ends before its time; what does so where it begins goes another way there."""
     states = problem.states or (State(""),)
+    if not ending.lines:
+        same = ending.interval.start
+        senses = [replace(state, senses=ending.senses) if state.name == same else state for state in states]
+        return replace(problem, states=tuple(senses))
     if sum(bool(state.opened) for state in states) == MOST:
         raise unsolvable(problem, f"what rubs starts and stops more than {MOST} times: that is not followed further")
     place = next(number for number, state in enumerate(states) if state.name == ending.interval.start) + 1

@@ -26,7 +26,7 @@ from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
 from rotsolve.plan import PATIENCE
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
-from rotsolve.search.endings import tell_ends
+from rotsolve.search.openings import tell_ends
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
@@ -95,10 +95,23 @@ class Trials:
         for group in self.moving_together([rub for rub in resting if self.lasts(rub)]):
             contact = group[0].contact
             if len(group) > 1 or contact is None or not self.tried(group[0], contact):
-                carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
-                rolls = any(rub.contact and self.scene.instant(state).is_round(rub.body) for rub in group)
-                stacked = len(group) > 1 and (carried or rolls)
-                self.modes.update((self.by_trial if stacked else self.by_motion)(group))
+                self.modes.update((self.by_trial if self.stacked(group) else self.by_motion)(group))
+
+    def stacked(self, group: Sequence[Rub]) -> bool:
+        """Whether one of several may slip while another sticks."""
+        carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
+        rolls = any(rub.contact and self.scene.instant(rub.state).is_round(rub.body) for rub in group)
+        return len(group) > 1 and (carried or rolls)
+
+    def ways(self, group: list[Rub]) -> Iterator[dict[Rub, int]]:
+        """The senses in which a group may begin to slip, 0 for what goes on to stick: those in which the fewest slip first."""
+        if len(group) > 1 and not self.stacked(group):
+            for way in (1, -1):
+                senses = self.senses_of(group, way)
+                yield {rub: senses[rub.key] for rub in group}
+            return
+        for slips in ways_of(len(group))[1:]:
+            yield dict(zip(group, slips, strict=True))
 
     def lasts(self, rub: Rub) -> bool:
         """Whether what rests may begin to slip there: not right before an event, where a finite force does nothing."""
@@ -229,8 +242,7 @@ class Trials:
     def by_trial(self, group: list[Rub]) -> dict[str, str]:
         """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where
         numbers do not tell, as long as a question may tell them. Unsolvable where none of the ways can be."""
-        ways = sorted(product((0, 1, -1), repeat=len(group)), key=lambda way: sum(map(abs, way)))
-        for way in ways[:TRIALS]:
+        for way in ways_of(len(group)):
             trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
             if self.can_be(trial, group, way):
                 return trial
@@ -302,6 +314,11 @@ class Trials:
                 break
         words: Words = () if value is None else (f"{spoken(rub.name)} speeds up by ", signed(value, sense))
         return None if number is None else number * sense, words
+
+
+def ways_of(count: int) -> list[tuple[int, ...]]:
+    """The ways in which several contacts may stick (0) and slip (1, -1), as far as they are tried: those in which the fewest slip first."""
+    return sorted(product((0, 1, -1), repeat=count), key=lambda way: sum(map(abs, way)))[:TRIALS]
 
 
 def sticking(search: Search, rub: Rub, contact: Connection) -> tuple[Answered, Answered] | None:

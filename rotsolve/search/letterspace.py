@@ -26,6 +26,7 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.derivation import Equality
 from rotsolve.core.letters import Given
+from rotsolve.core.remembered import remembered
 from rotsolve.language.problem import Problem, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.answers import unsolvable
@@ -42,6 +43,7 @@ TRIES = 100  # points that are looked at beyond those
 SHARES = ("1/8", "1/4", "1/2", "1", "3/2", "5/2", "5")
 STEEP = Fraction(3, 2)  # rad: no acute angle is larger
 MORE = "#more"  # by how much a letter is more than its limit
+ROOT = "#root"  # what stands for a root in a formula
 Point = Mapping[str, Fraction]
 
 
@@ -73,7 +75,8 @@ def open_letters(problem: Problem) -> tuple[Given, ...]:
 
 
 def reaches_of(problem: Problem) -> tuple[Formula, ...]:
-    """What is not negative in every scene that can be: a rod reaches as far as the points that are named on it."""
+    """What is not negative in every scene that can be: a rod reaches as far as the points that are named on it, and friction that holds
+    is no weaker than friction that slips."""
     shapes = {body.name: body.shape for body in problem.bodies if body.shape is not None and body.shape.slender}
     found = dict[Formula, None]()
     for ref in references((problem.connections, problem.actions, problem.states, problem.events, problem.finds)):
@@ -81,6 +84,10 @@ def reaches_of(problem: Problem) -> tuple[Formula, ...]:
         whole = shape.reach() if shape is not None else None
         if ref.argument is not None and whole is not None:
             found[simplify(whole - ref.argument)] = None
+    for item in problem.connections:
+        static, kinetic = item.static(), item.kinetic()
+        if static is not None and kinetic is not None:
+            found[simplify(static - kinetic)] = None
     return tuple(limit for limit in found if limit.symbols())
 
 
@@ -152,6 +159,7 @@ class LetterSpace:
 
     # signs
 
+    @remembered
     def sure(self, value: Formula) -> int | None:
         """The sign that a formula has wherever its letters may be."""
         if value not in self.told:
@@ -182,7 +190,25 @@ class LetterSpace:
             if sign is not None:
                 self.assumed |= own.symbols() & self.letters.keys() - self.oracle.positive - self.oracle.limits().keys()
         sign = self.within_limits(value) if sign is None else sign
-        return self.of_coefficients(value) if sign is None else sign
+        sign = self.of_coefficients(value) if sign is None else sign
+        return self.of_root(value) if sign is None else sign
+
+    def of_root(self, value: Formula) -> int | None:
+        """The sign of a + b √c, where those of a and b are sure: where they differ, that of a times that of a² − b² c."""
+        roots = {node for node in value.walk(Call) if isinstance(node, Call) and node.function == "sqrt"}
+        if len(roots) != 1 or not value.symbols() & self.letters.keys() or length(value) > LONG:
+            return None
+        root = next(iter(roots))
+        letter = Symbol(ROOT)
+        whole = value.transform(lambda node: letter if node == root else node, "sqrt")
+        if degree(whole, ROOT) != 1:
+            return None
+        free, slope = whole.substitute({ROOT: ZERO}), differentiate(whole, ROOT)
+        signs = [self.sure(part) for part in (free, slope)]
+        if None in signs or 0 in signs or signs[0] == signs[1]:
+            return signs[0] if signs[0] and signs[0] == signs[1] else None
+        square = self.sure(simplify(free**2 - slope**2 * root.arguments[0], positive=self.positive))
+        return None if square is None or signs[0] is None else signs[0] * square
 
     def of_coefficients(self, value: Formula) -> int | None:
         """The sign of a polynomial in an open letter whose coefficients all have it, by the numbers of the givens too."""

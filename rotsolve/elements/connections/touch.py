@@ -296,6 +296,9 @@ class Touch(Connection, frozen=True):
     def static(self) -> Formula | None:
         return self.grip().static
 
+    def kinetic(self) -> Formula | None:
+        return self.grip().kinetic
+
     def slider(self) -> PointRef:
         return self.pair()[0]
 
