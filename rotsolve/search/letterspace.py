@@ -26,7 +26,6 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.derivation import Equality
 from rotsolve.core.letters import Given
-from rotsolve.core.remembered import remembered
 from rotsolve.language.problem import Problem, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.answers import unsolvable
@@ -159,7 +158,6 @@ class LetterSpace:
 
     # signs
 
-    @remembered
     def sure(self, value: Formula) -> int | None:
         """The sign that a formula has wherever its letters may be."""
         if value not in self.told:

@@ -98,7 +98,8 @@ def test_the_reference_is_that_of_the_tables(regenerate: bool) -> None:
 
 
 def test_the_finding_page_names_files_that_are_there() -> None:
-    rows = [line.split("|")[-2] for line in FINDING.splitlines() if line.startswith("|")][2:]
+    scenes, _, _ = FINDING.partition("What is well said and yet not solved")
+    rows = [line.split("|")[-2] for line in scenes.splitlines() if line.startswith("|")][2:]
     named = [name.strip() for cell in rows for name in cell.split(",") if name.strip()]
     assert len(named) > 40
     bundled = {f"{file.parent.name}/{file.stem}" for file in (ROOT / "problems").glob("*/*.yaml")}
