@@ -123,7 +123,8 @@ class Check(Struct, frozen=True):
 class AnswerConfirmation(Struct, frozen=True):
     """What the independent assembly says of an answer: it `holds`, it does not, or None: not confirmed, and `why`.
 
-    `answered` and `found` are the numbers of the answer and of the assembly in SI units, entry by entry of a vector.
+    `answered` and `found` are the numbers of the answer and of the assembly in SI units, entry by entry of a vector. `astray` are
+    numbers of letters, within what is printed with the answer, with which the motion does not come to what is asked.
     """
 
     name: str
@@ -131,6 +132,7 @@ class AnswerConfirmation(Struct, frozen=True):
     why: str = ""
     answered: tuple[float, ...] = ()
     found: tuple[float, ...] = ()
+    astray: bool = False
 
 
 class Trial(Struct, frozen=True):

@@ -366,14 +366,15 @@ class Parser(Cursor):
     def arguments(self, opening: Token, count: int, function: Token) -> tuple[Formula, ...]:
         """The arguments up to the closing bracket, `count` of them."""
         self.open_bracket(opening)
-        found = [self.sum()]
+        found, decimal = [self.sum()], False
         while self.token.kind == ",":
+            decimal = {self.tokens[self.index - 1].kind, self.tokens[self.index + 1].kind} == {"number"}
             self.next()
             found.append(self.sum())
         self.close_bracket()
         if len(found) != count:
             end = self.tokens[self.index - 1].end
-            cure = "; a decimal number takes a point" if count == 1 else ""
+            cure = "; a decimal number takes a point" if decimal else ""
             message = f"`{function.text}` takes {count} argument{'s' * (count > 1)}, not {len(found)}{cure}"
             raise FormulaError(message, function.start, end)
         return tuple(found)

@@ -81,13 +81,13 @@ class Course:
             check_standing(node)
 
     def _reached(self, number: int) -> Node:
-        """A state by its own lines where it is the first or in balance; by its event, or by following the motion, from the one before."""
+        """A state by its event from the one before; by its own lines where it is the first or in balance; else by following the motion."""
         state = self.states[number]
         model = self.model(state.name)
-        if number == 0 or state.balance or state.steady:
+        event = self.event(self.names[number - 1], state.name) if number else None
+        if event is None and (number == 0 or state.balance or state.steady):
             return self._alone(model)
         before = self.node(self.names[number - 1])
-        event = self.event(self.names[number - 1], state.name)
         if event is not None:
             return self._struck(before, event, model, state)
         from rotsolve.confirm.course.energy import by_energy

@@ -25,7 +25,7 @@ from rotsolve.language.problem import Find, Given, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
-SETS, DRAWS = 3, 9  # sets of numbers for letters, and how often one is drawn for them
+SETS, DRAWS = 5, 15  # sets of numbers for letters, and how often one is drawn for them
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
 BUDGET = 2500  # instants of one body that a scene may cost
 LIMITS = {  # numbers that are drawn for letters, by what they measure
@@ -35,6 +35,8 @@ LIMITS = {  # numbers that are drawn for letters, by what they measure
     kinds.NONE: (0.15, 0.7),
 }
 OTHERS = (0.5, 3.0)
+BOUNDED = (kinds.ANGLE, kinds.NONE)
+BEYOND = 3.0  # how far the later sets go beyond the limits, so that they are on both sides of what a size decides
 
 Numbers = Mapping[str, float]
 Solved = Callable[[str], "Formula | float | None"] | None
@@ -80,10 +82,13 @@ def confirmations(
 
 
 def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> AnswerConfirmation:
-    """Of two sets of numbers: contradicted by one, else confirmed by one."""
-    if before is None or now.holds is False:
-        return now if before is None or before.holds is not False else before
-    return before if before.holds is not None else now
+    """Of two sets of numbers: contradicted by one, else gone astray with one, else confirmed by one."""
+    return now if before is None or weight(now) >= weight(before) else before
+
+
+def weight(verdict: AnswerConfirmation) -> int:
+    """How much a verdict about one set of numbers says of all."""
+    return 3 if verdict.holds is False else 2 if verdict.astray else int(verdict.holds is True)
 
 
 def letters_open(problem: Problem) -> list[Given]:
@@ -106,9 +111,12 @@ def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
 
 
 def number_drawn(given: Given, number: int, place: int) -> float:
-    """Between the limits of its kind: the same in every run, and spread evenly from set to set."""
+    """Between the limits of its kind: the same in every run, and spread evenly from set to set; after the first beyond them too."""
     lowest, highest = LIMITS.get(given.dimension, OTHERS) if given.dimension is not None else OTHERS
-    return lowest + (highest - lowest) * ((number * 0.6180339887 + place * 0.7548776662 + 0.317) % 1.0)
+    part = (number * 0.6180339887 + place * 0.7548776662 + 0.317) % 1.0
+    if number == 0 or given.dimension in BOUNDED:
+        return lowest + (highest - lowest) * part
+    return lowest / BEYOND * (highest / lowest * BEYOND**2) ** part
 
 
 def at_numbers(
@@ -129,22 +137,26 @@ def at_numbers(
         if not said:
             yield AnswerConfirmation(answer.name, None, "it has no number")
             continue
-        verdict = judged(finds[answer.name][0], said, asker, answer.name)
+        verdict = judged(finds[answer.name][0], said, asker, numbers)
         if (
             verdict.holds is False and verdict.found and problem.states[1:]
         ):  # the forces of the last state may be those of the phase before it
             ended = Asker(problem, Course(problem, known, budget, ending=True))
-            other = judged(finds[answer.name][0], said, ended, answer.name)
+            other = judged(finds[answer.name][0], said, ended, numbers)
             verdict = other if other.holds else verdict
         yield verdict
 
 
-def judged(find: Find, said: Mapping[str, float | str], asker: Asker, name: str) -> AnswerConfirmation:
+def judged(find: Find, said: Mapping[str, float | str], asker: Asker, numbers: Numbers) -> AnswerConfirmation:
     """One answer held against what the assembly has."""
+    name = find.group
     try:
         return compared(name, said, asker.answer(find, said))
     except Astray as reason:  # letters may have other numbers, with which it comes about
-        return AnswerConfirmation(name, None if letters_open(asker.problem) else False, str(reason))
+        letters = [f"{given.name} = {numbers[given.name]:.3g}" for given in letters_open(asker.problem)]
+        if not letters:
+            return AnswerConfirmation(name, False, str(reason))
+        return AnswerConfirmation(name, None, f"not so with {', '.join(letters)} in SI units: {reason}", astray=True)
     except Broken as reason:
         return AnswerConfirmation(name, False if asks_for_letter(find) else None, str(reason))
     except NotConfirmed as reason:
