@@ -116,7 +116,7 @@ def number_drawn(given: Given, number: int, place: int) -> float:
     part = (number * 0.6180339887 + place * 0.7548776662 + 0.317) % 1.0
     if number == 0 or given.dimension in BOUNDED:
         return lowest + (highest - lowest) * part
-    return lowest / BEYOND * (highest / lowest * BEYOND**2) ** part
+    return lowest / BEYOND * math.exp(part * math.log(highest / lowest * BEYOND**2))
 
 
 def at_numbers(
