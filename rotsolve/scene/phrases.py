@@ -16,7 +16,7 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol, call
-from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import ALONE, CLAUSES, LATER_MODIFIERS, MODIFIERS, SWINGS, WHICH
@@ -66,12 +66,46 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
     dimension = dimension_found(scope, node, formula, phrase, answers)
     if dimension is None and len(scope.faults) > faults:
         return None
-    if phrase.unit and dimension is not None and not dimension.matches(phrase.unit.dimension):
-        message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {dimension_in_words(dimension)}"
-        return scope.fault(node, message, "", "dimension")
+    unit = phrase.unit
+    if unit is not None and dimension is not None:
+        unit = unit_of_answer(scope, name, node, formula, phrase, dimension)
+        if unit is None:
+            return None
     text = node.value.strip()
-    find = Find(name, formula, tuple(phrase.terms), phrase.outer, phrase.where, phrase.unit, text, key.span)
+    find = Find(name, formula, tuple(phrase.terms), phrase.outer, phrase.where, unit, text, key.span)
     return find, dimension
+
+
+def unit_of_answer(
+    scope: Scope, name: str, node: Text, formula: Formula, phrase: Phrase, dimension: Dimension
+) -> Unit | None:
+    """The unit in which an answer is asked: one that measures it, where Hz counts turns and rad/s measures an angle in a unit of time."""
+    unit = phrase.unit
+    assert unit is not None
+    shown = quoted(unit.text)
+    if not dimension.matches(unit.dimension):
+        message = f"{shown} doesn't measure this: `{name}` is {dimension_in_words(dimension)}"
+        return scope.fault(node, message, "", "dimension")
+    if unit.is_hertz and dimension.angle:
+        help = "ask for it in rad/s or rev/s; a frequency is ω/(2π)"
+        return scope.fault(
+            node, f"{shown} counts turns, and `{name}` is {dimension_in_words(dimension)}", help, "dimension"
+        )
+    if not (unit.dimension.angle and counted(scope, formula, phrase)):
+        return unit
+    if isinstance(formula, Symbol) and unit.counts_turns:
+        return unit.of_turns
+    help = "ask for it in Hz or 1/s; ω = 2π f is the angular frequency"
+    return scope.fault(
+        node, f"{shown} measures an angle in a unit of time, and `{name}` counts turns", help, "dimension"
+    )
+
+
+def counted(scope: Scope, formula: Formula, phrase: Phrase) -> bool:
+    """Whether a frequency stands in a formula: that of swings, or a letter that is given in Hz."""
+    letters = (scope.givens[name] for name in formula.symbols() if name in scope.givens)
+    asked = any(term.path.quantity == "frequency" for term in phrase.terms)
+    return asked or any(item.unit is not None and item.unit.is_hertz for item in letters)
 
 
 def dimension_found(scope: Scope, node: Text, formula: Formula, phrase: Phrase, answers: dict[str, Any]) -> Any:

@@ -7,9 +7,19 @@ import pytest
 from rotsolve.algebra.formula import PI, ZERO, Negative, Number, Quotient, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import ANGLE, LENGTH, MASS, NONE
+from rotsolve.core.faults import SceneError
 from rotsolve.language.problem import Problem, Term
+from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_text
 
+TURNING = """
+title: Turning
+given: {{f: 4 Hz, w: 8*pi rad/s, m: 2 kg, L: 1 m}}
+bodies: {{rod: {{shape: rod, mass: m, length: L}}, disc: {{shape: disc, mass: m, radius: L}}}}
+connections: {{pin: {{hinge: rod.start}}, axle: {{axle: disc}}}}
+states: {{s: {{disc.angular_velocity: w}}}}
+find: {{x: {question}}}
+"""
 SCENE = (
     """title: Everything
 given: {m: 2 kg, M: kg, R: 20 cm, mu: unknown, beta: unknown, u: 3 m/s, n: number}
@@ -203,3 +213,28 @@ def test_gravity() -> None:
     assert read_text(f"given: {{gM: m/s^2}}\ngravity: gM\n{rest}").gravity == Symbol("gM")
     assert read_text(f"given: {{g: 3 kg}}\n{rest}").gravity == Symbol("g2")
     assert read_text(f"gravity: 1.6 m/s^2\n{rest}").gravity == Symbol("g")
+
+
+@pytest.mark.parametrize(
+    ("asked", "unit", "said"),
+    [
+        ("w", "Hz", "`Hz` counts turns, and `x` is an angular velocity"),
+        ("disc.angular_velocity at s", "kHz", "`kHz` counts turns, and `x` is an angular velocity"),
+        ("f", "rad/s", "`rad/s` measures an angle in a unit of time, and `x` counts turns"),
+        ("frequency of small swings of rod", "rad/s", "`rad/s` measures an angle in a unit of time"),
+        ("2*f", "rev/min", "`rev/min` measures an angle in a unit of time"),
+    ],
+)
+def test_turns_are_no_radians(asked: str, unit: str, said: str) -> None:
+    """A number of turns in a second is not one of radians: 4 rad/s is not 4 Hz."""
+    with pytest.raises(SceneError, match=said):
+        read_text(TURNING.format(question=f"{asked} in {unit}"))
+
+
+@pytest.mark.parametrize(
+    ("asked", "unit", "number"),
+    [("f", "rev/min", 240), ("f", "rev/s", 4), ("f", "Hz", 4), ("w", "rev/s", 4), ("w/(2*pi)", "1/s", 4)],
+)
+def test_rates_of_turns(asked: str, unit: str, number: float) -> None:
+    """4 Hz are 240 turns a minute, and 8π rad/s are 4 turns a second."""
+    assert solve(TURNING.format(question=f"{asked} in {unit}")).answers["x"].float == pytest.approx(number)

@@ -33,6 +33,9 @@ def power_of_pi(value: Fraction, power: int) -> Formula:
     return multiply(Number(value), PI**power) if power else Number(value)
 
 
+TURNS = ("rev", "turn", "rpm")
+
+
 class Unit(Struct, frozen=True):
     """A unit: its text (`kg m²/s`), and its factor to SI, scale · π^pi_power."""
 
@@ -51,6 +54,21 @@ class Unit(Struct, frozen=True):
         text = "".join(f"^{{{_RAISED[char]}}}" if char in _RAISED else _LATEX.get(char, char) for char in self.text)
         text = re.sub(r"\^\(([^)]*)\)", r"^{\1}", text)
         return rf"\mathrm{{{text}}}" if text else ""
+
+    @property
+    def is_hertz(self) -> bool:
+        """Whether it counts what happens in a unit of time: Hz, kHz."""
+        return "Hz" in self.text
+
+    @property
+    def counts_turns(self) -> bool:
+        """Whether a turn is what it counts: rev, rev/min, rpm."""
+        return any(word in self.text for word in TURNS)
+
+    @property
+    def of_turns(self) -> Unit:
+        """A unit of angular velocity that counts turns, as one of frequency: 1 rev/s is 1 Hz, where the angle is 2π rad."""
+        return Unit(self.text, self.scale / 2, self.pi_power - 1, FREQUENCY)
 
     def after(self, number: str) -> str:
         """The number with its unit: `2 kg`, `30°`, `5`."""

@@ -36,7 +36,6 @@ BITS = 1600  # of precision in which they are compared
 FLOAT_BITS = 45  # of a ball that floats stand for
 FLOAT_DOUBT = 1e-12  # the share by which they may be off, with room to spare
 HALF = Fraction(1, 2)
-TURNS = ("rev", "turn", "rpm")  # units that count turns
 ALIKE = {  # units that are taken for one another
     ANGLE: ("rad", "°", "rev"),
     ANGULAR_VELOCITY: ("rad/s", "rev/s", "rpm", "°/s"),
@@ -163,10 +162,10 @@ def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool =
         return Remark("dimension", (other_dimension(typed, dimension),))
     if dimension.matches(FREQUENCY):
         return measured_rate(typed, wanted, dimension)
-    if is_hertz(typed) and dimension.angle:
+    if typed.is_hertz and dimension.angle:
         return Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",))
     if turns and typed.dimension == ANGLE:
-        if counts_turns(typed):
+        if typed.counts_turns:
             return ONE_UNIT
         return Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",))
     return typed
@@ -174,30 +173,22 @@ def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool =
 
 def other_dimension(typed: Unit, dimension: Dimension) -> str:
     """What is said of a unit that measures something else."""
-    kind, asked = kind_of(typed.dimension, "frequency" if is_hertz(typed) else None), describe(dimension, article=True)
+    kind, asked = kind_of(typed.dimension, "frequency" if typed.is_hertz else None), describe(dimension, article=True)
     here = f"is the unit of {kind.words}" if kind is not None else "is the unit of something else"
     return f"{typed.text} {here}, but {asked} is asked for"
 
 
 def measured_rate(typed: Unit, wanted: Unit, dimension: Dimension) -> Unit | Remark:
     """Hz beside rad/s: revolutions in a second are a frequency too, radians are not, and Hz is no angular velocity."""
-    if dimension.angle and is_hertz(typed):
+    if dimension.angle and typed.is_hertz:
         said = f"{typed.text} counts turns: it measures a frequency, and ω = 2π f is in rad/s"
         return Remark("unit", (said,))
-    if is_hertz(wanted) and typed.dimension.angle:
-        if counts_turns(typed):
-            return Unit(typed.text, typed.scale / 2, typed.pi_power - 1, FREQUENCY)
+    if wanted.is_hertz and typed.dimension.angle:
+        if typed.counts_turns:
+            return typed.of_turns
         said = f"{typed.text} measures an angular frequency: f = ω/(2π) is in Hz"
         return Remark("unit", (said,))
     return typed
-
-
-def is_hertz(unit: Unit) -> bool:
-    return "Hz" in unit.text
-
-
-def counts_turns(unit: Unit) -> bool:
-    return any(word in unit.text for word in TURNS)
 
 
 def may_lack(unit: Unit, dimension: Dimension) -> bool:

@@ -12,7 +12,6 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.unit_table import UNITS, Unit
 from rotsolve.core.vectors.heading import heading
-from rotsolve.grading.comparing.numbers import counts_turns, is_hertz
 from rotsolve.grading.mistakes.mistake import MOST, Change, Made, and_joined, bodies_and_parts, each
 from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Condition, Problem
@@ -41,7 +40,7 @@ def misread_givens(scene: Scene, fits: Callable[[Unit], bool], wrong: Callable[[
 
 def is_in_turns(unit: Unit) -> bool:
     """Revolutions, also by the minute."""
-    return unit.pi_power == 1 and counts_turns(unit)
+    return unit.pi_power == 1 and unit.counts_turns
 
 
 def without_factor(unit: Unit) -> Formula:
@@ -72,7 +71,7 @@ def revolutions_as_radians(scene: Scene) -> Made:
 
 def hertz_as_radians(scene: Scene) -> Made:
     """50 rad/s for 50 Hz."""
-    return misread_givens(scene, is_hertz, without_turn, "{name} in {unit} {are} taken as in rad/s")
+    return misread_givens(scene, lambda unit: unit.is_hertz, without_turn, "{name} in {unit} {are} taken as in rad/s")
 
 
 def units_not_converted(scene: Scene) -> Made:
