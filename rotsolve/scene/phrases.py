@@ -91,7 +91,7 @@ def unit_of_answer(
         return scope.fault(
             node, f"{shown} counts turns, and `{name}` is {dimension_in_words(dimension)}", help, "dimension"
         )
-    if not (unit.dimension.angle and counted(scope, formula, phrase)):
+    if not (unit.dimension.angle and counts_turns(scope, formula, phrase)):
         return unit
     if isinstance(formula, Symbol) and unit.counts_turns:
         return unit.of_turns
@@ -101,7 +101,7 @@ def unit_of_answer(
     )
 
 
-def counted(scope: Scope, formula: Formula, phrase: Phrase) -> bool:
+def counts_turns(scope: Scope, formula: Formula, phrase: Phrase) -> bool:
     """Whether a frequency stands in a formula: that of swings, or a letter that is given in Hz."""
     letters = (scope.givens[name] for name in formula.symbols() if name in scope.givens)
     asked = any(term.path.quantity == "frequency" for term in phrase.terms)

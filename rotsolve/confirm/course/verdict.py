@@ -83,10 +83,10 @@ def confirmations(
 
 def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> AnswerConfirmation:
     """Of two sets of numbers: contradicted by one, else gone astray with one, else confirmed by one."""
-    return now if before is None or weight(now) >= weight(before) else before
+    return now if before is None or speaks_for(now) >= speaks_for(before) else before
 
 
-def weight(verdict: AnswerConfirmation) -> int:
+def speaks_for(verdict: AnswerConfirmation) -> int:
     """How much a verdict about one set of numbers says of all."""
     return 3 if verdict.holds is False else 2 if verdict.astray else int(verdict.holds is True)
 
