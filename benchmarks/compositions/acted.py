@@ -39,7 +39,7 @@ def damped(composition: Composition) -> bool | None:
 
 
 def braked(composition: Composition) -> bool | None:
-    if composition.ways["one"] != TURN or composition.kinds["one"].word in ("spool",):
+    if composition.ways["one"] != TURN or composition.kinds["one"].word == "spool" or "truck" in composition.bodies:
         return False
     press, friction = composition.letters.new("B", "N"), composition.letters.new("mu", "")
     composition.put("actions", "brake", {"press": press, "on": "one.rim", "friction": friction})

@@ -1,7 +1,8 @@
 """Compose: one body or two, held, joined, driven, told of and asked in the ways that the language has; a scene for each choice.
 
 A scene is drawn from six tables: what the first body is, how it is held, what is joined to it, what acts, what the states say, and what is
-asked. `covering` draws them so that every pair of entries of two tables comes soon.
+asked. What can not be (sense.py) is drawn again, but for one in ten, so that it is refused rightly is tried too. `covering` draws so that
+every pair of entries of two tables comes soon.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from compositions.body import KINDS
 from compositions.held import HOLDS
 from compositions.joined import JOINS
 from compositions.parts import Composition
+from compositions.sense import makes_sense
 from compositions.told import TOLD
 from trials.scene import Scene
 
@@ -27,6 +29,7 @@ TABLES: dict[str, tuple[str, ...]] = {
     "told": tuple(TOLD),
     "asked": tuple(ASKED),
 }
+SENSELESS = 0.1  # share of the scenes that can not be that is kept
 Choice = tuple[str, ...]  # one entry of each table
 
 
@@ -37,6 +40,8 @@ class Unfit(ValueError):
 def composed(choice: Choice, chance: random.Random) -> Scene:
     """The scene of one entry of each table; raises Unfit where they make none."""
     body, held, joined, acted, told, question = choice
+    if senseless(body, held, joined) and chance.random() > SENSELESS:
+        raise Unfit(choice)
     composition = Composition(chance)
     kind = next(kind for kind in KINDS if kind.word == body)
     composition.add(kind, "one")
@@ -49,15 +54,24 @@ def composed(choice: Choice, chance: random.Random) -> Scene:
     return composition.scene(", ".join(choice))
 
 
+def senseless(body: str, held: str, joined: str) -> bool:
+    """Whether nothing tells how the bodies move: without mass, or kept by a word alone on a line from which they would turn."""
+    if body == "light rod" and joined not in ("welded", "hinged", "mounted"):
+        return True
+    return held in ("hangs", "spring") and (body == "loaded wheel" or joined in ("welded", "hinged"))
+
+
 def drawn(seed: int, number: int) -> tuple[Choice, Scene]:
     """The scene of a number: entries at random until they make one."""
     chance = random.Random(f"compositions-{seed}-{number}")
     while True:
         choice = tuple(chance.choice(table) for table in TABLES.values())
         try:
-            return choice, composed(choice, chance)
+            scene = composed(choice, chance)
         except Unfit:
             continue
+        if makes_sense(scene) or chance.random() < SENSELESS:
+            return choice, scene
 
 
 def covering(seed: int, tries: int = 8) -> Iterator[tuple[Choice, Scene]]:

@@ -54,8 +54,11 @@ def hinge(composition: Composition, name: str) -> bool | None:
 def lies(composition: Composition, name: str) -> bool | None:
     on, slope = surface(composition)
     composition.bodies[name]["moves"] = composition.pick(*(("up", "down") if slope else ("left", "right")))
-    composition.put("connections", "base", {"contact": [name, on], "friction": composition.friction()})
+    friction = composition.friction()
+    composition.put("connections", "base", {"contact": [name, on], "friction": friction})
     composition.ways[name] = ROLL if composition.kinds[name].rims else LINE
+    if friction == "any":
+        composition.holds_fast(name)
     return None
 
 
@@ -79,6 +82,7 @@ def hangs(composition: Composition, name: str) -> bool | None:
     ends = ["ceiling", f"{name}.{rim}" if rim else name]
     composition.put("connections", "cord", {"string": ends if composition.often(0.5) else ends[::-1]})
     composition.ways[name] = ROLL if kind.rims else LINE
+    composition.holds_fast(name)
     return None
 
 

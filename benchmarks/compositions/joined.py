@@ -38,6 +38,8 @@ def hung(composition: Composition) -> bool | None:
     """A weight on a string from a rim, or from a body over a pulley."""
     kind = composition.kinds["one"]
     way = composition.ways["one"]
+    if "truck" in composition.bodies:
+        return False
     second(composition, "particle", "plate")
     composition.bodies["two"]["moves"] = composition.pick("up", "down")
     composition.ways["two"] = LINE
@@ -59,7 +61,7 @@ def hung(composition: Composition) -> bool | None:
 
 
 def geared(composition: Composition) -> bool | None:
-    if composition.ways["one"] != TURN:
+    if composition.ways["one"] != TURN or "truck" in composition.bodies:
         return False
     second(composition, "disc", "ring", "annulus")
     rim = composition.chance.choice(composition.kinds["one"].rims)
@@ -99,9 +101,11 @@ def ridden(composition: Composition) -> bool | None:
 
 
 def mounted(composition: Composition) -> bool | None:
-    """A wheel on an axle that the first body carries."""
+    """A wheel on an axle that the first body carries or shares, or on a pin of one that turns."""
     second(composition, "disc", "ring", "loaded wheel")
-    composition.put("connections", "spindle", {"axle": ["one", "two"]})
+    shared = composition.ways["one"] in (LINE, ROLL) or (composition.has("axle") and "truck" not in composition.bodies)
+    carried = {"axle": ["one", "two"]} if shared else {"hinge": [composition.place("one"), "two.center"]}
+    composition.put("connections", "spindle", carried)
     composition.ways["two"] = TURN
     return None
 
@@ -109,7 +113,11 @@ def mounted(composition: Composition) -> bool | None:
 def struck(composition: Composition) -> bool | None:
     """A particle that flies at the first body, and sticks to it or bounces off."""
     second(composition, "particle")
-    composition.bodies["two"]["moves"] = composition.pick("left", "right", "up", "down")
+    upright = composition.bodies["one"].get("moves") in ("up", "down") and not composition.has("contact")
+    ways = (
+        ("up", "down") if upright else ("left", "right", "up", "down")
+    )  # along a line to which only its word holds the first
+    composition.bodies["two"]["moves"] = composition.pick(*ways)
     composition.ways["two"] = LINE
     composition.loose.append("two")
     at = composition.place("one")

@@ -22,6 +22,7 @@ CLOSE = Fraction(1, 10**5)  # relative: answers are printed to 7 figures
 LETTERED = "in letters, with the numbers put in"
 REFLECTED = "with its angles in a mirror"
 IDLE = "says nothing here"
+ON_THE_WAY = ("lets go", "turns back", "meet again", "comes back", "tips over")
 FALSE_WORDS = ("contradict", "too little is known", "never reached")
 RIGHT, UNCONFIRMED, NAMED, UNTRUE, UNTELLABLE, SAID, SILENT, SLOW, BROKEN = (
     "right",
@@ -69,8 +70,8 @@ def refused(message: str, scene: Scene, names: list[str]) -> tuple[str, str]:
     """The verdict about a refusal: what the assembly contradicts, what is missing by its name, or what is said to be wrong with the scene:
     falsely where the assembly answers it."""
     said = message.splitlines()[0]
-    if "not confirmed" in said:
-        return SAID, said
+    if "not confirmed" in said:  # with what happens on the way, or without a word of why
+        return (NAMED if any(word in said for word in ON_THE_WAY) else SAID), said
     if not any(word in said for word in FALSE_WORDS):
         return NAMED, said
     return (UNTRUE if answered_by_assembly(scene, names, said) else UNTELLABLE), said

@@ -24,7 +24,10 @@ class Composition:
     bodies: dict[str, dict[str, Any]] = field(default_factory=dict)
     sections: dict[str, dict[str, Any]] = field(default_factory=dict)
     loose: list[str] = field(default_factory=list)  # bodies that fly towards the others
-    tied: list[str] = field(default_factory=list)  # bodies whose speed follows from that of the first
+    tied: list[str] = field(default_factory=list)  # bodies whose speed follows from that of the first, or that rest
+    gripped: list[str] = field(
+        default_factory=list
+    )  # round bodies that roll, so that their turn follows from their travel
 
     def __post_init__(self) -> None:
         self.letters = Letters(self.chance)
@@ -53,6 +56,10 @@ class Composition:
     def friction(self) -> str:
         """What a rough contact says: a coefficient, `any` or `none`."""
         return self.letters.new("mu", "") if self.often(0.6) else self.pick("any", "none")
+
+    def holds_fast(self, name: str) -> None:
+        """A body that what holds it lets roll at most: no turn of its own is told, or it rests."""
+        (self.gripped if self.ways[name] == ROLL else self.tied).append(name)
 
     def has(self, word: str) -> list[str]:
         """The names of connections of a kind."""

@@ -40,7 +40,7 @@ def speeds(composition: Composition) -> Lines:
         if way in SPEED:
             word, unit = SPEED[way]
             found[f"{name}.{word}"] = f"{composition.pick('', '', '', '-')}{composition.letters.new(word[0], unit)}"
-        if way == PLANE or (way == ROLL and composition.has("contact")):
+        if way == PLANE or (way == ROLL and composition.has("contact") and name not in composition.gripped):
             found[f"{name}.angular_velocity"] = composition.letters.new("w", "rad/s")
     return found
 
@@ -85,6 +85,9 @@ def moving(composition: Composition) -> bool | None:
 
 
 def later(composition: Composition) -> bool | None:
+    """So long after; where a pendulum is then no closed form tells, so that it is not told so often."""
+    if composition.ways["one"] == SWING and composition.often(0.8):
+        return False
     return states(
         composition, first(composition, moving=composition.often(0.5)), {"time": composition.letters.new("t1", "s")}
     )
@@ -92,6 +95,8 @@ def later(composition: Composition) -> bool | None:
 
 def farther(composition: Composition) -> bool | None:
     way = composition.ways["one"]
+    if "one" in composition.tied:
+        return False
     start = first(composition, moving=composition.often(0.4))
     if way == SWING:
         return states(composition, start, {"one.angle": composition.pick("-90 deg", "10 deg", "-20 deg", "45 deg")})
@@ -104,7 +109,7 @@ def farther(composition: Composition) -> bool | None:
 
 def stops(composition: Composition) -> bool | None:
     way = composition.ways["one"]
-    if way not in SPEED:
+    if way not in SPEED or "one" in composition.tied:
         return False
     return states(composition, first(composition, moving=True), {f"one.{SPEED[way][0]}": "0"})
 
@@ -114,7 +119,9 @@ def balanced(composition: Composition) -> bool | None:
     if "events" in composition.sections or composition.loose:
         return False
     kind, way = composition.kinds["one"], composition.ways["one"]
-    if way == PLANE or (way == ROLL and kind.word == "loaded wheel"):
+    if way == PLANE or (way == ROLL and (kind.word == "loaded wheel" or not composition.has("rolls"))):
+        return False
+    if SWING in [other for name, other in composition.ways.items() if name != "one"] or composition.has("shaft"):
         return False
     held = {"couple": "unknown", "on": "one"}
     if way in (LINE, ROLL):

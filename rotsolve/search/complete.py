@@ -10,6 +10,7 @@ from itertools import islice
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
+from rotsolve.confirm.course.astray import LetsGo, MeetAgain
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.verdict import SAME, SETS, sets_of_numbers
@@ -22,13 +23,14 @@ from rotsolve.paths.meaning import NotYet
 
 COMPLETE = "nothing is missing in the scene, and nothing in it contradicts the rest: an assembly of all bodies' equations has an answer"
 TOLD = "nothing is missing in the scene: it tells how all bodies stand and move at first, and the laws how they go on"
+PARTED = "what comes after that is another motion: ask of what is before it, or end the phase there"
 INSTANTS = 2000  # of one body, that a set of numbers may cost
 STIR = 0.1  # radians, or rates, of what nothing tells
 VARYING = "the accelerations vary"
 
 
 def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: bool) -> Fault | None:
-    """What is not solved, where the assembly answers one of some questions; None where it does not.
+    """What is not solved, where the assembly answers one of some questions, or knows what happens before; None where it does not.
 
     `whole` asks that it follows all states, as it has to where they are said to contradict each other.
     """
@@ -43,7 +45,22 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
                 alone = "" if law is None else f" by {FAMILIES[law].words} alone"
                 message = f"`{find.name}` is not solved by these laws{alone}: {hurdle(course, find)}"
                 return Fault(message, find.span, help, "unsolvable")
+            if other_way := parting(course, find):
+                return Fault(f"`{find.name}` is not solved by these laws: {other_way}", find.span, PARTED, "unsolvable")
     return None
+
+
+def parting(course: Course, find: Find) -> str:
+    """What lets go, or meets again, before the states that a question is about, where it certainly does; '' where nothing does."""
+    if any(given.value is None for given in course.problem.givens):
+        return ""
+    try:
+        Asker(course.problem, course).answer(find, {})
+    except (LetsGo, MeetAgain) as reason:
+        return str(reason)
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return ""
+    return ""
 
 
 def courses(problem: Problem) -> Iterator[tuple[Course, Course]]:

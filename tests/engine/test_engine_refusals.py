@@ -250,3 +250,29 @@ find: {w1: one.angular_velocity at mid}
 def test_an_answer_that_holds_what_nothing_tells_is_none(text: str, message: str) -> None:
     with pytest.raises(Unsolvable, match=message):
         solve(text)
+
+
+LETS_GO = {  # complete scenes in which something that only pushes or pulls would have to do the opposite on the way
+    "base": """
+surfaces: {floor: level}
+bodies: {cart: {mass: 1 kg, moves: right}, arm: {shape: rod, mass: 3 kg, length: 1 m}}
+connections: {base: {contact: [cart, floor]}, pin: {hinge: [cart, arm.start]}}
+states: {start: {arm.angle: 0, arm.angular_velocity: 12 rad/s, cart.velocity: 0}, end: {time: 0.3 s}}
+find: {w: arm.angular_velocity at end}
+""",
+    "cord": """
+bodies: {ring: {shape: ring, mass: 4 kg, radius: 50 cm, moves: up}, plate: {shape: rectangle, mass: 2 kg, sides: [80 cm, 40 cm]}}
+connections: {cord: {string: [ring, ceiling]}, joint: {hinge: [ring.top, plate.center]}}
+actions: {twist: {couple: 8 N m, on: ring}}
+states: {start: {plate.angle: -40 deg, at rest: all}, end: {ring.displacement: 1.5 m}}
+find: {a: ring.acceleration at end}
+""",
+}
+
+
+@pytest.mark.parametrize("name", LETS_GO)
+def test_what_lets_go_on_the_way_is_named_and_the_data_are_not_blamed(name: str) -> None:
+    with pytest.raises(Unsolvable) as refused:
+        solve(f"title: {name}{LETS_GO[name]}")
+    assert f"`{name}` lets go on the way from `start` to `end`" in refused.value.fault.message
+    assert refused.value.fault.kind == "unsolvable"
