@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Sum, add, multiply, negate, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, Sum, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
 from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, signed, square
@@ -131,9 +131,11 @@ def torque_about(point: Vector, force: Force) -> Formula:
 
 
 def torques(body: BodyFacts) -> list[Formula]:
-    """Torques about the reference, positive along the body's declared turn."""
+    """Torques about the reference, positive along the body's declared turn; weights that balance about it turn nothing."""
     sense = body.motion.sense
-    arms = [signed(body.torque_of(force), sense) for force in body.forces]
+    weights = [body.torque_of(force) for force in body.forces if force.role.weighs]
+    balanced = len(weights) > 1 and is_zero(total(weights))
+    arms = [signed(body.torque_of(force), sense) for force in body.forces if not (balanced and force.role.weighs)]
     return [torque for torque in (*arms, *(signed(couple.torque, sense) for couple in body.couples)) if torque != ZERO]
 
 

@@ -136,3 +136,40 @@ find: {u: rod.cm.velocity.x at end}
 """
     with pytest.raises(Unsolvable, match="not solved by these laws"):
         solve(scene)
+
+
+@pytest.mark.parametrize("spindle", ["axle: [roller, wheel]", "hinge: [roller.center, wheel.center]"])
+@pytest.mark.parametrize(("base", "spin"), [("rolls: [roller, floor]", 1.5), ("contact: [roller, floor]", 1.0)])
+@pytest.mark.parametrize("moves", ["left", "right"])
+def test_a_wheel_on_the_axle_of_what_rolls_goes_along_steadily(
+    spindle: str, base: str, spin: float, moves: str
+) -> None:
+    scene = f"""title: Wheel on the axle of a roller
+surfaces: {{floor: level}}
+bodies: {{roller: {{shape: disc, mass: 4 kg, radius: 0.5 m, moves: {moves}}}, wheel: {{shape: ring, mass: 2 kg, radius: 0.3 m}}}}
+connections: {{base: {{{base}}}, spindle: {{{spindle}}}}}
+actions: {{push: {{force: 16 N, on: roller, direction: {moves}}}, twist: {{couple: 0.9 N m, on: wheel}}}}
+states: {{start: {{at rest: all}}, end: {{time: 3 s}}}}
+find: {{v: roller.velocity at end, w: wheel.angular_velocity at end, K: wheel.kinetic_energy at end}}
+"""
+    a, spun = 16 / (4 * spin + 2), 0.9 / (2 * 0.09) * 3
+    truth = {"v": 3 * a, "w": spun, "K": (3 * a) ** 2 + 0.09 * spun**2}
+    assert answers(scene) == pytest.approx(truth, rel=1e-9)
+
+
+@pytest.mark.parametrize("points", ["disc.top, rod.start", "rod.center, disc.bottom", "disc.rim, rod.end"])
+def test_weights_turn_nothing_about_the_centre_of_mass_of_all(points: str) -> None:
+    """However it stands, which nothing tells."""
+    scene = f"""title: Rod welded to a disc, thrown up with a couple on it
+given: {{R: 1 m, M: 3.4 kg, L: 0.71 m, m: 4.5 kg, Q: 4.6 N m}}
+bodies: {{disc: {{shape: disc, mass: M, radius: R}}, rod: {{shape: rod, mass: m, length: L}}}}
+connections: {{bolt: {{weld: [{points}]}}}}
+actions: {{twist: {{couple: Q, on: disc}}}}
+states: {{start: {{at rest: all}}}}
+find: {{a: disc.angular_acceleration at start}}
+"""
+    R, M, L, m = 1.0, 3.4, 0.71, 4.5
+    spots = {"top": (0, R), "bottom": (0, -R), "rim": (R, 0), "start": (-L / 2, 0), "end": (L / 2, 0), "center": (0, 0)}
+    (x, y), (u, v) = (spots[point.split(".")[1]] for point in points.split(", "))
+    apart = M * m / (M + m) * ((x - u) ** 2 + (y - v) ** 2)
+    assert answers(scene) == pytest.approx({"a": 4.6 / (M * R**2 / 2 + m * L**2 / 12 + apart)}, rel=1e-9)

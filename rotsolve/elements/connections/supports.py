@@ -131,7 +131,8 @@ class Hinge(Driven, frozen=True):
         return self.hinge[-1:] if grounded else ()
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        return super().pace(configuration, state) if self.fixed_points() else "position"
+        steady = self.fixed_points() or goes_straight(self.joint(), configuration, state)
+        return super().pace(configuration, state) if steady else "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         yield from self.couples(instant)
@@ -216,10 +217,7 @@ class Mounted(Axle, frozen=True):
         return ()
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        """Constant on a mount that travels along a line, where the wheels are balanced."""
-        mount = configuration.host(self.mount.owner, state)
-        straight = configuration.line(mount, state) is not None and not configuration.can_turn(mount, state)
-        steady = straight and not any(configuration.swings_round(ref, state) for ref in self.held())
+        steady = goes_straight((self.mount, *self.held()), configuration, state)
         return super().pace(configuration, state) if steady else "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
@@ -293,6 +291,13 @@ class Rides(Connection, frozen=True):
 
     def ride(self) -> Ride:
         return Ride(self.name, self.rides[0], self.rides[1], self.friction == "none")
+
+
+def goes_straight(joint: tuple[PointRef, ...], configuration: Surroundings, state: str) -> bool:
+    """Whether a joint travels along the line of the body that carries it, since it goes round the middle of none."""
+    carrier = configuration.host(joint[0].owner, state)
+    straight = configuration.line(carrier, state) is not None
+    return straight and not any(configuration.swings_round(ref, state) for ref in joint)
 
 
 def reaction(
