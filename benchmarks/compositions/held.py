@@ -71,6 +71,7 @@ def rolls(composition: Composition, name: str) -> bool | None:
     composition.bodies[name]["moves"] = composition.pick(*(("up", "down") if slope else ("left", "right")))
     composition.put("connections", "base", {"rolls": [f"{name}.{rim}" if rim else name, on]})
     composition.ways[name] = ROLL
+    composition.holds_fast(name)
     return None
 
 
@@ -101,7 +102,7 @@ def spring(composition: Composition, name: str) -> bool | None:
     composition.bodies[name]["moves"] = composition.pick("up", "down")
     stiffness = composition.letters.new("k", "N/m")
     composition.put("connections", "coil", {"spring": ["ceiling", name], "stiffness": stiffness})
-    composition.ways[name] = LINE
+    composition.ways[name] = ROLL if composition.kinds[name].rims else LINE  # what is round may turn on it
     return None
 
 

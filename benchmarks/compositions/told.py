@@ -40,7 +40,12 @@ def speeds(composition: Composition) -> Lines:
         if way in SPEED:
             word, unit = SPEED[way]
             found[f"{name}.{word}"] = f"{composition.pick('', '', '', '-')}{composition.letters.new(word[0], unit)}"
-        if way == PLANE or (way == ROLL and composition.has("contact") and name not in composition.gripped):
+        slips = (
+            way == ROLL
+            and (composition.has("contact") or composition.has("spring"))
+            and name not in composition.gripped
+        )
+        if way == PLANE or slips:
             found[f"{name}.angular_velocity"] = composition.letters.new("w", "rad/s")
     return found
 

@@ -161,8 +161,6 @@ def impulse(event: Impulse, pose: Pose, model: Known) -> Blowing:
 
 def collides(event: Collides, pose: Pose, model: Known) -> Blowing:
     """Along the line of approach the points part e times as fast as they came; where no e is told, as the state after says."""
-    if event.friction is not None:
-        raise NotConfirmed(f"`{event.name}`: friction in a collision")
     way = approach(event, pose, model)
     first, second = (
         load(pose.place(ref.owner, model.meeting(ref, pose.q[model.seats[ref.owner].turn])), way)

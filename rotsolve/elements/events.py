@@ -51,7 +51,7 @@ class Collides(Event, frozen=True):
     )
     restitution: Formula | None = amount("coefficient of restitution, 0 to 1", "number", "e", "fraction", default=None)
     friction: Formula | None = amount(
-        "coefficient of friction in the collision", "number", "mu", "nonnegative", default=None
+        "coefficient of friction in the collision", "number", "mu", "nonnegative", default=None, later=True
     )
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:

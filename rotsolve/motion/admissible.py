@@ -146,7 +146,9 @@ def check_rigid(scene: Configuration, state: str) -> None:
             place = scene.seat(ref.owner, state).place(locate(scene.body(ref.owner, state), ref))
             other, first = places.setdefault(host, (ref, place))
             if tidy(place - first).parts:
-                message = f"`{ref.owner}` and `{other.owner}` are one body, which `{item.name}` and another support hold at two points"
+                whole = f"`{ref.owner}` and `{other.owner}` are one body, which"
+                holds = f"`{ref.owner}` is a body that" if other.owner == ref.owner else whole
+                message = f"{holds} `{item.name}` and another support hold at two points"
                 raise Unsolvable(f"{message}: not solved yet", span=ref.span)
         for ref in item.touches() if item.rimmed else ():
             check_hub(ref, item.word, scene, state)

@@ -276,3 +276,20 @@ def test_what_lets_go_on_the_way_is_named_and_the_data_are_not_blamed(name: str)
         solve(f"title: {name}{LETS_GO[name]}")
     assert f"`{name}` lets go on the way from `start` to `end`" in refused.value.fault.message
     assert refused.value.fault.kind == "unsolvable"
+
+
+def test_words_of_one_body_and_of_a_bounce_that_are_not_solved() -> None:
+    """Two hinges on one body are no two bodies; friction between what bounces is refused, and not left out."""
+    rod = "title: Rod\nbodies: {rod: {shape: rod, mass: 2 kg, length: 1 m}, ball: {mass: 1 kg, moves: right}}\n"
+    pins = (
+        "connections: {pin: {hinge: rod.start}, nail: {hinge: rod.end}}\nstates: {now: {rod.angle: 0, at rest: all}}\n"
+    )
+    with pytest.raises(Unsolvable, match="`rod` is a body that `nail` and another support hold at two points"):
+        solve(f"{rod}{pins}find: {{F: pin.force.y at now}}")
+    hit = (
+        "connections: {pin: {hinge: rod.start}}\n"
+        "states: {before: {rod.angle: -90 deg, at rest: rod, ball.velocity: 3 m/s}, after: {}}\n"
+        "events: {hit: {collides: [ball, rod.end], restitution: 0.5, friction: 0.3, from: before, to: after}}\n"
+    )
+    with pytest.raises((SceneError, Unsolvable), match="`friction` is not solved yet"):
+        solve(f"{rod}{hit}find: {{w: rod.angular_velocity at after}}")
