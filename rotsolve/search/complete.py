@@ -45,12 +45,12 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
                 alone = "" if law is None else f" by {FAMILIES[law].words} alone"
                 message = f"`{find.name}` is not solved by these laws{alone}: {hurdle(course, find)}"
                 return Fault(message, find.span, help, "unsolvable")
-            if other_way := parting(course, find):
+            if other_way := released_before(course, find):
                 return Fault(f"`{find.name}` is not solved by these laws: {other_way}", find.span, PARTED, "unsolvable")
     return None
 
 
-def parting(course: Course, find: Find) -> str:
+def released_before(course: Course, find: Find) -> str:
     """What lets go, or meets again, before the states that a question is about, where it certainly does; '' where nothing does."""
     if any(given.value is None for given in course.problem.givens):
         return ""

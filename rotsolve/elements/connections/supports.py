@@ -131,7 +131,7 @@ class Hinge(Driven, frozen=True):
         return self.hinge[-1:] if grounded else ()
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        steady = self.fixed_points() or goes_straight(self.joint(), configuration, state)
+        steady = self.fixed_points() or travels_straight(self.joint(), configuration, state)
         return super().pace(configuration, state) if steady else "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
@@ -217,7 +217,7 @@ class Mounted(Axle, frozen=True):
         return ()
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        steady = goes_straight((self.mount, *self.held()), configuration, state)
+        steady = travels_straight((self.mount, *self.held()), configuration, state)
         return super().pace(configuration, state) if steady else "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
@@ -293,7 +293,7 @@ class Rides(Connection, frozen=True):
         return Ride(self.name, self.rides[0], self.rides[1], self.friction == "none")
 
 
-def goes_straight(joint: tuple[PointRef, ...], configuration: Surroundings, state: str) -> bool:
+def travels_straight(joint: tuple[PointRef, ...], configuration: Surroundings, state: str) -> bool:
     """Whether a joint travels along the line of the body that carries it, since it goes round the middle of none."""
     carrier = configuration.host(joint[0].owner, state)
     straight = configuration.line(carrier, state) is not None
