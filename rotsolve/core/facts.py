@@ -202,13 +202,16 @@ class Rule(Struct, frozen=True):
 
 
 class Need(Struct, frozen=True):
-    """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N."""
+    """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N; `placed` where it is about places, which
+    change though all forces stay."""
 
     name: str
     grips: bool = False
+    placed: bool = False
 
 
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
+APART = Need("apart", placed=True)  # of bodies that have met
 
 
 class Requirement(Struct, frozen=True):

@@ -9,12 +9,15 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import MASS, TIME, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
+from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import POSITION, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters, listed
 from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
+from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
 from rotsolve.search.consistency import KnownBalls
+from rotsolve.search.endings import stops
 from rotsolve.search.search import Search
 
 
@@ -79,11 +82,23 @@ def nudged(search: Search) -> Iterator[Check]:
             if travel.before != ZERO or travel.pace != POSITION:
                 continue
             push = search.numbers.push(travel.initial)
-            if push is not None and search.numbers.side(push) == 0:
+            if push is not None and search.numbers.side(push) == 0 and not held_or_taken_along(travel, passage, search):
                 state = spoken(interval.start) or "the start"
                 words = f"nothing moves {spoken(travel.body)} from rest at {state}: the least push decides which way it goes"
                 yield Check((words,), None)
                 break
+
+
+def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> bool:
+    """Whether friction holds a body that nothing moves from rest, or what moves or is pushed takes it along."""
+    scene, state = search.scene, passage.start.state
+    own = [rub for rub in rubs_at(scene.configuration, state) if rub.body == travel.body]
+    if any(scene.modes.get(rub.key) in (STICKS, HOLDS) and stops(rub, search) for rub in own):
+        return True
+    group = next((names for names in passage.groups if travel.body in names), frozenset[str]())
+    others = [other for other in passage.travels if other.body in group and other is not travel]
+    rates = [rate for other in others for rate in (other.before, search.numbers.push(other.initial))]
+    return any(rate is not None and search.numbers.side(search.numbers.with_answers(rate)) for rate in rates)
 
 
 def checks(search: Search, letters: Letters, balls: KnownBalls) -> tuple[Check, ...]:

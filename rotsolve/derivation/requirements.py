@@ -39,7 +39,8 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
     for place, needs in requirements_by_state(search):
         for need in needs:
             event = place in search.scene.encounters
-            key = (need.owner, need.otherwise, place if event else search.scene.section(place))
+            at = place if event or need.kind.placed else search.scene.section(place)
+            key = (need.owner, need.otherwise, at)
             if key in told or not concerns(need, search):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))
@@ -94,6 +95,10 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
     for swing in scene.swings.values():
         if swing.found:
             yield swing.near.state, free_bodies(swing.rest).requirements
+    if any(encounter.closing is not None for encounter in scene.encounters.values()):
+        from rotsolve.derivation.parted import partings
+
+        yield from partings(search)
 
 
 def let_go(search: Search) -> Iterator[Unsolvable]:
@@ -133,6 +138,8 @@ def objection(need: Requirement, state: str, search: Search, letters: Letters) -
     """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
     names = symbols_in(need, search, letters)
     left, right = (side.substitute(names) for side in (need.left, need.right))
+    if need.kind.placed:
+        return (f"{need.otherwise} {spoken(state)}",)
     relation: Words = (right, " ≤ ", left) if need.kind.grips else (left, " > 0")
     moment = f" at {spoken(state)}" if state else ""
     return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
@@ -173,6 +180,8 @@ def holding_words(need: Requirement, search: Search, letters: Letters, settled: 
         size, limit_ = (decimal(side, search) for side in sides)
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
     names = {name for name in need.left.symbols() if is_key(name)}
+    if need.kind.placed:
+        return (need.kept,)
     return (letters.printed(need.left), " > 0: ", need.kept) if names <= set(letters.names) else (need.kept,)
 
 

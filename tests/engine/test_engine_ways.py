@@ -197,3 +197,76 @@ def test_a_state_in_letters_is_reached_where_the_spring_sends_it_back() -> None:
     answer = next(one for one in solve(scene).derivation.answers if one.name == "t")
     assert answer.value is not None
     assert answer.value.float == pytest.approx(pi * sqrt(3 / 60))
+
+
+MET = """
+title: Two blocks that have met, of which the first catches up again
+given: {m: 1 kg, M: 2 kg, u: 3 m/s, e: 0.8, mu: 0.2, T: LATER}
+surfaces: {ice: level}
+bodies: {one: {mass: m, moves: WAY}, two: {mass: M, moves: OTHER}}
+connections: {b1: {contact: [one, ice]}, b2: {contact: [two, ice], friction: mu}}
+states: {before: {one.velocity: u, at rest: two}, after: {}, late: {time: T}}
+events: {hit: {collides: PAIR, restitution: e, from: before, to: after}}
+find: {s: one.displacement from after to late}
+"""
+
+
+@pytest.mark.parametrize("pair", ["[one, two]", "[two, one]"])
+@pytest.mark.parametrize(("way", "other"), [("right", "right"), ("left", "left"), ("right", "left")])
+def test_what_has_bounced_off_is_passed_by_nothing(way: str, other: str, pair: str) -> None:
+    """The first goes on at v₁ = u (1 − 2 e)/3 < 0 or, with e = 0.2, after the second, which friction stops: v₁ T = v₂²/(2 μ g)."""
+    text = MET.replace("WAY", way).replace("OTHER", other).replace("PAIR", pair).replace("e: 0.8", "e: 0.2")
+    one, two = 3 * (1 - 2 * 0.2) / 3, 3 * 1.2 / 3
+    meets = two**2 / (2 * 0.2 * G) / one
+    assert meets > two / (0.2 * G)  # the second stands by then
+    assert numbers(solve(text.replace("LATER", f"{0.98 * meets} s")))["s"] == pytest.approx(one * 0.98 * meets)
+    beyond = text.replace("LATER", f"{1.02 * meets} s")
+    with pytest.raises(Unsolvable, match="meet again"):
+        solve(beyond)
+    assert any(check.holds is False for check in solve(beyond, confirm=False).derivation.checks)
+    found = solve(text.replace("LATER", "s")).derivation.answers[0]
+    for time, said in ((0.98 * meets, True), (1.02 * meets, False)):
+        known = {"m": 1.0, "M": 2.0, "u": 3.0, "e": 0.2, "mu": 0.2, "g": G, "T": time}
+        cases = (found, *found.otherwise)
+        assert any(all(holds(one, known) for one in case.conditions) for case in cases) is said
+
+
+NUDGED = {
+    "a cart that a falling rod takes along": (
+        """
+given: {M: 2 kg, m: 1 kg, L: 1 m}
+surfaces: {rails: level}
+bodies: {cart: {mass: M, moves: right}, rod: {shape: rod, mass: m, length: L}}
+connections: {base: {contact: [cart, rails], friction: none}, pin: {hinge: [cart.center, rod.start]}}
+states: {start: {rod.angle: 0, at rest: all}, low: {rod.angle: -90 deg}}
+find: {V: cart.velocity at low}
+""",
+        False,
+    ),
+    "a wheel that friction holds": (
+        """
+given: {I: 0.2 kg m^2, k: 3 N m/rad, tau: 0.8 N m, th0: 0.1 rad}
+bodies: {wheel: {inertia: I}}
+connections: {axle: {axle: wheel, friction_torque: tau}, wire: {torsion: wheel, stiffness: k}}
+states: {start: {wheel.angle: th0, at rest: all}, end: {time: 10 s}}
+find: {th: wheel.angle at end}
+""",
+        False,
+    ),
+    "a rod that stands on its end": (
+        """
+given: {m: 1 kg, L: 1 m}
+bodies: {rod: {shape: rod, mass: m, length: L}}
+connections: {pin: {hinge: rod.start}}
+states: {start: {rod.angle: 90 deg, at rest: all}, low: {rod.angle: -90 deg}}
+find: {w: rod.angular_velocity at low}
+""",
+        True,
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "decides"), NUDGED.values(), ids=NUDGED)
+def test_the_least_push_decides_only_where_nothing_moves_or_holds_a_body(text: str, decides: bool) -> None:
+    said = ["".join(map(str, check.words)) for check in solve(text).derivation.checks]
+    assert any("the least push decides" in words for words in said) is decides
