@@ -171,8 +171,9 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
     def confirmation() -> tuple[AnswerConfirmation, ...]:
         from rotsolve.confirm.course.verdict import confirmations
 
+        trace = solution.trace
         return confirmations(
-            solution.derivation.answers, whole.problem, solution.trace.letter, partial(may_be, problem)
+            solution.derivation.answers, whole.problem, trace.letter, partial(may_be, problem), trace.points
         )
 
     return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
@@ -201,7 +202,8 @@ def solved_by_cases(
     from rotsolve.search.cases import cases_of
     from rotsolve.search.letterspace import LetterSpace, at_point, numbers_of
 
-    space = LetterSpace(configuration.problem, configuration.signs, configuration.order)
+    rooms = [room for item in configuration.problem.connections for room in item.rooms(configuration)]
+    space = LetterSpace(configuration.problem, configuration.signs, configuration.order, rooms)
     solutions: list[Solution] = []
 
     def solve(point: Mapping[str, Fraction]) -> tuple[Derivation, bool]:
@@ -219,7 +221,9 @@ def solved_by_cases(
         return solutions[0]
     from rotsolve.derivation.cases import with_cases
 
-    return replace(solutions[0], derivation=with_cases(cases, space, more=more))
+    points = tuple(case.point for case in cases if case.found is not None and not case.objected)
+    trace = replace(solutions[0].trace, points=points)
+    return replace(solutions[0], derivation=with_cases(cases, space, more=more), trace=trace)
 
 
 def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:

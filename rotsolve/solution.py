@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -34,6 +35,7 @@ class Trace(Struct, frozen=True):
     case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
     letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
+    points: tuple[Mapping[str, Fraction], ...] = ()  # numbers of which letters the cases of the answers were found
     confirmation: Callable[[], tuple[AnswerConfirmation, ...]] | None = None  # what an assembly says of the answers
 
 

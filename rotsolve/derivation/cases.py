@@ -12,7 +12,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
 from rotsolve.search.cases import Case, Needed
 from rotsolve.search.letterspace import LetterSpace, Proviso, shown
-from rotsolve.search.provisos import Region, each_once, needed, united
+from rotsolve.search.provisos import Region, needed, united
 
 Solved = Case[Derivation]
 
@@ -66,8 +66,9 @@ class CaseTeller(Struct, frozen=True):
         """Where cases of one answer hold, in as few regions as are found; with what their answers need."""
         needs = [needs_within(case) if needing and not case.objected else () for case in own]
         if all(alike_provisos(one, needs[0]) for one in needs):
-            return [each_once(region, needs[0]) for region in self.regions(own)]
-        return [each_once(self.regions([case])[0], extra) for case, extra in zip(own, needs, strict=True)]
+            return [needed((*region, *needs[0]), self.space) for region in self.regions(own)]
+        told = zip(own, needs, strict=True)
+        return [needed((*self.regions([case])[0], *extra), self.space) for case, extra in told]
 
     def regions(self, cases: Sequence[Solved]) -> list[Region]:
         """Where one of some cases holds."""
@@ -95,11 +96,14 @@ class CaseTeller(Struct, frozen=True):
     def failing(self) -> tuple[Check, ...]:
         """Where there is no answer, and why."""
         found: dict[Words, None] = {}
+        alike: dict[Words, list[Solved]] = {}
         for case in self.bad:
             if case.found is not None and any(alike_provisos(case.conditions, one.conditions) for one in self.good):
                 continue  # what it needs is told by the other
-            provisos = self.regions([case])[0]
-            found[(f"if {in_a_line(self.equalities(provisos))} there is no answer: ", *why_no_answer(case))] = None
+            alike.setdefault(why_no_answer(case), []).append(case)
+        for why, cases in alike.items():
+            for region in self.regions(cases):
+                found[(f"if {in_a_line(self.equalities(region))} there is no answer: ", *why)] = None
         for need, cases in self.needing():
             broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
             for region in self.regions(cases):

@@ -18,30 +18,31 @@ def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
         interval = search.scene.configuration.timeline.interval(name)
         if interval is None or encounter.closing is None:
             continue
-        pair = bodies_of(interval, search)
+        pair = meeting_bodies(interval, search)
         closing = search.apart().settled(encounter.closing[0]) if len(pair) == 2 else None
         ahead = search.numbers.side(closing) if closing is not None else None
-        for state, space in spaces(pair, interval, search) if ahead else ():
+        for state, space in ways_apart(pair, interval, search) if ahead else ():
             words = " and ".join(map(spoken, pair))
             left = space if ahead == 1 else -space
             yield state, (Requirement(name, APART, left, ZERO, f"{words} stay apart", f"{words} meet again before"),)
 
 
-def bodies_of(interval: Interval | None, search: Search) -> tuple[str, ...]:
+def meeting_bodies(interval: Interval | None, search: Search) -> tuple[str, ...]:
     """The bodies that take part in an event."""
     points = participants(interval, search.scene.configuration) if interval is not None else ()
     return tuple(ref.owner for ref in points)
 
 
-def spaces(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterator[tuple[str, Formula]]:
+def ways_apart(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterator[tuple[str, Formula]]:
     """How far the second of two has gone beyond the first, along the first's line, by each state up to the next blow between them."""
-    timeline, space = search.scene.configuration.timeline, ZERO
+    timeline = search.scene.configuration.timeline
+    space: Formula = ZERO
     motions = [search.scene.instant(blow.end).motion(name) for name in pair]
     one, two = (motion.heading if motion.kind == "line" and motion.bend is None else None for motion in motions)
     if one is None or two is None or (two - one).sin() != ZERO:
         return
     for interval in timeline.intervals[timeline.order[blow.end] :]:
-        again = set(bodies_of(timeline.after(interval.end), search)) == set(pair)
+        again = set(meeting_bodies(timeline.after(interval.end), search)) == set(pair)
         if interval.event is None:
             ways = [way_in(name, interval, search) for name in pair]
             if ways[0] is None or ways[1] is None:

@@ -307,6 +307,10 @@ class Connection(ActingElement, frozen=True):
         """The body, if any, that it lays on something."""
         return ""
 
+    def rooms(self, scene: Surroundings) -> Iterator[Formula]:
+        """Lengths that are positive where that body fits what it lies on."""
+        return iter(())
+
     def places(self) -> tuple[PointRef, ...]:
         """What that body lies on: surfaces in the order in which they join, or a body."""
         return ()

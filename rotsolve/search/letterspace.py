@@ -142,10 +142,12 @@ class Glance:
 class LetterSpace:
     """What the open letters of a problem may be, and what follows of signs for all that they may be."""
 
-    def __init__(self, problem: Problem, oracle: SignOracle, order: Sequence[str]) -> None:
+    def __init__(
+        self, problem: Problem, oracle: SignOracle, order: Sequence[str], rooms: Iterable[Formula] = ()
+    ) -> None:
         self.letters = {given.name: given for given in open_letters(problem)}
         known = self.letters.keys() | oracle.values.keys()
-        limits = [limit for limit in reaches_of(problem) if limit.symbols() <= known]
+        limits = [limit for limit in (*reaches_of(problem), *rooms) if limit.symbols() <= known]
         self.limits = tuple(limit for limit in limits if limit.symbols() & self.letters.keys())
         self.oracle, self.order, self.problem = oracle, order, problem
         self.acute = {name for name, given in self.letters.items() if is_angle(given)}

@@ -30,6 +30,7 @@ VERGE = 1e-9  # part of a step that is no step at all
 AGAIN = 1e-6  # share of all rates and accelerations within which they are those of the start
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
+NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
 FAR = 1e6  # seconds after which nothing is waited for any more
 SAMPLES = (0.25, 0.5, 0.75, 1.0)
 GAUSS = ((-0.8611363115940526, 0.3478548451374539), (-0.3399810435848563, 0.6521451548625461))
@@ -114,6 +115,11 @@ class NextState:
         self.end_time = self.told_time()
         self.laps: list[Lap] = []
         self.node = first
+        push = max(map(abs, first.pushes), default=0.0)
+        if not any(first.placed.speed) and 0.0 < push < NUDGE * max(self.model.gravity, 1.0):
+            raise NotConfirmed(
+                f"nothing moves what is at rest at `{first.model.acting.state.name}`: the least push decides"
+            )
         if not self.gauges and self.end_time is None:
             raise NotConfirmed(f"nothing tells when `{state.name}` is")
 

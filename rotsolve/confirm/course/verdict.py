@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import chain
 
 from msgspec.structs import replace
 
@@ -65,19 +67,30 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
 
 
 def confirmations(
-    answers: Sequence[Answer], problem: Problem, solved: Solved, admitted: Callable[[Numbers], bool]
+    answers: Sequence[Answer],
+    problem: Problem,
+    solved: Solved,
+    admitted: Callable[[Numbers], bool],
+    points: Sequence[Mapping[str, Fraction]] = (),
 ) -> tuple[AnswerConfirmation, ...]:
-    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object."""
+    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object.
+
+    Cases of letters to which no set belongs that was drawn are tried at the `points` at which they were found.
+    """
     verdicts: dict[str, AnswerConfirmation] = {}
+    seen = set[int]()  # the cases that have been tried
     tried, budget = 0, Budget(BUDGET)
-    for numbers in sets_of_numbers(problem):
+    own = (with_givens(problem, {name: float(size) for name, size in point.items()}) for point in points)
+    for drawn, numbers in chain(((True, one) for one in sets_of_numbers(problem)), ((False, one) for one in own)):
+        cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
+        if budget.left < 0 or (tried == SETS if drawn else cases <= seen):
+            continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, budget)}
         if any(item.holds is False for item in found.values()) and not admitted(numbers):
             continue
         verdicts = {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
-        tried += any(verdict.holds is not None for verdict in found.values())
-        if tried == SETS or budget.left < 0:
-            break
+        if any(verdict.holds is not None for verdict in found.values()):
+            tried, seen = tried + 1, seen | cases
     return tuple(verdicts.values())
 
 
@@ -100,14 +113,21 @@ def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
     """The numbers of the givens; where some have none, several sets drawn for those."""
     open_ = letters_open(problem)
     for number in range(DRAWS if open_ else 1):
-        numbers = {given.name: number_drawn(given, number, place) for place, given in enumerate(open_)}
-        for given in problem.givens:
-            if given.value is not None:
-                try:
-                    numbers[given.name] = float(value_of(given.value, {**problem.values, **numbers}))
-                except (NotConfirmed, ZeroDivisionError, OverflowError):
-                    continue
-        yield numbers
+        yield with_givens(
+            problem, {given.name: number_drawn(given, number, place) for place, given in enumerate(open_)}
+        )
+
+
+def with_givens(problem: Problem, drawn: Numbers) -> Numbers:
+    """Numbers of letters with those of the givens."""
+    numbers = dict(drawn)
+    for given in problem.givens:
+        if given.value is not None:
+            try:
+                numbers[given.name] = float(value_of(given.value, {**problem.values, **numbers}))
+            except (NotConfirmed, ZeroDivisionError, OverflowError):
+                continue
+    return numbers
 
 
 def number_drawn(given: Given, number: int, place: int) -> float:

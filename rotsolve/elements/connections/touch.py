@@ -164,6 +164,14 @@ class Touch(Connection, frozen=True):
                 message = f"`{body.name}` {words} `{surface.name}`"
                 raise Unsolvable(message, span=ref.span, help="check the radii and heights")
 
+    def rooms(self, scene: Surroundings) -> Iterator[Formula]:
+        ref, body = self.pair()[0], scene.bodies.get(self.lying())
+        rim = rim_radius(body, ref.point) if body is not None else None
+        surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
+        for surface in surfaces if rim is not None else ():
+            if isinstance(surface, Curved):
+                yield from (room for room, _ in surface.rooms(rim or ZERO, self.on_flat(scene)))
+
     def held_besides(self, scene: Surroundings) -> Iterator[str]:
         """Strings, springs and the like on the body, and events that join it to another; not while it is on the floor."""
         name, events = self.lying(), scene.problem.events
