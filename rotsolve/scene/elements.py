@@ -266,7 +266,8 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     required = {word: declared for word, declared in keys_of(cls) if declared.required}
     for word, declared in required.items():
         if node.key(word) is None:
-            example = f": `{word}: {declared.example}`" if declared.example else f": {declared.help}"
+            shown = example_here(scope, declared)
+            example = f": `{word}: {shown}`" if shown else f": {declared.help}"
             scope.fault(key, f"`{name}` needs `{word}`", f"add it{example}", "missing")
     found = read_keys(scope, cls, name, entries)
     if not all(word in found or f"{word}_" in found for word in required):
@@ -274,6 +275,15 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     element: Element = cls(name, **found)
     scope.touched[name] = tuple(point.owner for point in points_named(element) if point.owner)
     return element
+
+
+def example_here(scope: Scope, declared: Key) -> str:
+    """The example of a key; of a point on a body one on a body of the scene, the same point where it has that."""
+    owner, dot, point = declared.example.partition(".")
+    if declared.kind != "point" or owner in scope.bodies or not scope.bodies:
+        return declared.example
+    alike = next((name for name in scope.bodies if point in scope.points.get(name, ())), None)
+    return f"{alike}.{point}" if dot and alike is not None else next(iter(scope.bodies))
 
 
 def plain_word(scope: Scope, kind: str, table: list[Any], name: str, node: Text) -> object | None:
