@@ -463,6 +463,11 @@ def check_consistent(search: Search) -> KnownBalls:
         for refusal in let_go(search):
             raise refusal
     configuration = search.scene.configuration
+    if any(given.asked for given in configuration.problem.givens):
+        from rotsolve.search.within import out_of_bounds
+
+        for refusal in out_of_bounds(search):
+            raise refusal
     for value, (sign, question, span) in configuration.supposed.items():
         if configuration.signs.sign(settled_aside(value, search)) != sign:
             raise configuration.undecided(value, question, span)

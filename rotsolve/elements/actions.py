@@ -126,7 +126,7 @@ class Press(Action, frozen=True):
     word = "press"
     about = "a brake block pressed on a rim"
     quantities = ("force", "normal_force", "friction_force", "torque", "work", "power")
-    press: Formula | None = amount("force that presses", "force", "F", varies=True, required=True)
+    press: Formula | None = amount("force that presses", "force", "F", "nonnegative", varies=True, required=True)
     on: PointRef | None = key("point", "the rim", required=True, example="wheel.rim")
     friction: Formula | None = amount("coefficient of friction", "number", "mu", "nonnegative", required=True)
 

@@ -34,10 +34,15 @@ def is_angle(given: Given) -> bool:
 
 def limited_letters(problem: Problem) -> dict[str, str]:
     """Letters that stand alone where the scene takes only values within limits, with these: the radius of a wheel, the angle of a slope."""
-    elements = (*problem.surfaces, *problem.connections, *problem.actions, *problem.events)
-    limited = [entry for body in problem.bodies for entry in body_sizes(body)]
-    limited += [entry for element in elements for entry in limits_of(element)]
-    return {value.name: limits for value, limits in limited if isinstance(value, Symbol)}
+    return {value.name: limits for _, value, limits in limited_values(problem) if isinstance(value, Symbol)}
+
+
+def limited_values(problem: Problem) -> Iterator[tuple[str, Formula, str]]:
+    """What a scene takes only within limits: whose it is, its value, and the limits."""
+    for body in problem.bodies:
+        yield from ((body.name, value, limits) for value, limits in body_sizes(body) if isinstance(value, Formula))
+    for element in (*problem.surfaces, *problem.connections, *problem.actions, *problem.events):
+        yield from ((element.name, value, limits) for value, limits in limits_of(element) if isinstance(value, Formula))
 
 
 def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:

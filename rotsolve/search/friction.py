@@ -22,6 +22,7 @@ from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Find, Problem
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.positive import limits_of
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
 from rotsolve.plan import PATIENCE
 from rotsolve.questions.find import Asked
@@ -237,7 +238,10 @@ class Trials:
             if holds:
                 return moving
             told = told or known
-        return {rub.key: rub.mode(0) for rub in group} if told else {}
+        if told:
+            return {rub.key: rub.mode(0) for rub in group}
+        free = without_asked(group, self.configuration.problem)  # asked friction is against the way they would go without
+        return {} if free is None else Trials(Configuration(free)).by_motion(group)
 
     def by_trial(self, group: list[Rub]) -> dict[str, str]:
         """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where
@@ -314,6 +318,19 @@ class Trials:
                 break
         words: Words = () if value is None else (f"{spoken(rub.name)} speeds up by ", signed(value, sense))
         return None if number is None else number * sense, words
+
+
+def without_asked(group: Sequence[Rub], problem: Problem) -> Problem | None:
+    """The problem without the friction of a group that is asked for; None where none of it is."""
+    asked = {given.name for given in problem.givens if given.asked and given.trial is None}
+    names = {rub.owner for rub in group}
+    own = [item for item in (*problem.connections, *problem.actions) if item.name in names] if asked else []
+    values = [value for item in own for value, limits in limits_of(item) if limits == "nonnegative"]
+    letters = {name for value in values if isinstance(value, Formula) for name in value.symbols()} & asked
+    if not letters:
+        return None
+    free = [replace(item, value=ZERO, asked=False) if item.name in letters else item for item in problem.givens]
+    return replace(problem, givens=tuple(free))
 
 
 def ways_of(count: int) -> list[tuple[int, ...]]:

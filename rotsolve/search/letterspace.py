@@ -76,18 +76,22 @@ def open_letters(problem: Problem) -> tuple[Given, ...]:
 def reaches_of(problem: Problem) -> tuple[Formula, ...]:
     """What is not negative in every scene that can be: a rod reaches as far as the points that are named on it, and friction that holds
     is no weaker than friction that slips."""
-    shapes = {body.name: body.shape for body in problem.bodies if body.shape is not None and body.shape.slender}
-    found = dict[Formula, None]()
-    for ref in references((problem.connections, problem.actions, problem.states, problem.events, problem.finds)):
-        shape = shapes.get(ref.owner) if ref.point == "at" else None
-        whole = shape.reach() if shape is not None else None
-        if ref.argument is not None and whole is not None:
-            found[simplify(whole - ref.argument)] = None
+    found = {simplify(whole - place): None for _, place, whole in places_on_rods(problem)}
     for item in problem.connections:
         static, kinetic = item.static(), item.kinetic()
         if static is not None and kinetic is not None:
             found[simplify(static - kinetic)] = None
     return tuple(limit for limit in found if limit.symbols())
+
+
+def places_on_rods(problem: Problem) -> Iterator[tuple[str, Formula, Formula]]:
+    """The places that are named on rods: whose, how far from its start, and how far it reaches."""
+    shapes = {body.name: body.shape for body in problem.bodies if body.shape is not None and body.shape.slender}
+    for ref in references((problem.connections, problem.actions, problem.states, problem.events, problem.finds)):
+        shape = shapes.get(ref.owner) if ref.point == "at" else None
+        whole = shape.reach() if shape is not None else None
+        if ref.argument is not None and whole is not None:
+            yield ref.owner, ref.argument, whole
 
 
 def at_point(problem: Problem, point: Mapping[str, Formula]) -> Problem:
