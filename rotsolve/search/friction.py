@@ -240,7 +240,7 @@ class Trials:
             told = told or known
         if told:
             return {rub.key: rub.mode(0) for rub in group}
-        free = without_asked(group, self.configuration.problem)  # asked friction is against the way they would go without
+        free = without_asked(group, self.configuration.problem)
         return {} if free is None else Trials(Configuration(free)).by_motion(group)
 
     def by_trial(self, group: list[Rub]) -> dict[str, str]:
@@ -321,7 +321,7 @@ class Trials:
 
 
 def without_asked(group: Sequence[Rub], problem: Problem) -> Problem | None:
-    """The problem without the friction of a group that is asked for; None where none of it is."""
+    """The problem without the friction of a group that is asked for, which is against the way they would go then; None where none is."""
     asked = {given.name for given in problem.givens if given.asked and given.trial is None}
     names = {rub.owner for rub in group}
     own = [item for item in (*problem.connections, *problem.actions) if item.name in names] if asked else []
