@@ -12,7 +12,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
 from rotsolve.search.cases import Case, Needed
 from rotsolve.search.letterspace import LetterSpace, Proviso, shown
-from rotsolve.search.provisos import Region, needed, united
+from rotsolve.search.provisos import Region, follows, needed, united
 
 Solved = Case[Derivation]
 
@@ -107,6 +107,8 @@ class CaseTeller(Struct, frozen=True):
         for need, cases in self.needing():
             broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
             for region in self.regions(cases):
+                if follows(need.proviso, region, self.space):
+                    continue  # it can not fail there
                 line = in_a_line(self.equalities(needed((*region, broken), self.space)))
                 found[(f"if {line} there is no answer: ", *need.failing)] = None
         if self.more:

@@ -314,3 +314,31 @@ find: {v: block.velocity at back}
 """
     found = solve(text).derivation
     assert [item.holds for item in found.confirmed] == [True]
+
+
+def test_what_lies_on_two_surfaces_moves_along_one_of_them() -> None:
+    """A roller that spins between floor and wall: α = −2 μ g (1 + ν)/(R (1 + μ ν))."""
+    text = """
+title: Spinning between floor and wall
+given: {m: 2 kg, R: 10 cm, mu: 0.2, nu: 0.3, w: 30 rad/s}
+surfaces: {floor: level, side: {wall: right}}
+bodies: {roller: {shape: cylinder, mass: m, radius: R, moves: right, turns: clockwise}}
+connections: {foot: {contact: [roller, floor], friction: mu}, top: {contact: [roller, side], friction: nu}}
+states: {start: {roller.velocity: 0, roller.angular_velocity: w}, end: {roller.angular_velocity: 0}}
+find: {al: roller.angular_acceleration at start}
+"""
+    assert numbers(solve(text))["al"] == pytest.approx(-2 * 0.2 * G * 1.3 / (0.1 * 1.06))
+
+
+def test_no_line_of_letters_speaks_of_what_can_not_be() -> None:
+    """The load pulls up to the slope's top only where friction is small: the string can not go slack there."""
+    text = """
+given: {m: kg, M: kg, beta: rad, mu: number}
+surfaces: {ramp: {slope: beta, down: left}}
+bodies: {block: {mass: m, moves: up}, pulley: {mass: 0, radius: 10 cm}, load: {mass: M, moves: down}}
+connections: {touch: {contact: [block, ramp], friction: mu}, axle: {axle: pulley}, rope: {string: [block, pulley, load]}}
+find: {a: load.acceleration}
+"""
+    found = solve(text).derivation
+    assert len(found.answers[0].otherwise) == 2
+    assert [check for check in found.checks if check.holds is None] == []

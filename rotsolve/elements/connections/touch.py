@@ -89,9 +89,11 @@ class Touch(Connection, frozen=True):
         self.check_way(scene)
 
     def check_way(self, scene: Surroundings) -> None:
-        """What lies on a surface all the time moves along it."""
+        """What lies on a surface all the time, and on nothing else, moves along it."""
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         states = scene.throughout(self.name)
+        if any(item.lying() == self.lying() and item is not self for item in scene.problem.connections):
+            return
         if body is None or body.moves is None or not self.rests(body) or not states:
             return
         surface = self.surface(scene, states[0])
