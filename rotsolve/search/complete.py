@@ -13,7 +13,8 @@ from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.astray import LetsGo, MeetAgain
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Budget, OverBudget
-from rotsolve.confirm.course.verdict import SAME, SETS, sets_of_numbers
+from rotsolve.confirm.course.samples import SETS, sets_of_numbers
+from rotsolve.confirm.course.verdict import SAME
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.writing import spoken

@@ -321,9 +321,10 @@ class Trials:
 
 
 def without_asked(group: Sequence[Rub], problem: Problem) -> Problem | None:
-    """The problem without the friction of a group that is asked for, which is against the way they would go then; None where none is."""
+    """The problem without the friction of axles and brakes that is asked for, which is against the way they would go then; None where
+    none is."""
     asked = {given.name for given in problem.givens if given.asked and given.trial is None}
-    names = {rub.owner for rub in group}
+    names = {rub.owner for rub in group if rub.contact is None}
     own = [item for item in (*problem.connections, *problem.actions) if item.name in names] if asked else []
     values = [value for item in own for value, limits in limits_of(item) if limits == "nonnegative"]
     letters = {name for value in values if isinstance(value, Formula) for name in value.symbols()} & asked

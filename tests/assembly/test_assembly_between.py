@@ -9,7 +9,7 @@ import pytest
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Budget
-from rotsolve.confirm.course.verdict import sets_of_numbers
+from rotsolve.confirm.course.samples import sets_of_numbers
 from rotsolve.motion.complete import configured
 from rotsolve.scene.read import read_source
 

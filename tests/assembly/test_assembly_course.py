@@ -10,7 +10,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Budget
-from rotsolve.confirm.course.verdict import sets_of_numbers
+from rotsolve.confirm.course.samples import sets_of_numbers
 from rotsolve.motion.complete import configured
 from rotsolve.scene.read import read_source
 

@@ -9,7 +9,8 @@ import pytest
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Budget
-from rotsolve.confirm.course.verdict import BUDGET, sets_of_numbers
+from rotsolve.confirm.course.samples import sets_of_numbers
+from rotsolve.confirm.course.verdict import BUDGET
 from rotsolve.motion.complete import configured
 from rotsolve.scene.read import read_source
 

@@ -38,9 +38,8 @@ def reasons(found: Solution) -> list[str]:
 def test_bodies_that_may_meet_again_are_not_confirmed(pull: str, pulled: str, meet: bool) -> None:
     """The one behind is pulled after the other and passes it if time is long enough; the other way round it never does."""
     found = solve(BALLS.format(heavier="2 kg", e="0.5", pull=pull, pulled=pulled))
-    said = reasons(found)
-    assert bool(said) == meet
-    assert all("meet again on the way from `after` to `late`" in why and "T = " in why for why in said)
+    said = [*reasons(found), *("".join(map(str, check.words)) for check in found.checks if check.holds is None)]
+    assert any("meet again" in why for why in said) == meet
 
 
 def test_a_grip_that_a_stiff_spring_overcomes_is_not_taken_to_hold() -> None:
@@ -51,3 +50,53 @@ def test_a_grip_that_a_stiff_spring_overcomes_is_not_taken_to_hold() -> None:
         assert "not confirmed" in str(error)
         return
     assert found.derivation.answers[0].conditions or reasons(found)
+
+
+HUMP = """
+title: A disc with a lump is turned to the top by a couple
+given: {M: kg, m: kg, R: m, Q: N m}
+bodies: {disc: {shape: disc, mass: M, radius: R, points: {P: [0, -R]}}, lump: {mass: m}}
+connections: {ax: {axle: disc}, glue: {weld: [disc.P, lump]}}
+actions: {motor: {couple: Q, on: disc}}
+states: {start: {disc.angle: -90 deg, at rest: all}, top: {disc.angle: 90 deg}}
+find: {w: disc.angular_velocity at top}
+"""
+WELL = """
+title: A push that first fades and then grows again
+given: {m: kg, F: N, k: N/m, d: m}
+surfaces: {floor: level}
+bodies: {box: {mass: m, moves: right}}
+connections: {base: {contact: [box, floor], friction: none}}
+actions: {push: {force: F - k*box.displacement + k*box.displacement^2/d, on: box, direction: right}}
+states: {start: at rest, far: {box.displacement: 2*d}}
+find: {v: box.velocity at far}
+"""
+LOOP = """
+title: A bead in a loop, over the highest place down to the far side
+given: {m: kg, R: m, u: m/s}
+surfaces: {loop: {hollow: R}}
+bodies: {bead: {mass: m, moves: right}}
+connections: {touch: {contact: [bead, loop], friction: none}}
+states: {start: {touch.angle: -90 deg, bead.velocity: u}, far: {touch.angle: 180 deg}}
+find: {v: bead.velocity at far}
+"""
+CRATE = """
+title: A crate pushed at its upper corner
+given: {M: kg, b: m, h: m, F: N, mu: number}
+surfaces: {floor: level}
+bodies: {crate: {shape: rectangle, mass: M, sides: [b, h], moves: right}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+actions: {push: {force: F, on: crate.corner3, direction: right}}
+find: {a: crate.acceleration}
+"""
+
+
+@pytest.mark.parametrize("scene", [HUMP, WELL, LOOP, CRATE], ids=["hump", "well", "loop", "crate"])
+def test_what_can_fail_between_is_said(scene: str) -> None:
+    """Only right inside the edges of what is printed, or for rare sizes, does it turn back, let go or tip: no such answer is confirmed."""
+    try:
+        found = solve(scene)
+    except Unsolvable as error:
+        assert "not solved" in str(error) or "not confirmed" in str(error)
+        return
+    assert any("not so with" in why for why in reasons(found))

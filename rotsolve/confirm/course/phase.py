@@ -162,10 +162,11 @@ class NextState:
         raise NotConfirmed(f"`{self.state.name}` is not reached")
 
     def recurs(self, lap: Lap) -> bool:
-        """Whether all is as it was at the start: the first gauge, all rates and accelerations; then it goes on so for ever."""
+        """Whether all is as it was after the first lap: the first gauge, all rates and accelerations; then it goes on so for ever."""
         if not self.gauges or self.gauges[0].passing or self.end_time is not None or len(lap.step.pushes) == 1:
             return False
-        origin = self.gauges[0].value(self.first)
+        before = instant(self.first, self.laps[0], 1.0)
+        origin = self.gauges[0].value(before)
 
         def gone(at: Node) -> float:
             return self.gauges[0].value(at) - origin
@@ -174,7 +175,7 @@ class NextState:
         if values[0] * values[1] >= 0.0 or lap is self.laps[0]:
             return False
         again = instant(self.first, lap, self.zero(gone, lap, 0.0, 1.0))
-        begun = [(*at.placed.speed, *at.pushes) for at in (self.first, again)]
+        begun = [(*at.placed.speed, *at.pushes) for at in (before, again)]
         size = max(map(abs, begun[0]))
         return all(abs(one - two) <= AGAIN * size for one, two in zip(*begun, strict=True))
 

@@ -9,38 +9,35 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, repeat
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.asked import Asker, related
+from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Astray, Budget
 from rotsolve.confirm.course.reading import Reckoned
+from rotsolve.confirm.course.samples import (
+    SETS,
+    Numbers,
+    holding,
+    letters_open,
+    near_edges,
+    sets_of_numbers,
+    with_givens,
+)
 from rotsolve.confirm.numbers import value_of
-from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Equality, Refusal, Words
+from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, Words
 from rotsolve.core.faults import Fault, Unsolvable
-from rotsolve.language.problem import Find, Given, Problem
+from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
-SETS, DRAWS = 5, 15  # sets of numbers for letters, and how often one is drawn for them
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
+DRAWN, OWN, EDGE = range(3)  # kinds of sets of numbers
 BUDGET = 2500  # instants of one body that a scene may cost
-LIMITS = {  # numbers that are drawn for letters, by what they measure
-    kinds.MASS: (0.5, 5.0),
-    kinds.LENGTH: (0.3, 1.5),
-    kinds.ANGLE: (0.3, 1.2),
-    kinds.NONE: (0.15, 0.7),
-}
-OTHERS = (0.5, 3.0)
-BOUNDED = (kinds.ANGLE, kinds.NONE)
-BEYOND = 3.0  # how far the later sets go beyond the limits, so that they are on both sides of what a size decides
-
-Numbers = Mapping[str, float]
 Solved = Callable[[str], "Formula | float | None"] | None
 
 
@@ -75,18 +72,19 @@ def confirmations(
 ) -> tuple[AnswerConfirmation, ...]:
     """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object.
 
-    Cases of letters to which no set belongs that was drawn are tried at the `points` at which they were found.
+    Cases of letters to which no set belongs that was drawn are tried at the `points` at which they were found, and near their edges.
     """
     verdicts: dict[str, AnswerConfirmation] = {}
     seen = set[int]()  # the cases that have been tried
     tried, budget = 0, Budget(BUDGET)
     own = (with_givens(problem, {name: float(size) for name, size in point.items()}) for point in points)
-    for drawn, numbers in chain(((True, one) for one in sets_of_numbers(problem)), ((False, one) for one in own)):
+    drawn = zip(repeat(DRAWN), sets_of_numbers(problem))
+    for kind, numbers in chain(drawn, zip(repeat(OWN), own), zip(repeat(EDGE), near_edges(problem, answers, points))):
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
-        if budget.left < 0 or (tried == SETS if drawn else cases <= seen):
+        if budget.left < 0 or (kind == DRAWN and tried == SETS) or (kind == OWN and cases <= seen):
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, budget)}
-        if any(item.holds is False for item in found.values()) and not admitted(numbers):
+        if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
             continue
         verdicts = {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
         if any(verdict.holds is not None for verdict in found.values()):
@@ -102,41 +100,6 @@ def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> Ans
 def speaks_for(verdict: AnswerConfirmation) -> int:
     """How much a verdict about one set of numbers says of all."""
     return 3 if verdict.holds is False else 2 if verdict.astray else int(verdict.holds is True)
-
-
-def letters_open(problem: Problem) -> list[Given]:
-    """The letters that have no number and are not asked for."""
-    return [given for given in problem.givens if given.value is None and not given.asked]
-
-
-def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
-    """The numbers of the givens; where some have none, several sets drawn for those."""
-    open_ = letters_open(problem)
-    for number in range(DRAWS if open_ else 1):
-        yield with_givens(
-            problem, {given.name: number_drawn(given, number, place) for place, given in enumerate(open_)}
-        )
-
-
-def with_givens(problem: Problem, drawn: Numbers) -> Numbers:
-    """Numbers of letters with those of the givens."""
-    numbers = dict(drawn)
-    for given in problem.givens:
-        if given.value is not None:
-            try:
-                numbers[given.name] = float(value_of(given.value, {**problem.values, **numbers}))
-            except (NotConfirmed, ZeroDivisionError, OverflowError):
-                continue
-    return numbers
-
-
-def number_drawn(given: Given, number: int, place: int) -> float:
-    """Between the limits of its kind: the same in every run, and spread evenly from set to set; after the first beyond them too."""
-    lowest, highest = LIMITS.get(given.dimension, OTHERS) if given.dimension is not None else OTHERS
-    part = (number * 0.6180339887 + place * 0.7548776662 + 0.317) % 1.0
-    if number == 0 or given.dimension in BOUNDED:
-        return lowest + (highest - lowest) * part
-    return lowest / BEYOND * math.exp(part * math.log(highest / lowest * BEYOND**2))
 
 
 def at_numbers(
@@ -188,23 +151,6 @@ def judged(find: Find, said: Mapping[str, float | str], asker: Asker, numbers: N
 def asks_for_letter(find: Find) -> bool:
     """Whether the answer itself was put into the scene, so that a line that does not hold speaks against it."""
     return not find.terms and isinstance(find.formula, Symbol)
-
-
-def holding(answer: Answer, numbers: Numbers) -> Answer | None:
-    """The answer of the case that the numbers are of."""
-    for one in (answer, *answer.otherwise):
-        if all(holds(condition, numbers) for condition in one.conditions):
-            return one
-    return None
-
-
-def holds(condition: Equality, numbers: Numbers) -> bool:
-    """Whether a condition holds by a margin at the numbers; not where it speaks of what has none."""
-    try:
-        left, right = (float(value_of(side, numbers)) for side in (condition.left, condition.right))
-    except (NotConfirmed, ArithmeticError, ValueError):
-        return False
-    return related(left, condition.relation, right)
 
 
 def asked_letters(problem: Problem, numbers: Numbers, solved: Solved) -> dict[str, float]:
