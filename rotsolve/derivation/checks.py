@@ -93,7 +93,8 @@ def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> boo
     """Whether friction holds a body that nothing moves from rest, or what moves or is pushed takes it along."""
     scene, state = search.scene, passage.start.state
     own = [rub for rub in rubs_at(scene.configuration, state) if rub.body == travel.body]
-    if any(scene.modes.get(rub.key) in (STICKS, HOLDS) and stops(rub, search) for rub in own):
+    modes = [(rub, scene.modes.get(rub.key, STICKS if rub.item is not None else "")) for rub in own]
+    if any(mode in (STICKS, HOLDS) and stops(rub, search) for rub, mode in modes):
         return True
     group = next((names for names in passage.groups if travel.body in names), frozenset[str]())
     others = [other for other in passage.travels if other.body in group and other is not travel]

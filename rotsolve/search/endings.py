@@ -16,6 +16,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
     from rotsolve.search.holding import InTime, Slipping
 
 MOST = 12  # states that are opened in one scene
+MOST_TURNS = 4  # of them those at which a swing that rubs turns back: each of its half swings is solved on its own
+SIMULATE = "`rotsolve simulate` follows it; or let the scene end before that"
 
 
 class Ending(Struct, frozen=True):
@@ -60,7 +63,8 @@ class Endings(Struct, dict=True):
     def first(self) -> Ending | None:
         """The first phase that its laws do not describe up to its end, with what ends them."""
         for interval in self.configuration.timeline.intervals:
-            found = (self.within(interval) or self.turning(interval)) if interval.event is None else None
+            ways = (self.within, self.turning, self.swinging) if interval.event is None else ()
+            found = next(filter(None, (way(interval) for way in ways)), None)
             if found is not None:
                 return found
         return None
@@ -83,10 +87,42 @@ class Endings(Struct, dict=True):
         if how == NEVER or timeline.state(interval.start).opened:
             why = f"{spoken(travel.body)} comes to rest before, and turns back"
             raise never_reached(interval, self.configuration, why)
-        word = "velocity" if travel.kind == "line" else "angular_velocity"
         senses = tuple((rub.name, 0) for rub in rubs_at(self.configuration, interval.start))
-        line = Condition(Path(travel.body, word), ZERO)
-        return Ending(interval, (line,), senses, "turn", f"{spoken(travel.body)} turns back")
+        return Ending(interval, (turning_line(travel),), senses, "turn", f"{spoken(travel.body)} turns back")
+
+    def swinging(self, interval: Interval) -> Ending | None:
+        """The moment at which a motion that goes by its place and rubs turns back, and its friction with it, before a time that is told."""
+        rubbing = [(rub, self.sense(rub)) for rub in rubs_at(self.configuration, interval.start)]
+        moving = [rub for rub, sense in rubbing if sense and self.configuration.pace(rub.body, rub.state) == POSITION]
+        end = self.configuration.timeline.state(interval.end)
+        timed = any(line.path is not None and line.path.quantity == "time" for line in end.conditions)
+        if self.stuck or not moving or not timed:
+            return None
+        from rotsolve.search.turning import time_to_turn
+
+        passage, body = self.scene.passages[interval.name], moving[0].body
+        travel = next((item for item in passage.travels if item.body == body and item.pace == POSITION), None)
+        if travel is None:
+            return None
+        line, words = turning_line(travel), f"{spoken(body)} turns back"
+        lasts = time_to_turn(interval, line, self.search)
+        left = self.settled(self.scene.instant(interval.end).time() - self.clock(interval.start))
+        if lasts is None or left is None:
+            return None
+        if self.side(lasts) is None:
+            error = NotYet("the numbers do not tell it", help="name a state before that")
+            raise self.not_told(interval, f"when {spoken(body)} turns back", error)
+        if self.side(lasts) != 1 or self.side(left - lasts) != 1:
+            return None
+        if self.search.signs.lacking(left - lasts):
+            error = NotYet(f"{words}, and its friction with it", help="give numbers to the letters")
+            raise self.not_told(interval, "in letters the motion", error)
+        if sum(state.opened == words for state in self.configuration.timeline.states) == MOST_TURNS:
+            error = NotYet(f"{words} more than {MOST_TURNS} times, and its friction with it", help=SIMULATE)
+            raise self.not_told(interval, "the motion", error)
+        tied = self.configuration.component(body, interval.start)
+        senses = tuple((rub.name, 0 if rub.body in tied else sense) for rub, sense in rubbing)
+        return Ending(interval, (line,), senses, "turn", words)
 
     def within(self, interval: Interval) -> Ending | None:
         """What ends first in a phase, where that is before the phase does."""
@@ -333,6 +369,11 @@ def resting_line(rub: Rub) -> Condition:
     if rub.item is None:
         return Condition(Path(rub.body, "angular_velocity"), ZERO)
     return Condition(Path(rub.owner, ""), word="sticks")
+
+
+def turning_line(travel: Travel) -> Condition:
+    """What a state says where a motion turns back."""
+    return Condition(Path(travel.body, "velocity" if travel.kind == "line" else "angular_velocity"), ZERO)
 
 
 def free_name(word: str, problem: Problem) -> str:

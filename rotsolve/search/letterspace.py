@@ -205,7 +205,7 @@ class LetterSpace:
         root = next(iter(roots))
         letter = Symbol(ROOT)
         whole = value.transform(lambda node: letter if node == root else node, "sqrt")
-        if degree(whole, ROOT) != 1:
+        if degree(whole, ROOT) != 1 or any(ROOT in below.symbols() for below in denominators(whole)):
             return None
         free, slope = whole.substitute({ROOT: ZERO}), differentiate(whole, ROOT)
         signs = [self.sure(part) for part in (free, slope)]

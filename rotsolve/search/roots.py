@@ -294,6 +294,9 @@ class RootChoice(Struct, frozen=True):
         if len(moved) < len(real) and moved and self._is_change(name):
             real, dropped = moved, ("the root 0 is the start itself",)
             numbered = [(index, roots[index]) for index, _ in real]
+        if not dropped and len(real) > 1 and len(left := self._left(name, real, roots)) < len(real):
+            real, dropped = left, ("the other root is the start itself",)
+            numbered = [(index, roots[index]) for index, _ in real]
         if len(real) == 1:
             return PickedRoot(real[0][0], dropped)
         if all(self.numbers.side(root - numbered[0][1]) == 0 for _, root in numbered[1:]):
@@ -313,6 +316,17 @@ class RootChoice(Struct, frozen=True):
             return PickedRoot(self._smallest(real, roots), ("the smallest angle",))
         positive = [entry for entry in real if entry[1] >= 0]
         return PickedRoot(self._smallest(positive or real, roots), ("the positive root",))
+
+    def _left(self, name: str, real: list[tuple[int, float]], roots: Sequence[Formula]) -> list[tuple[int, float]]:
+        """Without the place from which a motion along a line sets out from rest, where it is looked for at rest again."""
+        for passage in self.scene.passages.values():
+            for travel in passage.travels:
+                rests = travel.kind == "line" and travel.before == ZERO == travel.after
+                if rests and travel.pace == POSITION and isinstance(travel.end, Symbol) and travel.end.name == name:
+                    start = travel.start and self.numbers.with_answers(travel.start)
+                    left = [(k, number) for k, number in real if not start or self.numbers.side(roots[k] - start) != 0]
+                    return left or real
+        return real
 
     def _expected(self, name: str) -> tuple[int, Words]:
         """The sign that a letter must have, also one that is a multiple of another, as a momentum is of a velocity."""

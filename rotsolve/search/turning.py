@@ -9,6 +9,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -18,6 +19,12 @@ from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import POSITION, has_quantities, is_quantity
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import Condition, State
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.timeline import Interval
+from rotsolve.search.openings import tell_openings
+from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
 Settled = Callable[["Formula | None"], "Formula | None"]
@@ -60,6 +67,23 @@ def way_of(travel: Travel, settled: Settled, search: Search) -> Way | None:
         push = settled(travel.initial)
         sets_out = search.numbers.side(push) if push is not None else None
     return Way(travel, start, end, speed, sets_out or 0)
+
+
+def time_to_turn(interval: Interval, line: Condition, search: Search) -> Formula | None:
+    """How long a phase would last up to where a line holds, which says that something turns back; None where the laws do not tell it.
+
+    It is asked of a scene of its own that ends there.
+    """
+    configuration = search.scene.configuration
+    problem, timeline = configuration.problem, configuration.timeline
+    states = (*timeline.states[: timeline.order[interval.start] + 1], State("#turn", (line,), opened="turns back"))
+    names = {state.name for state in states}
+    events = tuple(event for event in problem.events if {event.from_, event.to} <= names)
+    ended = replace(problem, states=states, events=events, phases=(), finds=())
+    own = Search(SceneEquations(Configuration(ended), search.scene.modes), families_for(None), careful=True)
+    tell_openings(own)
+    passage = next(reversed(own.scene.passages.values()))
+    return own.settled(passage.duration)
 
 
 def stopped(way: Way, search: Search) -> bool:

@@ -17,6 +17,7 @@ from rotsolve.algebra.exact.normal import Fractions, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import (
     ONE,
+    PI,
     ZERO,
     Call,
     Formula,
@@ -170,12 +171,17 @@ class Stretch(Struct, frozen=True):
         slopes = [self._tidy(TWO * c * end + b) for end in (self.lower, self.upper)]
         if sign == -1:
             size = self._tidy(sqrt(b**2 - FOUR * a * c))
-            arcs = [call("asin", self._tidy(negate(slope) / size)) for slope in slopes]
+            arcs = [self._arc(slope, size, at) for slope, at in zip(slopes, (first, last), strict=True)]
             return self._tidy(add(arcs[1], negate(arcs[0])) / sqrt(negate(c)))
         if sign != 1:
             return None
         tops = [add(slope, TWO * sqrt(c) * sqrt(end)) for slope, end in zip(slopes, (first, last), strict=True)]
         return self._tidy(call("log", self._tidy(tops[1] / tops[0])) / sqrt(c))
+
+    def _arc(self, slope: Formula, size: Formula, radicand: Formula) -> Formula:
+        """arcsin(−slope/size): a quarter turn where the root vanishes at that end."""
+        way = self.sign(slope) if radicand == ZERO or self.sign(radicand) == 0 else None
+        return HALF * PI * -way if way else call("asin", self._tidy(negate(slope) / size))
 
     def _negative(self, f: Formula) -> bool:
         """Whether the integrand is negative on the way."""

@@ -144,6 +144,8 @@ class NextState:
                 whole, step = step, self.shortened(step, cut, modes)
                 way = way if step.width >= whole.width * cut * (1.0 - 1e-9) else None  # else it is not there yet
             reached = self.reached(Lap(step, modes)) if cut or lifts else None
+            if cut and reached is None and way is not None and not lifts and self.holds_where(way[1], Lap(step, modes)):
+                return self.ended(Lap(step, modes), way[1])
             if reached is not None and not (lifts and reached > cut + STILL):
                 last = self.shortened(step, reached, modes)
                 if last.width >= step.width * reached * (1.0 - 1e-9):
@@ -321,10 +323,19 @@ class NextState:
             if abs(gauge.value(at)) > HOLDS * gauge.size:
                 raise NotConfirmed(f"`{gauge.words}` does not hold at `{self.state.name}`")
 
-    def ended(self, lap: Lap) -> FollowedPhase:
+    def holds_where(self, stopped: str, lap: Lap) -> bool:
+        """Whether a state is that at which something has just ceased to slip, at the end of a lap: with that all its lines hold."""
+        if self.end_time is not None or not self.gauges:
+            return False
+        at = stilled(instant(self.first, lap, 1.0), stopped)
+        first = self.gauges[0]
+        held = abs(first.value(at)) <= 1e-9 * first.size < abs(first.value(instant(self.first, lap, 0.5)))
+        return held and all(abs(gauge.value(at)) <= HOLDS * gauge.size for gauge in self.gauges[1:])
+
+    def ended(self, lap: Lap, stopped: str = "") -> FollowedPhase:
         """The phase up to where the state is reached."""
         self.laps.append(lap)
-        end = stilled(instant(self.first, lap, 1.0))
+        end = stilled(instant(self.first, lap, 1.0), stopped)
         return FollowedPhase(self.first, self.laps, end, lap.modes)
 
 

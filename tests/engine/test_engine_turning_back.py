@@ -1,0 +1,115 @@
+"""Friction that reverses where what swings turns back: half swing by half swing, against the closed form of each, until it is held."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.pipeline import solve
+
+G = 9.8
+
+
+def values(text: str) -> dict[str, float]:
+    """The answers of a scene, all of them confirmed."""
+    solution = solve("title: by hand\n" + text)
+    assert not solution.refused
+    assert all(item.holds for item in solution.derivation.confirmed)
+    assert not [check for check in solution.derivation.checks if check.holds is None]
+    found = {name: answer.float for name, answer in solution.answers.items()}
+    return {name: number for name, number in found.items() if number is not None}
+
+
+def swung(place: float, speed: float, rate: float, slips: float, holds: float, until: float) -> tuple[float, float]:
+    """Place and speed of x'' = −rate² (x ± slips) after a time, half swing by half swing; at rest where |x| ≤ holds."""
+    if not speed and abs(place) <= holds:
+        return place, 0.0
+    if speed > 0 or (not speed and place < 0):
+        mirrored = swung(-place, -speed, rate, slips, holds, until)
+        return -mirrored[0], -mirrored[1]
+    phase = math.atan2(-speed / rate, place - slips)  # it goes down about the place `slips`, and turns at a phase of π
+    width, left = math.hypot(place - slips, speed / rate), (math.pi - phase) / rate
+    if left >= until:
+        angle = phase + rate * until
+        return slips + width * math.cos(angle), -width * rate * math.sin(angle)
+    return swung(slips - width, 0.0, rate, slips, holds, until - left)
+
+
+WHEEL = """
+bodies: {wheel: {inertia: 0.2 kg m^2%s}}
+connections: {axle: {axle: wheel, friction_torque: 0.8 N m}, wire: {torsion: wheel, stiffness: 3 N m/rad}}
+states: {start: {wheel.angle: %s rad, at rest: all}, end: {time: %s s}}
+find: {th: wheel.angle at end, w: wheel.angular_velocity at end}
+"""
+
+
+@pytest.mark.parametrize("turns", ["", ", turns: clockwise"])
+@pytest.mark.parametrize(
+    ("angle", "until"), [(2.2, 0.7), (2.2, 1.3), (-2.2, 1.3), (-1.0, 1.2), (2.2, 10.0), (0.2, 3.0)]
+)
+def test_a_wheel_on_a_torsion_wire_with_friction_in_its_axle(angle: float, until: float, turns: str) -> None:
+    found = values(WHEEL % (turns, angle, until))
+    expected = swung(angle, 0.0, math.sqrt(3 / 0.2), 0.8 / 3, 0.8 / 3, until)
+    sign = -1 if turns else 1
+    assert (found["th"], sign * found["w"]) == pytest.approx(expected, abs=1e-9)
+
+
+BLOCK = """
+given: {m: 1 kg, k: 100 N/m, mus: 0.6, muk: 0.4}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: %s}}
+connections: {base: {contact: [block, floor], friction: {static: mus, kinetic: muk}}, coil: {spring: [ground, block], stiffness: k}}
+states: {start: {coil.elongation: %s cm, block.velocity: %s m/s}, end: {time: %s s}}
+find: {x: coil.elongation at end, v: block.velocity at end}
+"""
+
+
+@pytest.mark.parametrize("moves", ["right", "left"])
+@pytest.mark.parametrize(("stretch", "speed", "until"), [(30, 0, 0.7), (30, 0, 2.0), (0, 3, 0.4), (0, 3, 0.1)])
+def test_a_block_on_a_spring_on_a_rough_floor(stretch: float, speed: float, until: float, moves: str) -> None:
+    sign = 1 if moves == "right" else -1
+    found = values(BLOCK % (moves, stretch, sign * speed, until))
+    expected = swung(stretch / 100, speed, 10.0, 0.4 * G / 100, 0.6 * G / 100, until)
+    assert (found["x"], sign * found["v"]) == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.parametrize("until", [0.3, 1.5, 8.0])
+def test_a_wheel_that_is_thrown_against_a_couple_that_grows_with_its_rotation(until: float) -> None:
+    found = values(f"""
+bodies: {{wheel: {{inertia: 0.5 kg m^2}}}}
+connections: {{axle: {{axle: wheel, friction_torque: 1 N m}}}}
+actions: {{back: {{couple: -2 N m*wheel.rotation, on: wheel}}}}
+states: {{start: {{wheel.angular_velocity: 4 rad/s}}, end: {{time: {until} s}}}}
+find: {{w: wheel.angular_velocity at end, phi: wheel.rotation from start to end}}
+""")
+    assert (found["phi"], found["w"]) == pytest.approx(swung(0.0, 4.0, 2.0, 0.5, 0.5, until), abs=1e-9)
+
+
+def test_turning_points_that_the_scene_names_are_the_same() -> None:
+    """Each half swing takes π √(I/k), and 2 τ/k off the width."""
+    text = WHEEL % ("", 2.2, 0.3)
+    text = text.replace("end: {", "one: {wheel.angular_velocity: 0}, two: {wheel.angular_velocity: 0}, end: {")
+    found = values(text.replace("find: {", "find: {t: time from one to two, a: wheel.angle at two, "))
+    assert found["t"] == pytest.approx(math.pi * math.sqrt(0.2 / 3))
+    assert found["a"] == pytest.approx(2.2 - 4 * 0.8 / 3)
+    assert found["th"] == pytest.approx(swung(found["a"], 0.0, math.sqrt(3 / 0.2), 0.8 / 3, 0.8 / 3, 0.3)[0])
+
+
+LETTERS = """
+title: letters
+given: {I: kg m^2, k: N m/rad, tau: N m, T: s, th0: rad}
+bodies: {wheel: {inertia: I}}
+connections: {axle: {axle: wheel, friction_torque: tau}, wire: {torsion: wheel, stiffness: k}}
+states: {start: {wheel.angle: th0, at rest: all}, end: {time: T}}
+find: {th: wheel.angle at end}
+"""
+
+
+def test_letters_tell_the_first_half_swing_and_refuse_the_others_by_name() -> None:
+    solution = solve(LETTERS)
+    answer = solution.answers["th"]
+    found = [[str(line) for line in case.conditions] for case in (answer, *answer.otherwise)]
+    assert sorted(found) == [["τ > k th₀"], ["τ ≤ k th₀", "T ≤ π √(I/k)"]]
+    said = " ".join(str(word) for check in solution.derivation.checks if check.holds is None for word in check.words)
+    assert "wheel turns back, and its friction with it" in said
