@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import witnessed
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.core.derivation import Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
@@ -221,9 +221,22 @@ def solved_by_cases(
         return solutions[0]
     from rotsolve.derivation.cases import with_cases
 
+    cases = [replace(case, fault=fairly_refused(case.fault, case.point, problem, law)) for case in cases]
     points = tuple(case.point for case in cases if case.found is not None and not case.objected)
     trace = replace(solutions[0].trace, points=points)
     return replace(solutions[0], derivation=with_cases(cases, space, more=more), trace=trace)
+
+
+def fairly_refused(
+    error: Exception | None, point: Mapping[str, Fraction], problem: Problem, law: str | None
+) -> Exception | None:
+    """Why a case of letters has no answer, as it is or by what the assembly says at its numbers."""
+    if not isinstance(error, Unsolvable) or error.fault.kind != CONTRADICTORY:
+        return error
+    givens = [replace(item, value=Number(point[item.name])) if item.name in point else item for item in problem.givens]
+    at_point = replace(problem, givens=tuple(givens))
+    fault = fair_refusal(error.fault, at_point, [find.name for find in problem.finds], law)
+    return error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help)
 
 
 def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:

@@ -293,9 +293,15 @@ class Results(Struct, frozen=True):
         if answered.asked.vector is not None:
             return heading_words(parts)
         words = self._both_ways(answered)
-        if not any(words) or value is None or not value.sign:
-            return ""
-        return words[0 if value.sign > 0 else 1]
+        sign = self._sign(answered) if value is None else value.sign
+        return words[0 if sign > 0 else 1] if any(words) and sign else ""
+
+    def _sign(self, answered: Answered) -> int | None:
+        """The sign of friction in letters, as far as it is the same for all that they may be: its direction is told by words alone."""
+        find, formula = answered.asked.find, answered.found.formula
+        if formula is None or [term.path.quantity for term in find.terms] != [SIZED] or find.formula != Symbol("#0"):
+            return None
+        return self.search.signs.as_meant(formula)
 
     def _positive(self, answered: Answered) -> str:
         """What a positive value means, in words, where a negative one means something else; friction is told by its size."""

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Answer, Words
@@ -108,7 +108,15 @@ def _pointing(answer: Answer, number: str, digits: int) -> str:
     angle = certified_digits(answer.angle, digits)[0]
     parts = (answer.direction, f"{angle}° to the horizontal" if answer.angle is not None else "")
     said = ", at ".join(filter(None, parts))
-    return f"i.e. {said}" if said and number.startswith("−") else said  # what the minus says, not one more reversal
+    less = number.startswith("−") or (not number and answer.formula is not None and begins_with_less(answer.formula))
+    return f"i.e. {said}" if said and less else said  # what the minus says, not one more reversal
+
+
+def begins_with_less(formula: Formula) -> bool:
+    """Whether a minus stands before all else: −x, −x + y, −x/y."""
+    first = formula.terms[0] if isinstance(formula, Sum) else formula
+    first = first.numerator if isinstance(first, Quotient) else first
+    return isinstance(first, Negative)
 
 
 def _exact_form(answer: Answer) -> Formula | None:

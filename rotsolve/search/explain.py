@@ -170,10 +170,12 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
     from rotsolve.search.proposals import TRIED, leads_on, proposals
 
     worth = search.thorough and search.families == families_for(None) and len(quantities) <= FEW
-    tried = islice(proposals(quantities, scene, asked), TRIED if worth else 0)
-    found = next((item for item in tried if leads_on(item, scene, find, search.families)), None)
-    if found is not None:
-        return found.words
+    for proposal in islice(proposals(quantities, scene, asked), TRIED if worth else 0):
+        if search.ground is None or search.ground.helps_left == 0:
+            break
+        search.ground.helps_left -= 1
+        if leads_on(proposal, scene, find, search.families):
+            return proposal.words
     if quantities and all(item.kind in FORCES for item in quantities):
         return "the laws can not tell these forces apart: leave out a support, or give one of them"
     return "say more: sizes and masses, where each body is at each state, how fast it moves"

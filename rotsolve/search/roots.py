@@ -244,7 +244,9 @@ class FirstReached(Struct, frozen=True):
             return WayToRoot(root, value, start - place if ahead == -1 else place - start)
         gap = place - start if way > 0 else start - place
         turns = self.numbers.whole(gap / TURN) or 0
-        if self.numbers.side(gap - turns * TURN) == 0:
+        rest = gap - turns * TURN
+        found = isinstance(value, Number) and abs(self.numbers.of(rest) or 0.0) < SAME_PLACE  # numerically, as a float
+        if found or self.numbers.side(rest) == 0:
             turns -= 1
         return WayToRoot(root, value, gap - turns * TURN, -way * turns)
 

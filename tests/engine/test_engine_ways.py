@@ -297,7 +297,8 @@ def test_a_ball_in_a_loop_fits_into_it_and_needs_one_condition(shape: str, share
             assert holds(condition, known) is said
     assert all(item.holds for item in found.confirmed)
     lines = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
-    assert len(lines) == 2  # the top is not reached, or the ball leaves the loop there
+    assert len(lines) == 3  # the top is not reached, the ball leaves the loop on the way, or there
+    assert not any("if R ≤ r" in line or "if r " in line for line in lines)
 
 
 def test_every_case_of_letters_is_confirmed_at_the_numbers_at_which_it_was_found() -> None:
@@ -342,3 +343,22 @@ find: {a: load.acceleration}
     found = solve(text).derivation
     assert len(found.answers[0].otherwise) == 2
     assert [check for check in found.checks if check.holds is None] == []
+
+
+CARRIED = """
+given: {m: kg, R: m, A: m/s^2, mu: number}
+surfaces: {floor: level}
+bodies: {plank: {mass: 5 kg, acceleration: [PUSH, 0]}, roller: {shape: cylinder, mass: m, radius: R, moves: WAY, turns: counterclockwise}}
+connections: {below: {contact: [plank, floor]}, touch: {contact: [roller, plank], friction: mu}}
+states: {start: at rest}
+find: {f: touch.friction_force}
+"""
+
+
+@pytest.mark.parametrize("way", ["right", "left"])
+@pytest.mark.parametrize(("push", "side"), [("A", "right"), ("-A", "left")])
+def test_friction_in_letters_says_which_way_it_acts(push: str, side: str, way: str) -> None:
+    """It takes the roller along, whether it holds or slips, and whatever sign it is counted with."""
+    answer = solve(CARRIED.replace("PUSH", push).replace("WAY", way)).derivation.answers[0]
+    assert len(answer.otherwise) == 1
+    assert [case.direction for case in (answer, *answer.otherwise)] == [side, side]

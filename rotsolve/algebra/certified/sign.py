@@ -88,7 +88,8 @@ class SignOracle(Struct, frozen=True):
 
     def as_meant(self, value: Formula) -> int | None:
         """The sign where all letters without a number are positive, which is then supposed of them; None where that does not tell it."""
-        sign = sign_within(value, self.positive | self.trials.keys()) if self.trials else None
+        acute = [name for name, limits in self.limits().items() if limits == ACUTE] if self.trials else []
+        sign = sign_within(value, self.positive | self.trials.keys(), acute) if self.trials else None
         if sign is not None:
             suppose(value, sign)
         return sign
