@@ -37,7 +37,7 @@ SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and tha
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
 DRAWN, OWN, EDGE = range(3)  # kinds of sets of numbers
-BUDGET = 2500  # instants of one body that a scene may cost
+BUDGET = 3000  # instants of one body that a scene may cost
 Solved = Callable[[str], "Formula | float | None"] | None
 
 
