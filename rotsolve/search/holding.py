@@ -50,10 +50,23 @@ class InTime(Struct, frozen=True):
         trials.scene, trials.modes = self.search.scene, dict(self.search.scene.modes)
         first: Slipping | None = None
         for group in trials.moving_together(list(held)):
-            for senses in trials.ways(group):
-                at = self.first_positive(self.gains(senses, trials))
-                if at is not None and (first is None or self.beside.side(at - first.at) == -1):
-                    first = Slipping(senses, at)
+            own = self.of_group(group, trials)
+            if own is not None and (first is None or self.beside.side(own.at - first.at) == -1):
+                first = own
+        return first
+
+    def of_group(self, group: list[Rub], trials: Trials) -> Slipping | None:
+        """What of a group slips first: several at once only where one of them can't alone, since others go with it."""
+        first: Slipping | None = None
+        alone = True
+        for senses in trials.ways(group):
+            if alone and slips(senses) > 1 and trials.stacked(group):
+                break
+            gains = self.gains(senses, trials)
+            alone = alone and bool(gains)
+            at = self.first_positive(gains)
+            if at is not None and (first is None or self.beside.side(at - first.at) == -1):
+                first = Slipping(senses, at)
         return first
 
     def gains(self, senses: Mapping[Rub, int], trials: Trials) -> list[Formula]:
@@ -65,7 +78,7 @@ class InTime(Struct, frozen=True):
         for rub, sense in senses.items():
             value = self.speeding_up(rub, search) if sense else None
             found += [signed(value, sense)] if value is not None else []
-        return found if len(found) == sum(map(abs, senses.values())) else []
+        return found if len(found) == slips(senses) else []
 
     def speeding_up(self, rub: Rub, search: Search) -> Formula | None:
         """The rate of a slip or turn's speed as a function of time."""
@@ -153,3 +166,8 @@ class InTime(Struct, frozen=True):
         if self.end is not None or TIME not in function.symbols() or is_linear_in_time(function):
             return self.beside.zeros(function, start or self.start, self.end or self.start)
         raise NotYet("when it changes its sign is not told while nothing tells how long the phase lasts")
+
+
+def slips(senses: Mapping[Rub, int]) -> int:
+    """How many of those that may slip do."""
+    return sum(map(abs, senses.values()))

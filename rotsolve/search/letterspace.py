@@ -120,6 +120,7 @@ class Glance:
     def __init__(self, space: LetterSpace, point: Point) -> None:
         self.balls = RealBalls({**space.oracle.values, **numbers_of(point)})
         self.told: dict[Formula, int | None] = {}
+        self.implied: dict[tuple[Proviso, Proviso], bool] = {}  # whether the first holds wherever the second does
 
     def sign(self, value: Formula) -> int | None:
         """1 or −1 where it certainly is, 0 where the bits do not tell, None where the formula has no value."""
@@ -161,6 +162,7 @@ class LetterSpace:
         ]()  # letters of which it was needed that they are positive, or acute, though nothing else says so
 
         self.told: dict[Formula, int | None] = {}
+        self.implied: dict[tuple[Proviso, Proviso], bool] = {}  # whether the first holds wherever the second does
 
     # signs
 

@@ -41,6 +41,13 @@ def follows(one: Proviso, others: Sequence[Proviso], space: LetterSpace) -> bool
 
 
 def follows_from(one: Proviso, other: Proviso, space: LetterSpace) -> bool:
+    """Whether one condition holds wherever another does, worked out once."""
+    if (one, other) not in space.implied:
+        space.implied[one, other] = implied(one, other, space)
+    return space.implied[one, other]
+
+
+def implied(one: Proviso, other: Proviso, space: LetterSpace) -> bool:
     if one.same(other) or (not one.strict and one.gap == other.gap):
         return True
     if length(one.gap) + length(other.gap) > LONG:
