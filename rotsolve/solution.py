@@ -201,18 +201,27 @@ class Solution(Struct, frozen=True, dict=True):
         Givens that are left out keep their values. Results are in the answers' units, NaN where a string would go slack, a contact
         open, or a sign on which the scene hangs be another. `certified` gives pairs of arrays, values and bounds on their errors. Where the
         numbers have decided more (what slips, which root is meant) each set is answered by the case that it is of, unless all are to be
-        answered `as_decided` by those of the scene.
+        answered `as_decided` by those of the scene. Else some of the sets, the smallest and largest among them, are held against the
+        assembly of all bodies' equations: NotForMany with the set where it contradicts one.
         """
         from rotsolve.arrays import NotForMany, evaluate_many
 
         valid = None if self.trace.validity is None else self.trace.validity()
         if valid is None:
             raise NotForMany("how the answers were found is not known: solve the scene again")
-        if self.trace.case is not None and not as_decided and (valid.decided or self.by_cases):
+        if as_decided:
+            return evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
+        if self.trace.case is not None and (valid.decided or self.by_cases):
             from rotsolve.arrays.cases import evaluate_by_cases
 
-            return evaluate_by_cases(self.trace.case, self.problem.givens, valid, values, certified)
-        return evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
+            found = evaluate_by_cases(self.trace.case, self.problem.givens, valid, values, certified)
+        else:
+            found = evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
+        from rotsolve.arrays.held import hold_against_assembly
+
+        numbers = {name: result[0] for name, result in found.items()} if certified else found
+        hold_against_assembly(self.problem, self.derivation.answers, self.trace.letter, values, numbers)
+        return found
 
     @property
     def by_cases(self) -> bool:

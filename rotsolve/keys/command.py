@@ -83,6 +83,7 @@ class Problems:
         """One sheet for each variant, with all problems that have an answer; it tells how many are behind."""
         count = max(1, self.request.variants)
         drawn = {name: worked_variants(problem, count, self.request.seed) for name, problem in self.problems.items()}
+        repeating = set[str]()
         for number in range(1, count + 1):
             found: list[tuple[str, Worked]] = []
             for name in [*drawn]:
@@ -92,7 +93,8 @@ class Problems:
                     self.fail(name, error)
                     del drawn[name]
                     continue
-                if variant.repeats == 1 and self.problems[name].vary is not None:
+                if variant.repeats == 1 and self.problems[name].vary is not None and name not in repeating:
+                    repeating.add(name)
                     has = f"{number - 1} different variants" if number > 2 else "one variant only"
                     say(f"note: {self.files[name]} has {has}: from {number} on they come again", follows=False)
                 found.append((name, worked))

@@ -51,7 +51,10 @@ def usable_settings(solver: VariantSolver, seed: int) -> Iterator[tuple[dict[str
     """The different settings that can be used, with their answers."""
     problem = solver.problem
     if problem.vary is None:
-        yield {}, solver.work({})
+        try:
+            yield {}, solver.work({})
+        except Unsuited as error:
+            raise Unsolvable(str(error), file=problem.file) from None
         return
     failures, reason, none = 0, "", True
     for settings in all_settings(problem.vary, seed):

@@ -17,11 +17,13 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.algebra.units.quantities import parse_quantity
+from rotsolve.confirm.course.verdict import against, confirmations
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.symbols import TIME
 from rotsolve.derivation.requirements import ROOT, SLIPS
 from rotsolve.language.problem import Given, Problem
+from rotsolve.motion.complete import configured
 from rotsolve.page.values import certified_digits
 from rotsolve.pipeline import solve_problem
 from rotsolve.scene.read import read_tree
@@ -144,7 +146,13 @@ class VariantSolver:
         self.branches = [Branch(problem)]
 
     def work(self, settings: Mapping[str, str]) -> Worked:
-        """The problem with these settings; Unsuited where it can not be used so."""
+        """The problem with these settings; Unsuited where it can not be used so, or an assembly of all bodies' equations contradicts it."""
+        worked = self.answered(settings)
+        hold_against_assembly(worked)
+        return worked
+
+    def answered(self, settings: Mapping[str, str]) -> Worked:
+        """The problem with these settings by the formulas of its branch, or solved anew."""
         if not settings:
             return worked_anew(self.problem, self.branches[0].solution)
         problem = self.reading.read(settings)
@@ -176,6 +184,14 @@ def worked_anew(problem: Problem, solution: Solution) -> Worked:
     if any(check.holds is False for check in solution.derivation.checks):
         raise Unsuited("a check objects to its answers")
     return Worked(problem, solution.derivation.answers, told_givens(solution), solution, solution)
+
+
+def hold_against_assembly(worked: Worked) -> None:
+    """Unsuited where an assembly of all bodies' equations contradicts an answer: formulas are right only for what they were made."""
+    whole = configured(worked.problem).problem
+    for verdict in confirmations(worked.answers, whole, worked.like.trace.letter, lambda _: True):
+        if verdict.holds is False:
+            raise Unsuited(against(verdict))
 
 
 def told_givens(solution: Solution) -> frozenset[str]:

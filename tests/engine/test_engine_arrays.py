@@ -146,3 +146,23 @@ def test_shapes_are_those_of_the_values() -> None:
     found = solve(ATWOOD).evaluate_many({"m1": np.ones((3, 1)), "m2": np.array([1.0, 2.0])})
     assert found["a"].shape == (3, 2)
     assert found["a"][0, 0] == 0.0
+
+
+def test_sets_are_held_against_the_assembly() -> None:
+    """A crate that slides to rest tips where μ > b/h: no array has numbers for such sets."""
+    crate = solve(
+        """
+title: A tall crate slides to rest
+given: {M: 10 kg, b: 0.3 m, h: 1 m, u: 3 m/s, mu: 0.2}
+surfaces: {floor: level}
+bodies: {crate: {shape: rectangle, mass: M, sides: [b, h], moves: right}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+states: {start: {crate.velocity: u}, end: {crate.velocity: 0}}
+find: {d: crate.displacement from start to end}
+"""
+    )
+    assert crate.evaluate_many({"mu": np.array([0.1, 0.25])})["d"] == pytest.approx([9 / 1.96, 9 / 4.9])
+    for certified in (False, True):
+        with pytest.raises(NotForMany, match=r"contradicts `d` with mu = 0\.4 \(`crate` tips over"):
+            crate.evaluate_many({"mu": np.array([0.1, 0.2, 0.4, 0.2])}, certified=certified)
+    assert len(crate.evaluate_many({"mu": np.array([0.1, 0.4])}, as_decided=True)["d"]) == 2

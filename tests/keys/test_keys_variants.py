@@ -204,3 +204,23 @@ def test_a_variant_is_used_where_the_scene_with_its_values_can_be_solved(name: s
             good.add(value)
     assert 0 < len(good) < len(problem.vary.letters[0].values)
     assert {item.settings["q"] for item in variants(problem, 30, 1)} == good
+
+
+CRATE = """\
+title: A tall crate slides to rest
+given: {M: 10 kg, b: 0.3 m, h: 1 m, u: 3 m/s, mu: MU}
+surfaces: {floor: level}
+bodies: {crate: {shape: rectangle, mass: M, sides: [b, h], moves: right}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+states: {start: {crate.velocity: u}, end: {crate.velocity: 0}}
+find: {d: crate.displacement from start to end}
+"""
+
+
+def test_values_that_the_assembly_contradicts_are_left_out() -> None:
+    """It tips where μ > b/h: no key says how far it slides then, with `vary` or without."""
+    problem = read_text(CRATE.replace("MU", "0.2") + "vary: {mu: [0.2, 0.25, 0.4, 0.5]}\n")
+    drawn = [one for one in variants(problem, 6, 1) if one.repeats is None]
+    assert sorted(one.settings["mu"] for one in drawn) == ["0.2", "0.25"]
+    with pytest.raises(Unsolvable, match="tips over"):
+        list(worked_variants(read_text(CRATE.replace("MU", "0.4")), 1, 1))

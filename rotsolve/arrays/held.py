@@ -1,0 +1,77 @@
+"""Held: of many sets of givens those with the smallest and largest values and some between, held against the assembly of all bodies."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Number
+from rotsolve.arrays import NotForMany
+from rotsolve.confirm.course.asked import Asker
+from rotsolve.confirm.course.following import Course
+from rotsolve.confirm.course.node import Budget
+from rotsolve.confirm.course.samples import with_givens
+from rotsolve.confirm.course.verdict import BUDGET, asked_letters, judged
+from rotsolve.confirm.numbers import value_of
+from rotsolve.core.derivation import Answer
+from rotsolve.core.symbols import TIME
+from rotsolve.language.problem import Problem
+from rotsolve.motion.complete import configured
+
+LOOKS = 12  # sets beside those with the smallest and the largest value of a given
+
+
+def hold_against_assembly(
+    problem: Problem, answers: Sequence[Answer], letter: Any, values: Mapping[str, Any], found: Mapping[str, Any]
+) -> None:
+    """NotForMany, with the set, where the assembly contradicts what some of the sets are answered; `found` in the answers' units."""
+    if TIME in values:
+        return
+    inputs = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in values.values()))
+    columns = {name: column.reshape(-1) for name, column in zip(values, inputs, strict=True)}
+    results = {name: np.asarray(result).reshape(-1) for name, result in found.items()}
+    whole = configured(problem).problem
+    for row in rows_held(columns):
+        point = {name: float(column[row]) for name, column in columns.items()}
+        for name, why in contradicted(
+            whole, answers, letter, point, {key: float(one[row]) for key, one in results.items()}
+        ):
+            numbers = ", ".join(f"{key} = {size:.4g}" for key, size in point.items())
+            raise NotForMany(
+                f"an assembly of all bodies' equations contradicts `{name}` with {numbers}{why}: leave such sets out, or ask `as_decided`"
+            )
+
+
+def rows_held(columns: Mapping[str, Any]) -> list[int]:
+    """The numbers of the sets that are looked at."""
+    size = min((len(column) for column in columns.values()), default=0)
+    chosen = (
+        {int(place) for column in columns.values() for place in (np.argmin(column), np.argmax(column))}
+        if size
+        else set()
+    )
+    return sorted(chosen | {round(part) for part in np.linspace(0, size - 1, min(size, LOOKS))})
+
+
+def contradicted(
+    problem: Problem, answers: Sequence[Answer], letter: Any, point: Mapping[str, float], said: Mapping[str, float]
+) -> Iterator[tuple[str, str]]:
+    """The answers that the assembly contradicts at one set of givens, with the reason; a set without a number says nothing."""
+    set_ = {name: Number(Fraction(size)) for name, size in point.items()}
+    givens = tuple([replace(item, value=set_[item.name]) if item.name in set_ else item for item in problem.givens])
+    own = replace(problem, givens=givens)
+    numbers = with_givens(own, {})
+    known = {**numbers, **asked_letters(own, numbers, letter)}
+    asker = Asker(own, Course(own, known, Budget(BUDGET)))
+    for answer in answers:
+        if not math.isnan(said[answer.name]):
+            factor = 1.0 if answer.unit is None else float(value_of(answer.unit.factor, {}))
+            find = next(find for find in own.finds if find.group == answer.name)
+            verdict = judged(find, {"": said[answer.name] * factor}, asker, numbers)
+            if verdict.holds is False:
+                yield answer.name, "" if verdict.found else f" ({verdict.why})"
