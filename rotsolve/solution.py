@@ -217,10 +217,10 @@ class Solution(Struct, frozen=True, dict=True):
             found = evaluate_by_cases(self.trace.case, self.problem.givens, valid, values, certified)
         else:
             found = evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
-        from rotsolve.arrays.held import hold_against_assembly
+        from rotsolve.arrays.held import hold_sets
 
         numbers = {name: result[0] for name, result in found.items()} if certified else found
-        hold_against_assembly(self.problem, self.derivation.answers, self.trace.letter, values, numbers)
+        hold_sets(self.problem, self.derivation.answers, self.trace.letter, values, numbers)
         return found
 
     @property

@@ -26,7 +26,7 @@ from rotsolve.motion.complete import configured
 LOOKS = 12  # sets beside those with the smallest and the largest value of a given
 
 
-def hold_against_assembly(
+def hold_sets(
     problem: Problem, answers: Sequence[Answer], letter: Any, values: Mapping[str, Any], found: Mapping[str, Any]
 ) -> None:
     """NotForMany, with the set, where the assembly contradicts what some of the sets are answered; `found` in the answers' units."""
@@ -38,7 +38,7 @@ def hold_against_assembly(
     whole = configured(problem).problem
     for row in rows_held(columns):
         point = {name: float(column[row]) for name, column in columns.items()}
-        for name, why in contradicted(
+        for name, why in contradicted_at(
             whole, answers, letter, point, {key: float(one[row]) for key, one in results.items()}
         ):
             numbers = ", ".join(f"{key} = {size:.4g}" for key, size in point.items())
@@ -58,7 +58,7 @@ def rows_held(columns: Mapping[str, Any]) -> list[int]:
     return sorted(chosen | {round(part) for part in np.linspace(0, size - 1, min(size, LOOKS))})
 
 
-def contradicted(
+def contradicted_at(
     problem: Problem, answers: Sequence[Answer], letter: Any, point: Mapping[str, float], said: Mapping[str, float]
 ) -> Iterator[tuple[str, str]]:
     """The answers that the assembly contradicts at one set of givens, with the reason; a set without a number says nothing."""

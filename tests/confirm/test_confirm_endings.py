@@ -15,7 +15,7 @@ from msgspec import Struct
 from rotsolve import Unsolvable
 from rotsolve.core.equation import FAMILIES
 from rotsolve.pipeline import solve
-from tests.confirm.stepping import G, numbers
+from stepping import G, numbers
 
 STEPS = 1500
 SWEEPS = 12  # rounds in which several rubs find their impulses

@@ -8,7 +8,7 @@ import pytest
 
 from rotsolve import Unsolvable
 from rotsolve.pipeline import solve
-from tests.confirm.stepping import numbers
+from stepping import numbers
 
 G = 9.8
 

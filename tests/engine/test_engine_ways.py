@@ -10,7 +10,7 @@ from rotsolve.confirm.course.samples import holds
 from rotsolve.confirm.course.verdict import number_of
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.pipeline import solve
-from tests.confirm.stepping import numbers
+from stepping import numbers
 
 G = 9.8
 PLANK = """
