@@ -174,11 +174,11 @@ def not_mirrored(one: Outcome, other: Outcome, scene: Scene) -> Iterator[str]:
 
 
 def unlike(one: Printed, other: Printed) -> bool:
-    """Whether two answers differ in size, or point the same way where they should point the other."""
+    """Whether two answers differ in size, or say that they point the same way where they should point the other."""
     if one.number is None or other.number is None:
         return False
     largest = max(abs(one.number), abs(other.number), Fraction(1, 10**9))
     if abs(abs(one.number) - abs(other.number)) > RELATIVE * largest:
         return True
     said = [re.sub(r"[^a-z ]", "", words.said) for words in (one, other)]
-    return bool(one.said) and " ".join(SIDES.get(word, word) for word in said[0].split()) != " ".join(said[1].split())
+    return all(said) and " ".join(SIDES.get(word, word) for word in said[0].split()) != " ".join(said[1].split())

@@ -37,7 +37,12 @@ class Instant(Standing, frozen=True, dict=True):
         held = ref.point in ways and (ref.owner, ref.point) in self.configuration.marks(self.state)
         if ref.point in ways and radius is not None and not held:
             return self._from_reference(host, seat.place(NOWHERE)) + vector(radius, ways[ref.point])
-        return self._from_reference(host, seat.place(locate(body, ref)))
+        return self.mark_of(ref)
+
+    def mark_of(self, ref: PointRef) -> Vector:
+        """A point that is fixed to its body, from its host's reference point, in space: of a rim that which was there as drawn."""
+        place = self.configuration.seat(ref.owner, self.state).place(locate(self.body(ref.owner), ref))
+        return self._from_reference(self.host(ref.owner), place)
 
     def hub(self, ref: PointRef) -> Vector:
         """The centre of the rim that a point names, from its host's reference point, in space."""

@@ -39,7 +39,7 @@ def weld_force(path: Path, item: Connection, body: BodyFacts, instant: Instant) 
 def weld_torque(path: Path, item: Connection, body: BodyFacts, instant: Instant) -> Formula:
     """Σ (I α + r × m a) − Σ (r × F + τ) about the weld, over all on the side of the last-named body: its couple, along that one's turn."""
     side, ref = side_of(item, instant), item.joined()[-1]
-    point = instant.point(ref)
+    point = instant.mark_of(ref)
     turned = [share_of(name, instant, body).torque(point) for name in side]
     turned += [
         negate(torque_about(point, part) if isinstance(part, Force) else part.torque)

@@ -424,3 +424,10 @@ def test_the_argument_of_an_inverse_function_may_hold_a_root_of_a_quotient() -> 
     one = parse("cos(a + asin(b*sqrt(2/(2*b**2 + 3*m*v**2))))")
     other = parse("cos(a)*sqrt(3*m*v**2/(2*b**2 + 3*m*v**2)) - sin(a)*b*sqrt(2/(2*b**2 + 3*m*v**2))")
     assert equal(simplify(one, positive=("a", "b", "m", "v")), simplify(other, positive=("a", "b", "m", "v")))
+
+
+@pytest.mark.parametrize("inside", ["1/(2 + sqrt(3))", "2 - sqrt(3)", "3/4"])
+def test_an_angle_of_a_root_that_no_table_knows_stays(inside: str) -> None:
+    angle = parse(f"atan(sqrt({inside}))")
+    assert simplify(angle).holds("atan")
+    assert evaluate(simplify(angle) - angle, {}, digits=12).float == pytest.approx(0, abs=1e-12)

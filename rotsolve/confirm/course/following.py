@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.node import Budget, Node
-from rotsolve.confirm.instant import placed
+from rotsolve.confirm.instant import STICKS, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
 from rotsolve.elements.shapes import shape_of
@@ -86,7 +89,7 @@ class Course:
         model = self.model(state.name)
         event = self.event(self.names[number - 1], state.name) if number else None
         if event is None and (number == 0 or state.balance or state.steady):
-            return self._alone(model)
+            return self._met(self._alone(model), number)
         before = self.node(self.names[number - 1])
         if event is not None:
             return self._struck(before, event, model, state)
@@ -102,6 +105,16 @@ class Course:
         self._phases[self.names[number - 1]] = phase
         last = self.ending and number == len(self.states) - 1
         return Node(model, phase.end.placed, self.budget, phase.modes if last else None)
+
+    def _met(self, node: Node, number: int) -> Node:
+        """The first state right before an event that joins bodies: what flies towards the others is where they meet."""
+        event = self.event(*self.names[:2]) if number == 0 and len(self.names) > 1 else None
+        if event is None or not event.joined():
+            return node
+        from rotsolve.confirm.blow import met
+
+        q = met(self.model(self.names[1]), node.placed, event).q
+        return Node(node.model, replace(node.placed, q=q), self.budget)
 
     def timed(self, name: str) -> Node:
         """The instant of a state, reached by steps in time."""
@@ -197,6 +210,19 @@ class Course:
         self.timed(end)
         phase = self._phases.get(start)
         return phase is not None and any(len(lap.step.pushes) > 1 for lap in phase.laps)
+
+    def slips(self) -> str:
+        """What first slips in another way, on the way between two states, in words; '' where nothing does."""
+        for start, phase in self._phases.items():
+            modes = [*(lap.modes for lap in phase.laps), phase.modes]
+            for one, other in pairwise(modes):
+                name = next((name for name, mode in other.items() if one.get(name, mode) != mode), None)
+                if name is not None:
+                    begins = "begins to slip" if one[name] == STICKS else "slips the other way"
+                    what = "stops slipping" if other[name] == STICKS else begins
+                    end = self.names[self.names.index(start) + 1]
+                    return f"`{name.partition('.')[0]}` {what} on the way from `{start}` to `{end}`"
+        return ""
 
     def integral(self, start: str, end: str, rate: Callable[[Node], float]) -> tuple[float, float]:
         """∫ rate dt from one state to a later one, and ∫ |rate| dt."""

@@ -35,6 +35,7 @@ from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
+OTHERWISE = "an assembly of all bodies' equations gives another value"
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
 DRAWN, OWN, EDGE = range(3)  # kinds of sets of numbers
 BUDGET = 3000  # instants of one body that a scene may cost
@@ -127,6 +128,8 @@ def at_numbers(
             ended = Asker(problem, Course(problem, known, budget, ending=True))
             other = judged(finds[answer.name][0], said, ended, numbers)
             verdict = other if other.holds else verdict
+        if verdict.holds is False and verdict.why == OTHERWISE and (slips := asker.course.slips()):
+            verdict = replace(verdict, why=slips)
         yield verdict
 
 
@@ -215,9 +218,7 @@ def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> Ans
     if found.sized:
         answered, own = (tuple(map(abs, values)) for values in (answered, own))
     holds = all(abs(a - b) <= SAME * (size if a else max(size, ORDINARY)) for a, b in zip(answered, own, strict=True))
-    return AnswerConfirmation(
-        name, holds, "" if holds else "an assembly of all bodies' equations gives another value", answered, own
-    )
+    return AnswerConfirmation(name, holds, "" if holds else OTHERWISE, answered, own)
 
 
 def in_a_row(letters: Iterable[Formula]) -> Words:
@@ -238,7 +239,7 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
     if all(not item.holds for item in derivation.confirmed):
         fault = next(refused[item.name] for item in derivation.confirmed if item.holds is False)
         names = ", ".join(f"`{item.name}`" for item in derivation.confirmed if item.holds is False)
-        whys = [item.why for item in derivation.confirmed if item.holds is False and not item.found]
+        whys = [item.why for item in derivation.confirmed if item.holds is False and item.why not in ("", OTHERWISE)]
         message = f"not confirmed: an assembly of all bodies' equations contradicts {names}" + "".join(
             f": {why}" for why in whys[:1]
         )
@@ -251,7 +252,7 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
 def against(item: AnswerConfirmation) -> str:
     """Why an answer is withheld, where one of the scene is contradicted."""
     if item.holds is False:
-        why = f": {item.why}" if not item.found else ""
+        why = f": {item.why}" if item.why != OTHERWISE else ""
         return f"not confirmed: an assembly of all bodies' equations contradicts `{item.name}`{why}"
     return f"not confirmed: `{item.name}`, beside answers that an assembly of all bodies' equations contradicts ({item.why})"
 
