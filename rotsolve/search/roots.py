@@ -300,7 +300,9 @@ class RootChoice(Struct, frozen=True):
             real, dropped = left, ("the other root is the start itself",)
             numbered = [(index, roots[index]) for index, _ in real]
         if len(real) == 1:
-            return PickedRoot(real[0][0], dropped)
+            index, number = real[0]
+            opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
+            return PickedRoot(index, dropped, fits=not opposed)
         if all(self.numbers.side(root - numbered[0][1]) == 0 for _, root in numbered[1:]):
             return PickedRoot(real[0][0], ("the roots coincide: it is only just reached",))
         stable = self._stable(name, [root for _, root in numbered])
@@ -331,16 +333,21 @@ class RootChoice(Struct, frozen=True):
         return real
 
     def _expected(self, name: str) -> tuple[int, Words]:
-        """The sign that a letter must have, also one that is a multiple of another, as a momentum is of a velocity."""
+        """The sign that a letter must have, also one that is a multiple of another, as a momentum is of a velocity, a work of a way."""
         expected = Expected(self.scene, self.givens, self.numbers)
         sign, words = expected.sign(name)
-        formula = None if sign else self.definition(name)
+        formula = None if sign else self.definition(name) or self._spelled(name)
         letters = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
         if formula is None or len(letters) != 1 or self.numbers.found(formula.substitute({letters[0]: ZERO})) != 0.0:
             return sign, words
         share = self.numbers.sign([formula.substitute({letters[0]: ONE})])
         sign, words = expected.sign(letters[0])
         return share * sign, words
+
+    def _spelled(self, name: str) -> Formula | None:
+        """What the letter of a work stands for."""
+        works = (work for passage in self.scene.passages.values() for work in passage.works)
+        return next((work.spelled for work in works if work.amount == Symbol(name)), None)
 
     def _smallest(self, entries: Sequence[tuple[int, float]], roots: Sequence[Formula]) -> int:
         """The root nearest to zero, of two that are equally far the first."""

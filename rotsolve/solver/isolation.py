@@ -31,7 +31,7 @@ INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp"}
 LONGEST = 400  # nodes of an equation beyond which nothing is solved in letters
 MOST_TERMS = 60  # terms of a closed form beyond which it is left out
 TOO_LONG = "too long to print in letters"
-REACHES = (10, 1000, 10**6)  # how far from zero roots are looked for, one after the other
+REACHES = (10, 100, 1000, 10**6)  # how far from zero roots are looked for, one after the other
 
 
 class Isolation(Textbook, kw_only=True):
@@ -116,13 +116,19 @@ class Isolation(Textbook, kw_only=True):
             raise NoClosedForm("it has no closed form, and not every given has a number")
         from rotsolve.algebra.certified.rootfind import is_identity, real_roots
 
+        doubtful: tuple[Certified, Words] | None = None
         for reach in REACHES:
             if is_identity(gap, asked, values, reach):
                 raise Redundant(item.index)
             found = real_roots(gap, asked, values, -reach, reach).roots
             if found:
                 picked = self.choose(asked, [Number(Fraction(root.float)) for root in found], None)
-                return (found[picked.root], picked.words) if picked else (found[0], ())
+                root = (found[picked.root], picked.words) if picked else (found[0], ())
+                if doubtful is not None or picked is None or picked.fits:  # else it may lie a little farther, on the other side
+                    return root if picked is None or picked.fits else doubtful or root
+                doubtful = root
+        if doubtful is not None:
+            return doubtful
         raise NoClosedForm("no real value satisfies the equations")
 
     def function_alone(self, item: Item, name: str, root: Formula) -> list[Equality]:

@@ -34,12 +34,16 @@ Ref = tuple[str, "int | str"]
 
 
 class PickedRoot(Struct, frozen=True):
-    """The root that is meant, why, and the whole turns that an angle has gone beyond it, or the whole periods of a time."""
+    """The root that is meant, why, and the whole turns that an angle has gone beyond it, or the whole periods of a time.
+
+    One that does not fit has not the sign that the scene tells.
+    """
 
     root: int
     words: Words = ()
     turns: Fraction = Fraction(0)
     period: Formula = 2 * PI
+    fits: bool = True
 
     def of(self, roots: Sequence[Formula]) -> Formula:
         """The root itself, with its whole turns."""

@@ -221,3 +221,25 @@ find: {{tau: bolt.torque at end, F_x: bolt.force.x at end}}
     assert answers(scene) == pytest.approx({"tau": m * 0.48**2 / 2 * alpha, "F_x": m * ahead}, rel=1e-6, abs=1e-9)
     last_named = scene.replace(f"[wheel.{point}, disc.center]", f"[disc.center, wheel.{point}]")
     assert answers(last_named)["tau"] == pytest.approx(-m * 0.48**2 / 2 * alpha, rel=1e-6)
+
+
+@pytest.mark.parametrize("moves", ["left", "right"])
+@pytest.mark.parametrize("scale", [1, 4])
+def test_a_work_found_numerically_is_that_of_the_way_in_which_it_rolls(moves: str, scale: int) -> None:
+    """A loaded sphere rolls up to its turn: the other root, back beyond the start, is nearer to zero."""
+    M, m, R, Q, v = 3.2 * scale, 5.9 * scale, 1.9, 12.0 * scale, 4.1
+    scene = f"""title: Sphere with a rod at its bottom, rolling
+surfaces: {{floor: level}}
+bodies: {{ball: {{shape: sphere, mass: {M} kg, radius: {R} m, moves: {moves}}}, rod: {{shape: rod, mass: {m} kg, length: 0.59 m}}}}
+connections: {{base: {{rolls: [ball, floor]}}, bolt: {{weld: [ball.bottom, rod.center]}}}}
+actions: {{twist: {{couple: {Q} N m, on: ball}}}}
+states: {{start: {{ball.velocity: {v} m/s}}, end: {{ball.velocity: 0}}}}
+find: {{W: twist.work from start to end}}
+"""
+    first = (0.7 * M * R**2 + m * 0.59**2 / 24) * (v / R) ** 2
+    low, high = 0.0, 1.5
+    for _ in range(60):
+        middle = (low + high) / 2
+        moving = first + Q * middle > m * G * R * (1 - math.cos(middle))
+        low, high = (middle, high) if moving else (low, middle)
+    assert answers(scene) == pytest.approx({"W": Q * low}, rel=1e-6)
