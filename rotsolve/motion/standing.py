@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -276,6 +276,8 @@ class Standing(Struct, frozen=True, dict=True):
         configuration, carried = self.configuration, self.configuration.carried(name, self.state)
         if len(configuration.timeline.states) < 2:
             return False
+        if self._asks_within(carried) and configuration.pivot(name, self.state) is None:
+            return configuration.can_turn(name, self.state)
         terms = [term for find in configuration.problem.finds for term in find.terms if term.path.owner in carried]
         paths = [
             term.path for term in terms if term.path.quantity in FOLLOWED and term.path.component in (None, *PLANE)
@@ -292,6 +294,13 @@ class Standing(Struct, frozen=True, dict=True):
         if self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told:
             return False
         return any(map(self._goes_round, asked))
+
+    def _asks_within(self, carried: Container[str]) -> bool:
+        """Whether a question asks with what force bodies that are one hold each other, which goes round with them."""
+        joints = (item for item in self.configuration.connections(self.state) if item.joined())
+        welds = {item.name for item in joints if item.joined()[0].owner in carried}
+        paths = (term.path for find in self.configuration.problem.finds for term in find.terms)
+        return any(path.owner in welds and path.quantity == "force" for path in paths)
 
     def _goes_round(self, ref: PointRef) -> bool:
         """Whether a point of which a question speaks goes round another; names of rims are directions in space from their centre."""

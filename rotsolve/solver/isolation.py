@@ -124,7 +124,9 @@ class Isolation(Textbook, kw_only=True):
             if found:
                 picked = self.choose(asked, [Number(Fraction(root.float)) for root in found], None)
                 root = (found[picked.root], picked.words) if picked else (found[0], ())
-                if doubtful is not None or picked is None or picked.fits:  # else it may lie a little farther, on the other side
+                if (
+                    doubtful is not None or picked is None or picked.fits
+                ):  # else it may lie a little farther, on the other side
                     return root if picked is None or picked.fits else doubtful or root
                 doubtful = root
         if doubtful is not None:

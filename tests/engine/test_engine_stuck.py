@@ -186,7 +186,7 @@ connections: {{base: {{contact: [disc, floor], friction: 0.56}}, coil: {{spring:
 states: {{start: {{coil.elongation: 1.2 m, disc.velocity: 3.5 m/s, disc.angular_velocity: {spin} rad/s}}, end: {{time: 0.76 s}}}}
 find: {{x: coil.elongation at end}}
 """
-    with pytest.raises(Unsolvable, match="`base` .*slip.* on the way from `start` to `end`"):
+    with pytest.raises(Unsolvable, match=r"`base` .*slip.* on the way from `start` to `end`"):
         solve(scene)
 
 
@@ -243,3 +243,23 @@ find: {{W: twist.work from start to end}}
         moving = first + Q * middle > m * G * R * (1 - math.cos(middle))
         low, high = (middle, high) if moving else (low, middle)
     assert answers(scene) == pytest.approx({"W": Q * low}, rel=1e-6)
+
+
+@pytest.mark.parametrize("time", [0.4, 1.2])
+@pytest.mark.parametrize("spin", ["", "-"])
+def test_the_force_of_a_weld_goes_round_with_what_spins(time: float, spin: str) -> None:
+    scene = f"""title: Plate with a disc welded to it, spinning on ice
+plane: horizontal
+bodies: {{plate: {{shape: rectangle, mass: 2 kg, sides: [80 cm, 40 cm]}}, disc: {{shape: disc, mass: 3 kg, radius: 20 cm}}}}
+connections: {{bolt: {{weld: [plate.corner3, disc.center]}}}}
+states: {{start: {{plate.velocity: [1 m/s, 2 m/s], plate.angular_velocity: {spin}2.7 rad/s}}, end: {{time: {time} s}}}}
+find: {{F_x: bolt.force.x at end, F_y: bolt.force.y at end}}
+"""
+    turn = (-1 if spin else 1) * 2.7 * time
+    x, y = 0.4 * 2 / 5, 0.2 * 2 / 5  # of the disc from the centre of mass
+    pull = -3 * 2.7**2
+    truth = {
+        "F_x": pull * (x * math.cos(turn) - y * math.sin(turn)),
+        "F_y": pull * (x * math.sin(turn) + y * math.cos(turn)),
+    }
+    assert answers(scene) == pytest.approx(truth, rel=1e-6)
