@@ -211,9 +211,14 @@ class Model:
 
     @cached_property
     def diverted(self) -> frozenset[str]:
-        """Bodies that an event has joined to one that goes another way, so that no line leads either of them."""
+        """Bodies that no line leads since an event has joined them to one that goes another way, or to a place that goes round in one."""
         lying = {item.lying() for item in self.acting.connections}
         found: set[str] = set()
+        for event in self.acting.joined():
+            for ref, other in permutations(event.joined(), 2):
+                aside = math.hypot(*self.drawn(other)) > 0.0
+                if ref.owner not in lying and other.owner in lying and self.turns(other.owner) and aside:
+                    found.add(ref.owner)
         for pair in self.met:
             one, two = (line(name, self) for name in pair)
             if one is None or two is None or abs(one[0] * two[1] - one[1] * two[0]) > 1e-9:

@@ -263,3 +263,21 @@ find: {{F_x: bolt.force.x at end, F_y: bolt.force.y at end}}
         "F_y": pull * (x * math.sin(turn) + y * math.cos(turn)),
     }
     assert answers(scene) == pytest.approx(truth, rel=1e-6)
+
+
+@pytest.mark.parametrize("twist", [1.7, -5.0])
+def test_what_sticks_to_the_top_of_a_wheel_on_ice_goes_round_with_it(twist: float) -> None:
+    R, M, m, u = 0.8, 2.0, 1.5, 3.9
+    scene = f"""title: Clay that sticks to a wheel on ice
+surfaces: {{ice: level}}
+bodies: {{wheel: {{shape: disc, mass: {M} kg, radius: {R} m, moves: left}}, clay: {{mass: {m} kg, moves: right}}}}
+connections: {{base: {{contact: [wheel, ice]}}}}
+actions: {{twist: {{couple: {twist} N m, on: wheel}}}}
+states: {{start: {{at rest: wheel, clay.velocity: {u} m/s}}, after: {{}}}}
+events: {{hit: {{joins: [clay, wheel.top], from: start, to: after}}}}
+find: {{a: clay.acceleration at after}}
+"""
+    own = M * R**2 / 2
+    ahead = m * u / (M + m * (1 + M * R**2 / own))
+    spin, alpha = -M * ahead * R / own, twist / (own + M * m / (M + m) * R**2)
+    assert answers(scene)["a"] == pytest.approx(math.hypot(R * spin**2, alpha * R * M / (M + m)), rel=1e-6)
