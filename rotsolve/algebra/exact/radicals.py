@@ -159,15 +159,15 @@ _ATAN = {
 }
 
 
-def _is_whole_root(node: Formula) -> bool:
+def _is_whole_root(node: Call) -> bool:
     """Whether a function is the root of a whole number."""
-    inside = node.arguments[0] if isinstance(node, Call) and node.function == "sqrt" else None
+    inside = node.arguments[0] if node.function == "sqrt" else None
     return isinstance(inside, Number) and inside.value.denominator == 1
 
 
 def _square(node: Formula) -> tuple[int, Fraction] | None:
     """Sign and exact square of a number such as √3/2; None where the formula is no such number."""
-    if node.symbols() or not all(_is_whole_root(root) for root in node.walk(Call)):
+    if node.symbols() or not all(_is_whole_root(part) for part in node.walk(Call) if isinstance(part, Call)):
         return None
     sign = -1 if isinstance(node, Negative) or (isinstance(node, Number) and node.value < 0) else 1
     ring = Field([node])
