@@ -44,10 +44,47 @@ HUNG = (
     "events: {hit: {joins: [bob, ring.center], from: before, to: after}}\nfind: {x: bob.velocity.x at after}\n"
 )
 
+SLED = (
+    "surfaces: {floor: level}\nbodies: {sled: {mass: M, moves: right}}\n"
+    "connections: {base: {contact: [sled, floor], friction: 0.3}, coil: {spring: [ground, sled], stiffness: 400 N/m}}\n"
+)
+GOES_ON = "find: {x: sled.velocity at end}\n"
+PULLED = (
+    "given: {m: kg, F: N, T: s, mu: number}\nsurfaces: {floor: level}\nbodies: {box: {mass: m, moves: right}}\n"
+    "connections: {base: {contact: [box, floor], friction: mu}}\n"
+    "actions: {pull: {force: F*sin(pi*time/T), on: box, direction: right}}\n"
+    "states: {start: at rest, end: {time: T}}\nfind: {x: box.velocity at end}\n"
+)
+SPUN = (
+    "bodies: {wheel: {shape: disc, mass: m, radius: R}}\nconnections: {mount: {axle: wheel, friction_torque: tau}}\n"
+    "states: {start: {wheel.angular_velocity: w}, end: {time: 20 s}}\nfind: {x: wheel.angular_velocity at end}\n"
+)
+NO_ANSWER = "there is no answer: "
+
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
     "damped fall": (
         ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
         ROD + "actions: {oil: {couple: -tau, on: rod}}\n" + FALL + "find: {x: rod.angular_velocity at low}\n",
+    ),
+    "many turns back": (
+        SLED.replace("0.3", "0.01")
+        + "states: {start: {coil.elongation: L, at rest: all}, end: {time: 5 s}}\n"
+        + GOES_ON,
+        SLED + "states: {start: {coil.elongation: L, at rest: all}, end: {time: 0.5 s}}\n" + GOES_ON,
+    ),
+    "turns back in letters": (
+        (SLED + "states: {start: {coil.elongation: L, at rest: all}, end: {time: T}}\n" + GOES_ON).replace(
+            "400 N/m", "k"
+        ),
+        "",
+    ),
+    "gives way in letters": (
+        PULLED,
+        PULLED.replace("kg", "2 kg").replace("T: s", "T: 2 s").replace(": N", ": 9 N").replace("number", "0.2"),
+    ),
+    "comes to rest": (
+        SPUN + "actions: {drive: {couple: tau/2*exp(-time/t1), on: wheel}}\n",
+        SPUN + "actions: {drive: {couple: tau/2, on: wheel}}\n",
     ),
     "time of a fall": (
         ROD + FALL + "find: {x: time from high to low}\n",
@@ -141,11 +178,21 @@ def rows() -> list[str]:
     return [line.split("|")[1].strip() for line in lines]
 
 
+def given_with(text: str) -> str:
+    """A scene with the usual letters, if it has none of its own; k and T have no numbers."""
+    if text.startswith("given:"):
+        return text
+    return (GIVEN.replace("}", ", k: N/m, T: s}") if ": k" in text else GIVEN) + text
+
+
 def refused(text: str) -> str:
-    with pytest.raises((Unsolvable, SceneError)) as caught:
-        solve(text)
-    fault = caught.value.fault if isinstance(caught.value, Unsolvable) else caught.value.faults[0]
-    return fault.message
+    """Why a scene has no answer, or in letters why one of its cases has none."""
+    try:
+        found = solve(text)
+    except (Unsolvable, SceneError) as error:
+        return (error.fault if isinstance(error, Unsolvable) else error.faults[0]).message
+    said = ["".join(word for word in check.words if isinstance(word, str)) for check in found.checks]
+    return next(words.partition(NO_ANSWER)[2] for words in said if NO_ANSWER in words)
 
 
 def fits(row: str, message: str) -> bool:
@@ -154,15 +201,15 @@ def fits(row: str, message: str) -> bool:
 
 @pytest.mark.parametrize("case", CASES)
 def test_what_is_refused_by_name_stands_in_the_table(case: str) -> None:
-    message = refused(GIVEN + CASES[case][0])
+    message = refused(given_with(CASES[case][0]))
     assert [row for row in rows() if fits(row, message)], message
 
 
 def test_every_row_of_the_table_is_printed() -> None:
-    messages = [refused(GIVEN + text) for text, _ in CASES.values()]
+    messages = [refused(given_with(text)) for text, _ in CASES.values()]
     assert not [row for row in rows() if not any(fits(row, message) for message in messages)]
 
 
 @pytest.mark.parametrize("case", [name for name, (_, other) in CASES.items() if other])
 def test_what_is_to_be_said_instead_is_answered(case: str) -> None:
-    assert not solve(GIVEN + CASES[case][1]).refused
+    assert not solve(given_with(CASES[case][1])).refused
