@@ -81,6 +81,10 @@ class Motion(Struct, frozen=True):
         own = self.acceleration + arm.turned(90).times(self.spin_rate) + arm.turned(180).times(square(self.spin))
         return own if self.whirl is None else own + self.whirl.inwards(arm)
 
+    def whirl_at(self, arm: Vector) -> Whirl | None:
+        """The turning shaft as a piece sees it whose reference is at an arm from that of the whole."""
+        return None if self.whirl is None else Whirl(self.whirl.rate, self.whirl.distance + arm.along(RIGHT))
+
 
 class Role(Struct, frozen=True):
     """What a force or couple is to the body on which it acts; `name` is its identity. Laws ask its questions, never its name.

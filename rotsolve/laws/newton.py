@@ -157,7 +157,8 @@ def carried(body: BodyFacts) -> Words:
         square_of_rate,
         " x towards it, together ",
         square_of_rate,
-        " ∫ x y dm about the hinge",
+        " ∫ x y dm about the ",
+        "hinge" if body.motion.kind == "axis" else "centre of mass",
     )
 
 

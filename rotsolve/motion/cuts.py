@@ -21,7 +21,7 @@ from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Vector, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import Rod
 from rotsolve.language.problem import Body, Path, PointRef
-from rotsolve.motion.rigid import RigidPiece, centre_of_mass, moment_about, positive_part, tidy
+from rotsolve.motion.rigid import RigidPiece, centre_of_mass, moment_about, positive_part, sweep, tidy
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
@@ -143,11 +143,12 @@ def cut_free(section: CrossSection, facts: BodyFacts, loads: Loads) -> Cut:
     share = simplify((section.rod.mass or ZERO) * length / section.length, order=order)
     mass = share if share == ZERO or isinstance(share, Symbol) else section.ask("mass")
     at, shape = vector(simplify(middle - section.length / 2), RIGHT), Rod(length)
-    own = RigidPiece(section.rod.name, mass, shape.moment(mass), at, shape)
+    own = RigidPiece(section.rod.name, mass, shape.moment(mass), at, shape, tensor=shape.tensor(mass))
     pieces = tuple(item for item in (own, *loads.pieces) if item.mass != ZERO or item is own)
     centre = tidy(centre_of_mass(pieces) if len(pieces) > 1 else own.at)
     place = simplify(centre.along(RIGHT) + section.length / 2, order=order)
     at, back = section.point(place), simplify(place - section.x, order=order)
+    whirl = facts.motion.whirl_at(at)
     cut = Vector((positive_part(back, facts.motion.orientation.turned(180)),))
     moment, remark = moment_about(pieces, centre, (*mass.symbols(), *order))
     name = f"{section.rod.name} {'beyond' if sign > 0 else 'up to'} {to_text(section.x)}"
@@ -163,13 +164,17 @@ def cut_free(section: CrossSection, facts: BodyFacts, loads: Loads) -> Cut:
         (*weights(pieces, section, at), *outside(loads, at), *inner_forces(section, facts, sign, cut)),
         (*(item for item in loads.acting if isinstance(item, Couple)), bending(section, sign)),
         along=("along the rod", "across the rod"),
+        sweep=sweep(section.rod, pieces, centre, facts.motion.orientation, whirl, order),
     )
     defined = Inertia(mass, share, f"mass of {name}")
     return Cut(body, defined, cut, section.index, loads.jumps)
 
 
 def moving_with(motion: Motion, at: Vector) -> Motion:
-    """The motion of a piece: its centre of mass is carried along by the rod, and it turns with it."""
+    """The motion of a piece: its centre of mass, the reference, is carried along by the rod, and it turns with it.
+
+    What a turning shaft adds, Ω² x, is in the acceleration of the reference.
+    """
     return replace(
         motion,
         kind="plane",
@@ -177,6 +182,7 @@ def moving_with(motion: Motion, at: Vector) -> Motion:
         acceleration=motion.acceleration_of(at),
         turns=True,
         heading=None,
+        whirl=None,
     )
 
 

@@ -7,7 +7,6 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.facts import (
     WEIGHT,
@@ -22,11 +21,7 @@ from rotsolve.core.facts import (
     Potential,
     Requirement,
     Rule,
-    Sweep,
-    Whirl,
-    square,
 )
-from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit
@@ -35,7 +30,7 @@ from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import Frame, carried_round, mass_of, moment_about
+from rotsolve.motion.rigid import Frame, mass_of, moment_about, sweep
 
 Told = TypeVar("Told", Rule, Potential)
 
@@ -88,19 +83,6 @@ def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:
         yield GivenMotion(drive, letters, instant.time())
 
 
-def sweep(name: str, whirl: Whirl | None, instant: Instant) -> Sweep | None:
-    """What a turning shaft asks of a body that it carries round."""
-    if whirl is None:
-        return None
-    own = instant.frame(name)
-    spread = carried_round(own.pieces, own.reference, instant.orientation(name), whirl.distance)
-    if spread is None:
-        message = f"how the mass of `{name}` is spread along and across it is not told"
-        raise Unsolvable(message, span=instant.body(name).span)
-    product, inertia = (simplify(value, order=instant.configuration.order) for value in spread)
-    return Sweep(whirl.rate, simplify(square(whirl.rate) * product, order=instant.configuration.order), inertia)
-
-
 def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     """The weight m g, down at the centre of mass; none where nothing weighs or the picture is seen from above."""
     gravity = instant.configuration.problem.gravity
@@ -141,7 +123,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         changing=instant.configuration.changing(body.name, instant.state),
         slanted=slanted(body.name, instant),
         sliding=sliding(body.name, instant),
-        sweep=sweep(body.name, motion.whirl, instant),
+        sweep=sweep(body, own.pieces, own.reference, motion.orientation, motion.whirl, instant.configuration.order),
     )
 
 

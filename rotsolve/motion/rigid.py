@@ -14,6 +14,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Number, Quotient, Sum, add, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
+from rotsolve.core.facts import Sweep, Whirl, square
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
 from rotsolve.core.vectors.tensor import Place as Spot
@@ -272,6 +274,24 @@ def carried_round(
         products += [piece.mass * away * arm.along(UP), negate(own.xy)]
         moments += [piece.mass * away**2, own.yy]
     return simplify(total(products)), simplify(total(moments))
+
+
+def sweep(
+    body: Body,
+    items: tuple[RigidPiece, ...],
+    point: Vector,
+    orientation: Heading,
+    whirl: Whirl | None,
+    order: tuple[str, ...],
+) -> Sweep | None:
+    """What a turning shaft asks of pieces that it carries round, about a point that is at the whirl's distance: Ω² ∫ x y dm."""
+    if whirl is None:
+        return None
+    spread = carried_round(items, point, orientation, whirl.distance)
+    if spread is None:
+        raise Unsolvable(f"how the mass of `{body.name}` is spread along and across it is not told", span=body.span)
+    product, inertia = (simplify(value, order=order) for value in spread)
+    return Sweep(whirl.rate, simplify(square(whirl.rate) * product, order=order), inertia)
 
 
 ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held

@@ -162,3 +162,35 @@ def test_what_lies_on_a_sloping_side_is_refused_by_its_shape(shape: str, link: s
     text += "actions: {push: {force: F, on: wagon, direction: right}}\nstates: {go: at rest}\nfind: {a: wagon.acceleration}\n"
     with pytest.raises((Unsolvable, SceneError), match="wagon" if shape == "cone" else shape):
         solve(text)
+
+
+@pytest.mark.parametrize("spin", [0.0, 2.0])
+@pytest.mark.parametrize("cut", [0.0, 0.2, 0.7])
+@pytest.mark.parametrize("hinge", ["start", "end"])
+def test_what_acts_inside_a_rod_on_a_shaft_is_what_its_pieces_take(hinge: str, cut: float, spin: float) -> None:
+    """Beyond a cut: what acts there is Σ m (a − g) of all pieces, Ω² x towards the shaft in a, with its arm from the cut."""
+    scene = SHAFT[: SHAFT.index("find:")].replace(
+        "{hanger: BODY}", "{hanger: {shape: rod, mass: M, length: L}, lump: {mass: 1 kg}}"
+    )
+    scene = scene.replace("d: 15 cm", f"d: 15 cm, x: {cut * L} m").replace("POINT", hinge)
+    scene = scene.replace(
+        "connections: {",
+        "connections: {glue: {weld: [hanger.OTHER, lump]}, ".replace("OTHER", "end" if hinge == "start" else "start"),
+    )
+    scene = scene.replace("STEADY", f"hanger.angular_velocity: {spin} rad/s")
+    words = {"C": "compression", "V": "shear", "B": "bending_moment"}
+    asked = ", ".join(f"{letter}: hanger.at(x).{word}" for letter, word in words.items())
+    answers = solve(f"{scene}find: {{alpha: hanger.angular_acceleration, {asked}}}\n").answers
+    alpha, along, across = answers["alpha"].float, *(np.array([cos(ANGLE + q), sin(ANGLE + q)]) for q in (0, np.pi / 2))
+    origin = 0.0 if hinge == "start" else L
+    places, masses = np.append(RODS, L - origin), np.append(np.full(len(RODS), M / len(RODS)), 1.0)
+    arms = places - origin
+    take = arms[:, None] * (alpha * across - spin**2 * along) + np.array([0, 9.8])
+    take[:, 0] -= W**2 * (D + arms * along[0])
+    take *= masses[:, None]
+    free = places > cut * L if hinge == "start" else places <= cut * L  # what is just there belongs to the part before
+    side = 1 if hinge == "start" else -1
+    force, lever = side * take[free].sum(axis=0), (places - cut * L)[free]
+    assert answers["C"].float == pytest.approx(force @ along, rel=1e-3, abs=1e-3)
+    assert answers["V"].float == pytest.approx(force @ across, rel=1e-3, abs=1e-3)
+    assert answers["B"].float == pytest.approx(-side * (take[free] @ across) @ lever, rel=1e-3, abs=1e-3)
