@@ -23,7 +23,7 @@ from rotsolve.language.problem import Find, Problem
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import limits_of
-from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
+from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs, rubs_at
 from rotsolve.plan import PATIENCE
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
@@ -155,7 +155,14 @@ class Trials:
         if not has_quantities(speed):
             return self.sense_of(rub, speed)
         first = rub.state == self.configuration.timeline.states[0].name
-        return 0 if rub.contact is not None and first else self.sense_left(rub, speed)
+        return self.sense_tied(rub, speed) if rub.contact is not None and first else self.sense_left(rub, speed)
+
+    def sense_tied(self, rub: Rub, speed: Formula) -> int:
+        """The sense in which a contact slips at first where what the scene tells of the motion of others tells it, by strings and joints
+        alone; all is taken to slip, so that no rule of sticking settles it."""
+        freed = {item.key: item.mode(1) for item in rubs_at(self.configuration, rub.state) if item.item is not None}
+        found = self.search({**self.modes, **freed}, ()).settled(speed)
+        return 0 if found is None or has_quantities(found) else self.sense_of(rub, found)
 
     def sense_left(self, rub: Rub, speed: Formula) -> int:
         """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it.

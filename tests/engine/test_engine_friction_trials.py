@@ -60,3 +60,60 @@ def test_all_trials_share_what_the_states_say(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(Statements, "take", lambda self: taken.append(1) or real(self))
     assert len(trials(HERE / "contact-stack-on-slope.yaml")) == 4
     assert len(taken) == 1
+
+
+PULLED = """title: what the motion of others tells
+given: {m: 2 kg, M: 3 kg, mu: 0.2, R: 20 cm, u: 1 m/s}
+surfaces: {t: level}
+bodies:
+  box: {mass: M, moves: right}
+  w: {shape: disc, mass: 1 kg, radius: R, turns: TURN}
+  load: {mass: m, moves: down}
+connections: {c: {contact: [box, t], friction: mu}, ax: {axle: w}, s: {string: STRING}}
+states: {start: {TOLD}}
+find: {f: c.friction_force at start, a: box.acceleration at start}
+"""
+
+
+@pytest.mark.parametrize("letters", [False, True])
+@pytest.mark.parametrize("side", ["right", "left"])
+@pytest.mark.parametrize(
+    ("told", "way"),
+    [
+        ("load.velocity: u", 1),
+        ("load.velocity: -u", -1),
+        ("w.angular_velocity: u/R", 1),
+        ("w.angular_velocity: -u/R", -1),
+        ("w.top.velocity: u", 1),
+        ("box.velocity: -u", -1),
+    ],
+)
+def test_friction_is_against_a_motion_that_others_tell(told: str, way: int, side: str, letters: bool) -> None:
+    """A box on a table tied over a wheel to a load, on either side: M + m + ½ M_w times a is m g less way · μ M g."""
+    string, turn = {"right": ("[box, w, load]", "clockwise"), "left": ("[load, w, box]", "counterclockwise")}[side]
+    text = (
+        PULLED.replace("STRING", string)
+        .replace("TURN", turn)
+        .replace("TOLD", told)
+        .replace("moves: right", f"moves: {side}")
+    )
+    text = text.replace("u: 1 m/s", "u: m/s").replace("mu: 0.2", "mu: number") if letters else text
+    solution = solve(text)
+    answers = solution.answers
+    back = {"right": "left", "left": "right"}[side]
+    assert answers["f"].direction == (back if way > 0 else side)
+    many = solution.evaluate_many({"mu": [0.2], "u": [1.0]}) if letters else {}
+    value = many["a"][0] if letters else answers["a"].float
+    assert value == pytest.approx((2 - way * 0.2 * 3) * 9.8 / (2 + 3 + 0.5))
+
+
+@pytest.mark.parametrize(("spin", "word", "pull"), [(30, "right", 1), (-30, "left", -1), (5, "left", -1)])
+def test_a_wheel_slips_as_its_centre_is_drawn_and_it_turns(spin: int, word: str, pull: int) -> None:
+    """The lowest point of a cylinder drawn by a load goes on with u − R ω."""
+    text = PULLED.replace("box: {mass: M", "box: {shape: cylinder, mass: M, radius: R").replace(
+        "STRING", "[box.center, w, load]"
+    )
+    text = text.replace("TURN", "clockwise").replace("TOLD", f"load.velocity: 2*u, box.angular_velocity: {spin} rad/s")
+    answers = solve(text).answers
+    assert answers["f"].direction == word
+    assert answers["a"].float == pytest.approx((2 + pull * 0.2 * 3) * 9.8 / (2 + 3 + 0.5))
