@@ -112,11 +112,11 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
             return pose.turn(path.owner) + model.lean(path.owner)
         if path.quantity == "rotation":
             return (pose.turn(path.owner) - pose.origin[seat.turn]) * float(sign)
-        place = pose.place(path.owner, seat.rigid.centre)
+        spot = model.travelling(path.owner)
+        place = pose.place(path.owner, spot)
         if path.quantity == "displacement":
-            x, y = place[0] - pose.origin[seat.first], place[1] - pose.origin[seat.first + 1]
             way = {"x": RIGHT, "y": UP}.get(path.component or "") or model.line(path.owner)
-            return along((x, y), way) if way is not None else arc(path.owner, pose, model)
+            return along(pose.moved(path.owner, spot), way) if way is not None else arc(path.owner, pose, model)
         if path.quantity == "position":
             return place["xy".index(path.component or "x")]
         if path.quantity == "height":

@@ -14,7 +14,7 @@ from rotsolve.confirm.bodies import Mass, Spot, as_one, is_round, radius_of, rig
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way
+from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way, along
 from rotsolve.confirm.routing import legs
 from rotsolve.confirm.signs import carrier_of, grounded, line, sense
 from rotsolve.elements.connections.drapes import Drapes
@@ -79,11 +79,9 @@ class Model:
         if word == "angular_velocity":
             return sign * pose.speed[seat.turn]
         way = self.line(owner) or (1.0, 0.0)
-        centre = pose.place(owner, self.travelling(owner))
-        if word == "velocity":
-            return centre[0].rate * way[0] + centre[1].rate * way[1]
-        if word == "displacement":
-            return (centre[0] - pose.origin[seat.first]) * way[0] + (centre[1] - pose.origin[seat.first + 1]) * way[1]
+        gone = along(pose.moved(owner, self.travelling(owner)), way)
+        if word in ("velocity", "displacement"):
+            return gone.rate if word == "velocity" else gone
         raise NotConfirmed(f"a value that varies with `{name}`")
 
     def body(self, name: str) -> Body:

@@ -78,6 +78,12 @@ class Pose:
         c, s = axes
         return x + c * u - s * w, y + s * u + c * w
 
+    def moved(self, name: str, spot: Spot) -> Pair:
+        """How far a point of a body has come since the first state."""
+        x, y = self.place(name, spot)
+        first = Pose(self.seats, self.origin, self.speed).place(name, spot)
+        return x - first[0].value, y - first[1].value
+
     def spatial(self, name: str, spot: Spot, arm: Way) -> Spot:
         """The point of a body that is just now at a distance, in space, from another of its points."""
         angle = self.q[self.seats[name].turn]

@@ -50,10 +50,22 @@ def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
             size = numbers.size(search.solver.with_found(root))
             if size is not None:
                 trial = replace(numbers, found={**numbers.found, name: size})
+                trial.found.update(on_the_way(name, search, trial))
                 holding += [number] if first_broken(search, trial) is None else []
                 timely += [] if untimely(search, trial) else [number]
     both = [number for number in holding if number in timely]
     return both or holding or timely or list(range(len(roots)))
+
+
+def on_the_way(name: str, search: Search, numbers: KnownBalls) -> dict[str, Ball]:
+    """The letters that were eliminated on the way to a root, with it put in: ω = c v tells which way a body turns."""
+    told = {letter: search.solver.with_found(Symbol(letter)) for letter in search.solver.told.keys() - numbers.found.keys()}
+    sizes = {
+        letter: numbers.size(value)
+        for letter, value in told.items()
+        if {one for one in value.symbols() if is_key(one)} == {name}
+    }
+    return {letter: size for letter, size in sizes.items() if size is not None}
 
 
 def untimely(search: Search, numbers: KnownBalls) -> bool:

@@ -13,6 +13,7 @@ from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
+from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SceneQuantity
@@ -92,6 +93,8 @@ class Expected(Struct, frozen=True):
             return 0
         rate, start = self.numbers.push(lead.acceleration), self.numbers.push(travel.initial)
         slope = differentiate(rate, lead.coordinate.name) if rate is not None else None
+        if start is None and rate is not None and lead.start is not None and lead is travel:  # the push at its first place
+            start = rate.substitute({lead.coordinate.name: signed(lead.start, lead.sense)})
         if slope is None or start is None or lead.coordinate.name in slope.symbols():
             return 0
         square = -(self.numbers.with_answers(slope) * lead.sense / lead.arm)
