@@ -59,7 +59,9 @@ def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
 
 def on_the_way(name: str, search: Search, numbers: KnownBalls) -> dict[str, Ball]:
     """The letters that were eliminated on the way to a root, with it put in: ω = c v tells which way a body turns."""
-    told = {letter: search.solver.with_found(Symbol(letter)) for letter in search.solver.told.keys() - numbers.found.keys()}
+    told = {
+        letter: search.solver.with_found(Symbol(letter)) for letter in search.solver.told.keys() - numbers.found.keys()
+    }
     sizes = {
         letter: numbers.size(value)
         for letter, value in told.items()

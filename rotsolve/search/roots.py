@@ -93,7 +93,9 @@ class Expected(Struct, frozen=True):
             return 0
         rate, start = self.numbers.push(lead.acceleration), self.numbers.push(travel.initial)
         slope = differentiate(rate, lead.coordinate.name) if rate is not None else None
-        if start is None and rate is not None and lead.start is not None and lead is travel:  # the push at its first place
+        if (
+            start is None and rate is not None and lead.start is not None and lead is travel
+        ):  # the push at its first place
             start = rate.substitute({lead.coordinate.name: signed(lead.start, lead.sense)})
         if slope is None or start is None or lead.coordinate.name in slope.symbols():
             return 0
