@@ -119,9 +119,9 @@ def push_reflected(item: Scene, scene: Scene) -> None:
     spins = isinstance(body, dict) and "moves" in body and owner not in lying(scene)
     if "couple" in item and spins and "turns" not in body:
         raise Asymmetric(owner)  # what its positive turn is, `moves` does not say
-    if ".angle" in str(item) or (
-        on_a_rim(str(item), scene) and (way not in (None, "tangential") or "joins" in item or "collides" in item)
-    ):
+    sided = way not in (None, "tangential") or "joins" in item or "collides" in item
+    pressed = "press" in item and ".force" in str(scene.get("find", {}))  # what holds a wheel against a brake block
+    if ".angle" in str(item) or ((sided or pressed) and on_a_rim(str(item), scene)):
         raise Asymmetric(str(item))
     if isinstance(way, list):
         item["direction"] = [minus(way[0]), way[1]]
