@@ -327,11 +327,17 @@ def following(search: Search, *, stuck: bool) -> Problem | None:
         ending, configuration = Endings(search, stuck).first(), search.scene.configuration
         if ending is not None:
             return with_state_at(configuration.problem, ending)
-        if stuck or not rubs(configuration):
+        if not rubs(configuration):
             return None
+        if any(given.asked for given in configuration.problem.givens):
+            from rotsolve.search.ways import with_way_found
+
+            told = with_way_found(search, stuck=stuck)
+            if told is not None or stuck:
+                return told
         from rotsolve.search.friction import with_friction_found
 
-        return with_friction_found(search)
+        return None if stuck else with_friction_found(search)
 
 
 def may_be(problem: Problem, numbers: Mapping[str, float]) -> bool:

@@ -129,6 +129,7 @@ class Trials:
     def fresh(self, modes: Mapping[str, str], families: tuple[str, ...]) -> Search:
         """A search of its own, with little patience where it goes through all laws: what hangs on something open has no answer anyway."""
         search = Search(self.scene.where(modes), families, careful=True)
+        search.known |= search.values.keys() | search.signs.trials.keys()  # what is asked too, in the case of its value
         if families != (NEWTON,):
             search.planner.patience[0] = PATIENCE // 20
         return search

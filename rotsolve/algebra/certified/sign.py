@@ -68,6 +68,7 @@ class SignOracle(Struct, frozen=True):
 
         So is it that the roots in it are real, or which is not.
         """
+        value = self.with_asked(value)
         lacking = self.lacking(value)
         if not lacking:
             return self.number(value)
@@ -81,10 +82,16 @@ class SignOracle(Struct, frozen=True):
 
     def side_at_trial(self, value: Formula) -> int | None:
         """The sign of a formula in the case that is looked at, which is a condition of all that follows."""
+        value = self.with_asked(value)
         number = self.at_trial(value)
         if number is not None:
             suppose(value, number.sign or 0)
         return None if number is None else number.sign or 0
+
+    def with_asked(self, value: Formula) -> Formula:
+        """A formula with what is supposed of letters that are asked for, in the letters on which that hangs."""
+        asked = {name: own for name, own in self.trials.items() if name in value.symbols() and own.symbols()}
+        return value.substitute(asked) if asked else value
 
     def as_meant(self, value: Formula) -> int | None:
         """The sign where all letters without a number are positive, which is then supposed of them; None where that does not tell it."""

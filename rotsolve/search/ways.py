@@ -1,0 +1,87 @@
+"""Ways: how what rubs moves where that hangs on a letter that the scene asks for: the way in which the letter's value brings it about.
+
+`F where box.acceleration = A` on a rough floor: with the box sliding forwards the condition tells F, and by that F it does slide so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice, product
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.faults import Unsolvable
+from rotsolve.language.problem import Find, Problem
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.rubs import Rub, rubs
+from rotsolve.paths.meaning import NotYet
+from rotsolve.search.answering import answer
+from rotsolve.search.friction import TRIALS, Trials, decide, smooth
+from rotsolve.search.search import Search
+
+
+def with_way_found(search: Search, *, stuck: bool) -> Problem | None:
+    """The problem in the case of the value that a letter has in the one way in which what rubs moves by that value as well; else None.
+
+    Where the questions have answers only what rubs on axles is looked at: without a way it is taken to turn in the wheel's own sense.
+    """
+    scene = search.scene
+    problem = scene.configuration.problem
+    asked = {given.name for given in problem.givens if given.asked and given.trial is None}
+    if not asked:
+        return None
+    open_ = [rub for rub in rubs(scene.configuration) if is_open(rub, search) and (stuck or rub.item is None)]
+    for find in problem.finds if open_ else ():
+        letter = find.formula.name if isinstance(find.formula, Symbol) else ""
+        verge = find.where.path.owner if find.where is not None and find.where.path is not None else ""
+        others = [rub for rub in open_ if rub.owner != verge]
+        if letter in asked and others:
+            found = by_ways(find, letter, others, search)
+            if found is not None:
+                return found
+    return None
+
+
+def is_open(rub: Rub, search: Search) -> bool:
+    """Whether nothing has told how it moves, and it matters."""
+    configuration = search.scene.configuration
+    return rub.key not in search.scene.modes and not smooth(rub, configuration.signs)
+
+
+def by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Problem | None:
+    """The problem in the case of the value that one question gives its letter in one way, where by that value all goes that way."""
+    problem = search.scene.configuration.problem
+    for senses in islice(ways(open_, search.scene.configuration), TRIALS):
+        way = {rub.key: rub.mode(sense) for rub, sense in senses.items()}
+        value = value_in(way, find, letter, search)
+        if value is None:
+            continue
+        givens = [replace(item, trial=value) if item.name == letter else item for item in problem.givens]
+        told = replace(problem, givens=tuple(givens))
+        try:
+            modes = decide(Configuration(told)).modes
+        except (NotYet, Unsolvable):
+            continue
+        if all(modes.get(key) == mode for key, mode in way.items()):
+            return told
+    return None
+
+
+def ways(open_: Sequence[Rub], configuration: Configuration) -> Iterator[Mapping[Rub, int]]:
+    """The senses in which what rubs may move, 0 for what rests, group by group of what moves together; those at rest first."""
+    trials = Trials(configuration)
+    groups = trials.moving_together(list(open_))
+    for chosen in product(*([dict.fromkeys(group, 0), *trials.ways(group)] for group in groups)):
+        yield {rub: sense for senses in chosen for rub, sense in senses.items()}
+
+
+def value_in(way: Mapping[str, str], find: Find, letter: str, search: Search) -> Formula | None:
+    """What a question makes of its letter where what rubs moves in a way; None where it has no answer then."""
+    trial = Search(search.scene.where({**search.scene.modes, **way}), search.families, search.spare)
+    try:
+        answer(trial, find)
+    except Unsolvable:
+        return None
+    found = trial.solver.solved.get(letter)
+    return found.formula if found is not None else None
