@@ -2,37 +2,32 @@
 
 from __future__ import annotations
 
-from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_under_root
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Equality
-from rotsolve.core.equation import CONDITION, POINT_OF_SLIPPING, Equation
+from rotsolve.core.equation import CONDITION
 from rotsolve.core.symbols import asked_symbol
-from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import term_of
 from rotsolve.language.problem import Find
 from rotsolve.paths.meaning import NotYet, label_of
 from rotsolve.questions.find import Asked, question_for
-from rotsolve.search.answers import Answered, NoAnswer
+from rotsolve.search.answers import NoAnswer
 from rotsolve.search.extrema import (
     Conclusion,
-    add_step,
     as_function_of,
     by_condition,
     extreme_value,
     forget,
     place_of_extremum,
-    remember_answer,
 )
-from rotsolve.search.friction import limiting
 from rotsolve.search.search import Search
 from rotsolve.search.swings import verge_equation
-from rotsolve.solver.steps import Found, PickedRoot
+from rotsolve.search.verges import modifier_of, on_the_point_of_slipping, without_condition
+from rotsolve.solver.steps import PickedRoot
 
 
 def answer_where(search: Search, find: Find) -> None:
@@ -118,87 +113,3 @@ def on_the_verge(search: Search, find: Find) -> None:
     question = question_for(without_condition(find), search.scene, search.letters())
     swing = search.scene.swing(term_of(find.where))
     search.answer(question, verge_equation(swing, question.letter, modifier_of(find), search))
-
-
-def without_condition(find: Find) -> Find:
-    """The quantity of a question alone."""
-    terms = tuple(replace(term, modifier="") for term in find.terms)
-    return replace(find, where=None, modifier="", terms=terms)
-
-
-def modifier_of(find: Find) -> str:
-    """`largest` or `smallest` in front of a question, or of its quantity."""
-    return find.modifier or (find.terms[0].modifier if find.terms else "")
-
-
-def on_the_point_of_slipping(search: Search, find: Find) -> None:
-    """`largest F where touch sticks`: the value at which the contact is on the point of slipping, beyond which it slips."""
-    condition, scene = find.where, search.scene
-    assert condition is not None and condition.path is not None
-    contact, word = condition.path.owner, modifier_of(find)
-    if condition.word not in ("sticks", "rolls"):
-        raise NotYet(f"`where {contact} is {condition.word}` is not solved yet")
-    question = question_for(without_condition(find), scene, search.letters())
-    state = find.terms[0].at if find.terms and find.terms[0].at else scene.configuration.timeline.states[-1].name
-    verges = [verge for limit in limiting(scene, contact, state) if (verge := verge_at(search, question, *limit))]
-    if not verges:
-        raise NotYet(f"`{spoken(contact)}` does not come to the point of slipping")
-    ends = [verge for verge in verges if verge.side in (0, 1 if word == "largest" else -1)]
-    if not ends:
-        bound = "large" if word == "largest" else "small"
-        quantity = find.text.split(" where ")[0].removeprefix(word).strip()
-        raise NotYet(f"`{contact}` sticks however {bound} `{quantity}` is")
-    verge = ends[0]
-    for other in ends[1:]:
-        ahead = search.numbers.side(other.value - verge.value)
-        verge = other if ahead == (1 if word == "largest" else -1) else verge
-    if question.letter not in search.solver.solved:
-        search.answer(question, verge.limit)
-        return
-    own = asked_symbol(find.name)  # the letter has the value of another verge
-    question = replace(question, letter=own, formula=Symbol(own))
-    sides = verge.limit
-    chain = (Equality(sides.left, sides.right), Equality(Symbol(own), verge.value))
-    steps = add_step(search, question, ("words", POINT_OF_SLIPPING.name), (), chain, ())
-    remember_answer(search, Answered(question, Found(own, verge.value), (), steps))
-
-
-class Verge(Struct, frozen=True):
-    """A value at which a contact is on the point of slipping one way; `side` is +1 where it slips beyond it, −1 below it, 0 where
-    nothing tells."""
-
-    value: Formula
-    limit: Equation
-    side: int
-
-
-def verge_at(search: Search, question: Asked, limit: Equation, normal: Formula) -> Verge | None:
-    """The value at which friction has its limit in one direction; None where there is none, or the surface would have to pull."""
-    trial = search.another(search.families, spare=search.spare)
-    try:
-        value = trial.answer(question, limit).found.formula
-        push = trial.value_of(next(iter(normal.symbols())))
-    except NoAnswer:
-        return None
-    pressed = trial.numbers.side(push) if push is not None else None
-    if value is None or pressed == -1 or trial.numbers.side(value) in (0, -1):
-        return None
-    return Verge(value, limit, slipping_side(search, question, limit, value))
-
-
-def slipping_side(search: Search, question: Asked, limit: Equation, value: Formula) -> int:
-    """On which side of a verge |f| > μ N, by the rate at which μ N − |f| grows with the quantity there; 0 where nothing tells."""
-    other = search.another(search.families, spare=search.spare)
-    letter = question.letter
-    try:
-        other.planned(question, set())
-        other.known.add(letter)
-        friction, most = other.settled(limit.left), other.settled(limit.right)
-    except NoAnswer:
-        return 0
-    if friction is None or most is None:
-        return 0
-    # f = ±μ N at the verge: friction is left where ±μ N ± f grows
-    room = differentiate(most - friction, letter).substitute({letter: value})
-    way, grows = (search.numbers.side(side.substitute({letter: value})) for side in (most, room))
-    return -(grows or 0) * (way or 0)

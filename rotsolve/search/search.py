@@ -160,9 +160,9 @@ class Search(Struct, dict=True):
         """The answers that are not parts of others (components, what a choice compares, steps on the way)."""
         return [item for item in self.answered if not item.asked.whole and not item.aside]
 
-    def answer(self, asked: Asked, limit: Equation | None = None, *, aside: bool = False) -> Answered:
-        """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
-        passing = [self.planner.extend(limit)] if limit is not None else []
+    def answer(self, asked: Asked, *limits: Equation, aside: bool = False) -> Answered:
+        """Settle one question, and remember it for the next; `limits` hold for this question alone ("on the point of slipping")."""
+        passing = [self.planner.extend(limit) for limit in limits]
         try:
             if asked.swings or self.scene.observed:
                 from rotsolve.search.swings import settle_swings

@@ -1,0 +1,152 @@
+"""Verges: `largest F where touch sticks`: the value of a letter at which a contact is on the point of slipping, beyond which it slips.
+
+Where more contacts hold a body in balance than the laws tell apart, all that can give way are on the point of slipping with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice, product
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.derivation import Equality
+from rotsolve.core.equation import POINT_OF_SLIPPING, Equation
+from rotsolve.core.symbols import asked_symbol, rub_key
+from rotsolve.core.writing import spoken
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import Find
+from rotsolve.motion.rubs import STICKS, rubs
+from rotsolve.paths.meaning import NotYet
+from rotsolve.questions.find import Asked, question_for
+from rotsolve.search.answers import Answered, NoAnswer
+from rotsolve.search.extrema import add_step, remember_answer
+from rotsolve.search.friction import TRIALS, limiting
+from rotsolve.search.search import Search
+from rotsolve.solver.steps import Found
+
+Limit = tuple[Equation, Formula]  # |f| = μ N one way, and the normal force
+
+
+class Verge(Struct, frozen=True):
+    """A value at which a contact is on the point of slipping one way, by the limits that are reached; `side` is +1 where it slips beyond
+    it, −1 below it, 0 where nothing tells."""
+
+    value: Formula
+    limits: tuple[Equation, ...]
+    side: int
+
+
+def on_the_point_of_slipping(search: Search, find: Find) -> None:
+    """`largest F where touch sticks`: the value at which the contact is on the point of slipping, beyond which it slips."""
+    condition, configuration = find.where, search.scene.configuration
+    assert condition is not None and condition.path is not None
+    contact, word = condition.path.owner, modifier_of(find)
+    if condition.word not in ("sticks", "rolls"):
+        raise NotYet(f"`where {contact} is {condition.word}` is not solved yet")
+    question = question_for(without_condition(find), search.scene, search.letters())
+    state = find.terms[0].at if find.terms and find.terms[0].at else configuration.timeline.states[-1].name
+    verges = verges_of(contact, state, question, search)
+    if not verges:
+        raise NotYet(f"`{spoken(contact)}` does not come to the point of slipping")
+    ends = [verge for verge in verges if verge.side in (0, 1 if word == "largest" else -1)]
+    if not ends:
+        bound = "large" if word == "largest" else "small"
+        quantity = find.text.split(" where ")[0].removeprefix(word).strip()
+        raise NotYet(f"`{contact}` sticks however {bound} `{quantity}` is")
+    verge = ends[0]
+    for other in ends[1:]:
+        ahead = search.numbers.side(other.value - verge.value)
+        verge = other if ahead == (1 if word == "largest" else -1) else verge
+    if question.letter not in search.solver.solved and open_at(contact, state, search.scene) is search.scene:
+        search.answer(question, *verge.limits)
+        return
+    own = asked_symbol(find.name)  # the letter has the value of another verge
+    question = replace(question, letter=own, formula=Symbol(own))
+    chain = [Equality(limit.left, limit.right) for limit in verge.limits] + [Equality(Symbol(own), verge.value)]
+    steps = add_step(search, question, ("words", POINT_OF_SLIPPING.name), (), chain, ())
+    remember_answer(search, Answered(question, Found(own, verge.value), (), steps))
+
+
+def without_condition(find: Find) -> Find:
+    """The quantity of a question alone."""
+    terms = tuple(replace(term, modifier="") for term in find.terms)
+    return replace(find, where=None, modifier="", terms=terms)
+
+
+def modifier_of(find: Find) -> str:
+    """`largest` or `smallest` in front of a question, or of its quantity."""
+    return find.modifier or (find.terms[0].modifier if find.terms else "")
+
+
+def open_at(contact: str, state: str, scene: SceneEquations) -> SceneEquations:
+    """The scene in which a contact that slips from a state on, by the value of another verge, may stick."""
+    key = rub_key(contact, scene.configuration.phase_start(state))
+    if scene.modes.get(key, STICKS) == STICKS:
+        return scene
+    return scene.where({name: mode for name, mode in scene.modes.items() if name != key})
+
+
+def verges_of(contact: str, state: str, question: Asked, search: Search) -> list[Verge]:
+    """The values at which a contact is on the point of slipping, one way and the other; in balance together with others, if not alone."""
+    scene = open_at(contact, state, search.scene)
+    ground = search if scene is search.scene else Search(scene, search.families, search.spare)
+    own = limiting(ground.scene, contact, state)
+    verges = [verge for limit in own if (verge := verge_at(ground, question, (limit,)))]
+    if verges or not ground.scene.configuration.timeline.state(state).balance:
+        return verges
+    others = [limiting(ground.scene, rub.owner, state) for rub in rubs(ground.scene.configuration) if rub.contact]
+    return [
+        verge
+        for limits in islice(together(own, [item for item in others if item and item != own]), TRIALS)
+        if (verge := verge_at(ground, question, limits))
+    ]
+
+
+def together(own: list[Limit], others: list[list[Limit]]) -> Iterator[tuple[Limit, ...]]:
+    """The limits that several contacts may reach at once, each one way or the other."""
+    return product(own, *others) if others else iter(())
+
+
+def verge_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Verge | None:
+    """The value at which friction has its limits; None where there is none, a surface would have to pull, or it is none that it can be."""
+    trial = search.another(search.families, spare=search.spare)
+    try:
+        value = trial.answer(question, *(limit for limit, _ in limits)).found.formula
+        pushes = [trial.value_of(next(iter(normal.symbols()))) for _, normal in limits]
+    except NoAnswer:
+        return None
+    if value is None or any(push is not None and trial.numbers.side(push) == -1 for push in pushes):
+        return None
+    if not is_place(question.letter, search) and trial.numbers.side(value) in (0, -1):
+        return None
+    alone = len(limits) == 1
+    side = slipping_side(search, question, limits[0][0], value) if alone else 0
+    return Verge(value, tuple(limit for limit, _ in limits), side)
+
+
+def is_place(letter: str, search: Search) -> bool:
+    """Whether a letter says where something is at a state, on one side or the other."""
+    states = search.scene.configuration.timeline.states
+    return any(line.path is not None and line.value == Symbol(letter) for state in states for line in state.conditions)
+
+
+def slipping_side(search: Search, question: Asked, limit: Equation, value: Formula) -> int:
+    """On which side of a verge |f| > μ N, by the rate at which μ N − |f| grows with the quantity there; 0 where nothing tells."""
+    other = search.another(search.families, spare=search.spare)
+    letter = question.letter
+    try:
+        other.planned(question, set())
+        other.known.add(letter)
+        friction, most = other.settled(limit.left), other.settled(limit.right)
+    except NoAnswer:
+        return 0
+    if friction is None or most is None:
+        return 0
+    # f = ±μ N at the verge: friction is left where ±μ N ± f grows
+    room = differentiate(most - friction, letter).substitute({letter: value})
+    way, grows = (search.numbers.side(side.substitute({letter: value})) for side in (most, room))
+    return -(grows or 0) * (way or 0)
