@@ -32,6 +32,7 @@ from rotsolve.search.answers import unsolvable
 
 DOUBLINGS = 9  # up to which a letter is made larger or smaller
 LONGEST = 150  # nodes of what a case hangs on from which on it is not told in letters
+PATIENT = 600  # nodes up to which it is tried whether it is shorter than it is written
 LONG = 120  # nodes of a condition from which on it is not solved for a letter
 BITS, MORE_BITS = 64, 2048  # of the balls by which points are looked for, and where those tell nothing
 FURTHEST = 26  # doublings up to which an edge is looked for
@@ -266,6 +267,8 @@ class LetterSpace:
 
         Unsolvable where it is longer than a page would hold.
         """
+        if LONGEST < length(value) < PATIENT:
+            value = simplify(value, positive=self.positive)
         if length(value) > LONGEST:
             help = f"give a number to {', '.join(f'`{name}`' for name in list(self.letters)[:3])}"
             raise unsolvable(self.problem, "on what the answers hang is too long to print in letters", None, help)

@@ -101,12 +101,12 @@ def verges_of(contact: str, state: str, question: Asked, search: Search) -> list
     others = [limiting(ground.scene, rub.owner, state) for rub in rubs(ground.scene.configuration) if rub.contact]
     return [
         verge
-        for limits in islice(together(own, [item for item in others if item and item != own]), TRIALS)
+        for limits in islice(at_once(own, [item for item in others if item and item != own]), TRIALS)
         if (verge := verge_at(ground, question, limits))
     ]
 
 
-def together(own: list[Limit], others: list[list[Limit]]) -> Iterator[tuple[Limit, ...]]:
+def at_once(own: list[Limit], others: list[list[Limit]]) -> Iterator[tuple[Limit, ...]]:
     """The limits that several contacts may reach at once, each one way or the other."""
     return product(own, *others) if others else iter(())
 
