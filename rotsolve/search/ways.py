@@ -52,9 +52,9 @@ def is_open(rub: Rub, search: Search) -> bool:
 def by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Problem | None:
     """The problem in the case of the value that one question gives its letter in one way, where by that value all goes that way."""
     problem = search.scene.configuration.problem
-    for senses in islice(ways(open_, search.scene.configuration), TRIALS):
+    for senses in islice(ways_together(open_, search.scene.configuration), TRIALS):
         way = {rub.key: rub.mode(sense) for rub, sense in senses.items()}
-        value = value_in(way, find, letter, search)
+        value = value_going(way, find, letter, search)
         if value is None:
             continue
         givens = [replace(item, trial=value) if item.name == letter else item for item in problem.givens]
@@ -68,7 +68,7 @@ def by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Pr
     return None
 
 
-def ways(open_: Sequence[Rub], configuration: Configuration) -> Iterator[Mapping[Rub, int]]:
+def ways_together(open_: Sequence[Rub], configuration: Configuration) -> Iterator[Mapping[Rub, int]]:
     """The senses in which what rubs may move, 0 for what rests, group by group of what moves together; those at rest first."""
     trials = Trials(configuration)
     groups = trials.moving_together(list(open_))
@@ -76,7 +76,7 @@ def ways(open_: Sequence[Rub], configuration: Configuration) -> Iterator[Mapping
         yield {rub: sense for senses in chosen for rub, sense in senses.items()}
 
 
-def value_in(way: Mapping[str, str], find: Find, letter: str, search: Search) -> Formula | None:
+def value_going(way: Mapping[str, str], find: Find, letter: str, search: Search) -> Formula | None:
     """What a question makes of its letter where what rubs moves in a way; None where it has no answer then."""
     trial = Search(search.scene.where({**search.scene.modes, **way}), search.families, search.spare)
     try:
