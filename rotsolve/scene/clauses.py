@@ -51,7 +51,15 @@ class Clauses:
             index = end
         if ("start" in self.words) != ("end" in self.words):
             self.scope.fault(self.node, "`from` and `to` belong together", "write `from A to B`", "find")
+        self.check_order()
         return len(self.scope.faults) == faults
+
+    def check_order(self) -> None:
+        """`from A to B` leads to a later state."""
+        names, start, end = self.scope.names("state"), self.words.get("start"), self.words.get("end")
+        if start in names and end in names and names.index(start) >= names.index(end):
+            help = f"states follow each other as they are written: {', '.join(names)}"
+            self.scope.fault(self.places["start"], f"`{end}` is no later state than `{start}`", help, "find")
 
     def clause(self, word: Lexeme, rest: list[Lexeme]) -> None:
         span = self.node.part(word.start, word.end)
