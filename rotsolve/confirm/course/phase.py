@@ -335,7 +335,7 @@ class NextState:
     def ended(self, lap: Lap, stopped: str = "") -> FollowedPhase:
         """The phase up to where the state is reached."""
         self.laps.append(lap)
-        end = stilled(instant(self.first, lap, 1.0), stopped)
+        end = at_rest(stilled(instant(self.first, lap, 1.0), stopped), instant(self.first, lap, 0.5))
         return FollowedPhase(self.first, self.laps, end, lap.modes)
 
 
@@ -350,6 +350,15 @@ def stilled(at: Node, stopped: str = "") -> Node:
             for index, part in grip.row.slope.items():
                 speed[index] -= slip * part / square
     return Node(at.model, replace(at.placed, speed=speed), at.budget)
+
+
+def at_rest(at: Node, before: Node) -> Node:
+    """The same instant where nothing moves any more, beside how fast it has moved before: the rest is rounding, by which it would come to
+    rest once more right after it."""
+    fastest, most = (max(map(abs, node.placed.speed), default=0.0) for node in (at, before))
+    if not 0.0 < fastest <= STOPPED * most:
+        return at
+    return Node(at.model, replace(at.placed, speed=[0.0] * len(at.placed.speed)), at.budget)
 
 
 def giving_way(at: Node, letting: Mapping[str, str]) -> Node:
