@@ -51,7 +51,7 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
 
 
 def released_before(course: Course, find: Find) -> str:
-    """What lets go, turns back or meets again before the states that a question is about, where it certainly does; '' where nothing does."""
+    """What lets go, turns back or meets again before the states that a question is about; '' where nothing certainly does."""
     if any(given.value is None for given in course.problem.givens):
         return ""
     try:

@@ -113,7 +113,8 @@ def at_numbers(
     known = {**numbers, **asked_letters(problem, numbers, solved)}
     for several in answers:  # an answer is that of the case to which the numbers belong
         own = holding(several, numbers) if finds[several.name][0].formula == Symbol(several.name) else None
-        known |= {own.name: size for size in said_of(own, numbers).values() if isinstance(size, float)} if own else {}
+        size = number_of(own, numbers) if own is not None else None
+        known |= {several.name: size} if size is not None else {}
     asker = Asker(problem, Course(problem, known, budget))
     for several in answers:
         answer = holding(several, known)
