@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -132,3 +133,11 @@ def meeting_point(host: str, other: str, instant: Instant) -> Vector | None:
         if host in places and other in places:
             return places[host] - places[other]
     return None
+
+
+def last_body(owner: str, bodies: Sequence[str], instant: Instant) -> str:
+    """Of the bodies on which an element acts, the one that it names last; none where it acts on none."""
+    items = (item for item in instant.configuration.acting(instant.state) if item.name == owner)
+    refs = [ref for item in items for ref in item.touches() if ref.owner in instant.configuration.bodies]
+    named = [instant.host(ref.owner) for ref in refs]
+    return next((name for name in reversed(named) if name in bodies), bodies[-1] if bodies else "")

@@ -23,7 +23,7 @@ from rotsolve.motion.rigid import rim_ways, tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size, whole_vector
-from rotsolve.paths.shares import joined
+from rotsolve.paths.shares import joined, last_body
 
 
 def impulse(path: Path, interval: str, scene: SceneEquations) -> Formula:
@@ -102,18 +102,21 @@ def last_named(owner: str, interval: str, scene: SceneEquations) -> str:
 
 
 def impulse_over(path: Path, passage: Passage, scene: SceneEquations) -> Formula:
-    """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time."""
+    """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time, on the body that is named last."""
     pairs: list[tuple[Formula, Formula]] = []
+    instant = scene.instant(passage.start.state)
+    acted = [body.name for body in passage.start.bodies if any(item.owner == path.owner for item in body.acting)]
+    if not acted:
+        raise NotYet(f"`{path.owner}` gives no impulse in this phase")
+    last = last_body(path.owner, acted, instant)
     for first, body in zip(passage.start.bodies, passage.midst.bodies, strict=True):
-        sense = sense_on(path.owner, body, scene.instant(passage.start.state))
-        pairs += zip(efforts(path, first, sense), efforts(path, body, sense), strict=True)
+        if body.name == last:
+            sense = sense_on(path.owner, body, instant)
+            pairs += zip(efforts(path, first, sense), efforts(path, body, sense), strict=True)
     if any(running(effort.symbols()) for _, effort in pairs):
         word = path.quantity.replace("_", " ")
         raise NotYet(f"the {word} of `{path.owner}`, which varies with the motion, is not solved yet")
-    result = total([over_time(one, effort, passage) for one, effort in pairs])
-    if result == ZERO:
-        raise NotYet(f"`{path.owner}` gives no impulse in this phase")
-    return result
+    return total([over_time(one, effort, passage) for one, effort in pairs])
 
 
 def sense_on(owner: str, body: BodyFacts, instant: Instant) -> int:
@@ -127,7 +130,13 @@ def efforts(path: Path, body: BodyFacts, sense: int) -> list[Formula]:
     """What an action or connection does to a body: its torques along a sense, or the sizes of its forces."""
     if path.quantity == "angular_impulse":
         return [signed(body.torque_of(item), sense) for item in body.acting if item.owner == path.owner]
-    return [force.size for force in body.forces if force.owner == path.owner]
+    forces = [force for force in body.forces if force.owner == path.owner]
+    if path.component is not None:
+        return [force.vector.along(RIGHT if path.component == "x" else UP) for force in forces]
+    if len({force.direction for force in forces}) > 1:
+        help = f"ask for `{path.owner}.impulse.x` and `{path.owner}.impulse.y`"
+        raise NotYet(f"`{path.owner}` pushes `{body.name}` in several directions", help=help)
+    return [force.size for force in forces]
 
 
 def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
@@ -167,6 +176,8 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
         raise NotYet(f"the work done on `{path.owner}` alone, which is joined to another, is not solved yet", help=help)
     if not works and idle(path.owner, passage):
         return ZERO
+    if not works and any(item.owner == path.owner for item in passage.midst.potentials):
+        return negate(stored_change(path.owner, passage))
     if not works:
         raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
     return total([work.amount for work in works])
@@ -185,11 +196,20 @@ def potential_change(owner: str, passage: Passage, scene: SceneEquations) -> For
     """U₂ − U₁ of a body's weight, of a spring, or of everything."""
     if owner in scene.configuration.bodies:
         return negate(work_of_weight(owner, passage, scene))
-    groups = [group for group in passage.groups if not owner or owner in group] or list(passage.groups)
-    if any(passage.heights.get(name) is None for group in groups for name in group if not owner or name == owner):
+    if owner:
+        return stored_change(owner, passage)
+    if any(passage.heights.get(name) is None for group in passage.groups for name in group):
         raise NotYet("how high it is at both states is not told by the scene")
-    ends = [(group, end, sign) for group in groups for end, sign in ((1, 1), (0, -1))]
+    ends = [(group, end, sign) for group in passage.groups for end, sign in ((1, 1), (0, -1))]
     return total([signed(term, sign) for group, end, sign in ends for term in potential(passage, group, end)])
+
+
+def stored_change(owner: str, passage: Passage) -> Formula:
+    """U₂ − U₁ of what a spring or wire stores: minus the work that it does."""
+    ends = ((passage.end, 1), (passage.start, -1))
+    return total(
+        [signed(item.energy, sign) for facts, sign in ends for item in facts.potentials if item.owner == owner]
+    )
 
 
 STORED = ("potential_energy", "energy")

@@ -230,6 +230,11 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
     return entry is None or (len(rest) > 1 and rest[1] not in entry.components)
 
 
+OF_ENDS = (
+    "tension",
+)  # what is told of the part of a connection at one of its ends; all else is of the whole, or on the body named last
+
+
 def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Path | None:
     """connection[.end].quantity[.component], action.quantity, event.quantity"""
     owner, rest = words[0], words[1:]
@@ -240,8 +245,8 @@ def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> 
     ends = scope.touched.get(owner, ())
     if len(rest) > 1 and rest[0] in ends and rest[0] not in cls.quantities:
         point, rest = str(rest[0]), rest[1:]
-    names = [*cls.quantities, *(ends if not point else ())]
-    return finish(scope, node, owner, point, None, rest, span, list(cls.quantities), names)
+    allowed = [word for word in cls.quantities if not point or word in OF_ENDS]
+    return finish(scope, node, owner, point, None, rest, span, allowed, [*allowed, *(ends if not point else ())])
 
 
 def finish(

@@ -140,3 +140,71 @@ def test_a_force_on_a_free_pole_is_not_taken_for_a_steady_torque() -> None:
     text += "actions: {pull: {force: F, on: pole.end, direction: up}}\nstates: {a: {at rest: all}, b: {time: 3 s}}\n"
     with pytest.raises((Unsolvable, SceneError)):
         solve(text + "find: {w: pole.angular_velocity at b}\n")
+
+
+DRUM = """title: Load on a drum with a wire, or on a coil
+given: {m: 2 kg, k: 3 N m/rad, c: 50 N/m, h: 20 cm}
+bodies: {drum: {inertia: 0.4 kg m^2, radius: 10 cm, turns: counterclockwise}, load: {mass: m, moves: down}}
+connections: {ax: {axle: drum}, s: {string: [load, drum]}, TIED}
+states: {start: {STRETCHED, load.velocity: 2 m/s}, end: {load.displacement: h}}
+find: {U: change of tied.potential_energy from start to end, W: tied.work from start to end,
+  A: change of potential_energy from start to end, L: lost tied.potential_energy from start to end,
+  G: change of load.potential_energy from start to end}
+"""
+
+
+@pytest.mark.parametrize("turns", ["counterclockwise", "clockwise"])
+@pytest.mark.parametrize(
+    ("tied", "stretched", "ends", "stiffness"),
+    [
+        ("tied: {torsion: drum, stiffness: k}", "drum.angle: 0", (0, 2), 3),
+        ("tied: {torsion: drum, stiffness: k, rest_angle: WAY*1 rad}", "drum.angle: 0", (-1, 1), 3),
+        ("tied: {spring: [ceiling, load], stiffness: c}", "tied.elongation: -5 cm", (-0.05, 0.15), 50),
+    ],
+)
+def test_the_energy_of_an_element_is_its_own(
+    tied: str, stretched: str, ends: tuple[float, float], stiffness: float, turns: str
+) -> None:
+    """½ k x² of the spring or wire that is named, beside weights, and its work the opposite; of all together the sum."""
+    way, sides = {"counterclockwise": ("1", "[load, drum]"), "clockwise": ("-1", "[drum, load]")}[turns]
+    text = DRUM.replace("TIED", tied).replace("STRETCHED", stretched).replace("WAY", way)
+    answers = solve(text.replace("turns: counterclockwise", f"turns: {turns}").replace("[load, drum]", sides)).answers
+    own = stiffness / 2 * (ends[1] ** 2 - ends[0] ** 2)
+    assert answers["U"].float == pytest.approx(own, abs=1e-9)
+    assert answers["W"].float == answers["L"].float == pytest.approx(-own, abs=1e-9)
+    assert answers["G"].float == pytest.approx(-2 * G * 0.2)
+    assert answers["A"].float == pytest.approx(own - 2 * G * 0.2)
+
+
+ATWOOD = """title: Two loads over a wheel
+given: {m: 1 kg, M: 2 kg, h: 10 cm}
+bodies: {one: {mass: M, moves: down}, wheel: {shape: disc, mass: m, radius: 10 cm}, two: {mass: m, moves: up}}
+connections: {ax: {axle: wheel}, s: {string: [one, wheel, two]}}
+states: {start: {at rest: all}, end: {one.displacement: h}}
+find: {J: ASKED from start to end, t: time from start to end, S: s.work from start to end}
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "force"), [("s.impulse", 2), ("s.impulse.y", 2), ("s.impulse.x", 0), ("ax.impulse.y", 3)]
+)
+def test_an_impulse_over_a_phase_is_that_on_the_body_named_last(asked: str, force: int) -> None:
+    """The pull on the last load upwards, and the push on the wheel: both pulls and its weight."""
+    answers = solve(ATWOOD.replace("ASKED", asked)).answers
+    a = (2 - 1) * G / 3.5
+    pulls = [2 * (G - a), G + a]
+    size = {0: 0.0, 2: pulls[1], 3: sum(pulls) + G}[force]
+    assert answers["J"].float == pytest.approx(size * sqrt(2 * 0.1 / a), abs=1e-12)
+    assert answers["S"].float == 0
+
+
+def test_an_impulse_in_two_directions_is_asked_by_its_components() -> None:
+    refused = solve(ATWOOD.replace("ASKED", "ax.impulse")).refused["J"].fault
+    assert "in several directions" in refused.message
+    assert "ax.impulse.x" in refused.help
+
+
+@pytest.mark.parametrize("word", ["work", "power", "force", "impulse"])
+def test_an_end_of_a_string_has_its_tension_alone(word: str) -> None:
+    with pytest.raises(SceneError, match=f"`s.two` has no quantity `{word}`"):
+        solve(ATWOOD.replace("ASKED", f"s.two.{word}"))

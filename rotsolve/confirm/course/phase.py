@@ -80,11 +80,11 @@ def refined(
     value: tuple[float, float],
     depth: int,
 ) -> tuple[float, float]:
-    """The integral of a panel, halved until halves add up to the whole."""
+    """The integral of a panel, halved until halves add up to the whole; what is small is held no closer than it is compared (`number`)."""
     middle = (low + high) / 2.0
     halves = [panel(first, lap, rate, low, middle), panel(first, lap, rate, middle, high)]
     total, size = (halves[0][k] + halves[1][k] for k in range(2))
-    if abs(total - value[0]) <= 1e-9 * max(size, 1e-12) or depth > 20:
+    if abs(total - value[0]) <= 1e-9 * max(size, 1e-4) or depth > 20:
         return total, size
     ends = ((low, middle), (middle, high))
     parts = [refined(first, lap, rate, *end, half, depth + 1) for end, half in zip(ends, halves, strict=True)]
