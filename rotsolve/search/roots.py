@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import decided_by_size
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call, sqrt
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call, negate, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.facts import signed
@@ -180,7 +180,8 @@ class FirstReached(Struct, frozen=True):
     def choose(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
         """Of several angles the one that a body comes to first on its way; None where nothing tells where it starts.
 
-        The roots are all places in one turn at which the condition of the state holds, so that it holds at none before.
+        The roots are all places in one turn at which the condition of the state holds, so that it holds at none before; of what a wire
+        turns back, whole turns are no way to come to one.
         """
         letter, scale, shift = self.place_behind(name)
         for interval, passage in self.scene.passages.items():
@@ -188,7 +189,9 @@ class FirstReached(Struct, frozen=True):
                 begin = self._begin(travel, letter, interval)
                 if begin is None:
                     continue
-                ways = [self._way_to(k, root, (root - shift) / scale, *begin) for k, root in roots]
+                places = [(k, root, (root - shift) / scale) for k, root in roots]
+                wound = travel.kind == "turn" and self.scene.instant(passage.end.state).wound(travel.body)
+                ways = self._along_wire(places, *begin) if wound else [self._way_to(*place, *begin) for place in places]
                 first = min(ways, key=cmp_to_key(self._compared))
                 words: Words = ("the first place on the way where this holds",)
                 turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
@@ -254,6 +257,14 @@ class FirstReached(Struct, frozen=True):
         if found or self.numbers.side(rest) == 0:
             turns -= 1
         return WayToRoot(root, value, gap - turns * TURN, -way * turns)
+
+    def _along_wire(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
+        """The ways to places none of which comes again a turn later: those ahead, else back to those behind."""
+        if not way:
+            return [self._way_to(*place, start, way) for place in places]
+        gaps = [(k, root, place - start if way > 0 else start - place) for k, root, place in places]
+        ahead = [WayToRoot(k, root, gap) for k, root, gap in gaps if self.numbers.side(gap) == 1]
+        return ahead or [WayToRoot(k, root, negate(gap)) for k, root, gap in gaps]
 
     def _entry(self, body: str, circle: Orbit, state: str) -> Formula | None:
         """Where on its circle a body is at the start of its way; a track leads into a bowl at its bottom, over a hill at its top."""

@@ -153,3 +153,41 @@ actions: {pull: {couple: M, on: wheel}, motor: {power: P, on: wheel}}
 states: {one: {wheel.angular_velocity: w}, two: {}}
 find: {x: lost wheel.angular_velocity from one to two}
 """)
+
+
+WIRE = """title: Disc on a wire
+given: {{I: 2 kg m^2, k: 3 N m/rad, w: {speed} rad/s, b: {begin} rad, r: {rest} rad}}
+bodies: {{disc: {{inertia: I, turns: {turns}}}}}
+connections: {{axle: {{axle: disc}}, wire: {{torsion: disc, stiffness: k, rest_angle: r}}}}
+states: {{go: {{disc.angle: b, disc.angular_velocity: w}}, far: {{disc.angular_velocity: 0}}}}
+find: {{phi: disc.angle at far, q: wire.torque at far, t: disc.rotation from go to far}}
+"""
+
+
+@pytest.mark.parametrize("turns", ["counterclockwise", "clockwise"])
+@pytest.mark.parametrize(
+    ("speed", "begin", "rest"), [(1, 0, 0), (9, 1, 0), (-30, 2, 5), (12, -20, 1), (0, 9, 0), (0, -15, 2)]
+)
+def test_a_wire_knows_turns(speed: float, begin: float, rest: float, turns: str) -> None:
+    """It turns on to r ± √((b − r)² + I ω²/κ), however many turns that is; let go, to the other side."""
+    scene = WIRE.format(speed=speed, begin=begin, rest=rest, turns=turns)
+    sense = 1 if turns == "counterclockwise" else -1
+    way = math.copysign(1, speed * sense) if speed else math.copysign(1, rest - begin)
+    far = rest + way * math.sqrt((begin - rest) ** 2 + 2 * speed**2 / 3)
+    assert value(scene, "phi") == pytest.approx(far)
+    assert value(scene, "t") == pytest.approx((far - begin) * sense)
+
+
+@pytest.mark.parametrize("load", [False, True])
+def test_a_wire_in_letters_has_no_cases_of_turns(load: bool) -> None:
+    """Shot from its rest angle, whatever the letters are; a load on a string goes along as far as that stays taut."""
+    scene = WIRE.format(speed=1, begin=0, rest=0, turns="counterclockwise")
+    for number, letter in (("2 kg m^2", "kg m^2"), ("3 N m/rad", "N m/rad"), ("1 rad/s", "rad/s")):
+        scene = scene.replace(number, letter, 1)
+    if load:
+        scene = scene.replace("inertia: I", "inertia: I, radius: 10 cm").replace(
+            "}}\nconnections: {", "}, load: {mass: 1 kg, moves: up}}\nconnections: {s: {string: [disc, load]}, "
+        )
+    answers = solve(scene).answers
+    assert not answers["phi"].otherwise
+    assert len(answers["phi"].conditions) == load
