@@ -209,6 +209,8 @@ def reversed_parts(
     """The parts of one phase, each counted positive, with what tells when the motion reverses and how far it has come then."""
     first, middle = scene.instant(interval.start), scene.instant(interval.start, generic=True)
     times = [beside.settled(scene.instant(state).time(), "time") for state in (interval.start, interval.end)]
+    if beside.side(times[1] - times[0]) != 1:
+        raise NotYet(f"how long `{interval.name}` lasts is not told by these laws", help="give numbers to the letters")
     speed = beside.settled(rate_along(word, name, middle), RATE[word])
     change = rotation(name, interval, first) if word == "rotation" else way(path, name, interval, first)
     turns = beside.zeros(speed, times[0], times[1])

@@ -81,8 +81,11 @@ class Expected(Struct, frozen=True):
             return self._told(kind, owner, name, timed)
         change = travel.end - travel.start if travel.start is not None and travel.end is not None else None
         told = [change]
-        if not first:
-            told += [travel.change if change is None else None, travel.before, self.numbers.push(travel.initial)]
+        gone = travel.change if change is None else change
+        if not first and self.numbers.found(gone) == 0.0:  # it has come back
+            told = [negate(travel.before)]
+        elif not first:
+            told += [gone, travel.before, self.numbers.push(travel.initial)]
         sign = self.numbers.sign(told)
         return self._told(kind, owner, name, sign) if sign else (0, ())
 

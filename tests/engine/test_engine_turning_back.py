@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 
 G = 9.8
@@ -113,3 +114,40 @@ def test_letters_tell_the_first_half_swing_and_refuse_the_others_by_name() -> No
     assert sorted(found) == [["τ > k th₀"], ["τ ≤ k th₀", "T ≤ π √(I/k)"]]
     said = " ".join(str(word) for check in solution.derivation.checks if check.holds is None for word in check.words)
     assert "wheel turns back, and its friction with it" in said
+
+
+BACK = """title: up and back
+given: {u: 2 m/s, beta: 30 deg, R: 10 cm}
+surfaces: {ramp: {slope: beta, down: DOWN}}
+bodies: {body: {SHAPE, mass: 1 kg, moves: WAY}}
+connections: {base: {TOUCH: [body, ramp]}}
+states: {start: {body.velocity: SPEED}, end: {body.displacement: 0}}
+find: {QUESTION}
+"""
+
+
+@pytest.mark.parametrize("down", ["left", "right"])
+@pytest.mark.parametrize(("way", "speed"), [("up", "u"), ("down", "-u")])
+@pytest.mark.parametrize(
+    ("shape", "touch", "share"), [("shape: sphere, radius: R", "rolls", 7 / 5), ("", "contact", 1)]
+)
+def test_what_comes_back_to_where_it_was_goes_the_other_way(
+    shape: str, touch: str, share: float, way: str, speed: str, down: str
+) -> None:
+    """Up and down again: twice u²/(2 a) with a = g sin β less the share of the rolling, in 2 u/a; also where the way alone is asked."""
+    text = BACK.replace("SHAPE, ", f"{shape}, " if shape else "").replace("TOUCH", touch)
+    text = text.replace("WAY", way).replace("SPEED", speed).replace("DOWN", down)
+    a = 9.8 / 2 / share
+    for question, value in (
+        ("d: body.distance", 4 / a),
+        ("t: time from start to end", 4 / a),
+        ("v: body.speed at end", 2),
+    ):
+        asked = text.replace("QUESTION", f"{question} from start to end" if "distance" in question else question)
+        assert next(iter(solve(asked).answers.values())).float == pytest.approx(value)
+    letters = text.replace("u: 2 m/s", "u: m/s").replace("QUESTION", "d: body.distance from start to end")
+    if touch == "contact":
+        assert solve(letters).answers["d"].exact == "u²/(g sin β)"
+        return
+    with pytest.raises(Unsolvable, match="how long `start to end` lasts is not told"):
+        solve(letters).complete()
