@@ -32,7 +32,7 @@ from rotsolve.paths.meaning import (
     vector_size,
 )
 from rotsolve.paths.points import OF_POINTS, OfPoints
-from rotsolve.paths.shares import last_body, place_about, share_of
+from rotsolve.paths.shares import named_last, place_about, share_of
 
 if TYPE_CHECKING:
     from rotsolve.language.elements import Connection
@@ -83,7 +83,7 @@ class OfElements(AtInstant, frozen=True):
         bodies = [body.name for body, _ in (*acting.couples, *acting.forces)]
         if not bodies:
             raise NotYet(f"`{path.owner}` gives no torque{self._moment()}")
-        last = last_body(path.owner, bodies, self.instant)
+        last = named_last(path.owner, bodies, self.instant)
         couples = [couple.torque for body, couple in acting.couples if body.name == last][-1:]
         forces = [(body, force) for body, force in acting.forces if body.name == last]
         point = None if acting.about is None else place_about(acting.about, last, self.instant)
@@ -177,7 +177,7 @@ class OfElements(AtInstant, frozen=True):
             raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
         if path.component is None and forces[-1][1].role.meshes:
             return forces[-1][1].size
-        last = last_body(path.owner, [body.name for body, _ in forces], self.instant)
+        last = named_last(path.owner, [body.name for body, _ in forces], self.instant)
         self._refuse_strain(path, forces)
         vector, arm = Vector(), Vector()
         for body, force in forces:

@@ -135,7 +135,7 @@ def meeting_point(host: str, other: str, instant: Instant) -> Vector | None:
     return None
 
 
-def last_body(owner: str, bodies: Sequence[str], instant: Instant) -> str:
+def named_last(owner: str, bodies: Sequence[str], instant: Instant) -> str:
     """Of the bodies on which an element acts, the one that it names last; none where it acts on none."""
     items = (item for item in instant.configuration.acting(instant.state) if item.name == owner)
     refs = [ref for item in items for ref in item.touches() if ref.owner in instant.configuration.bodies]

@@ -23,7 +23,7 @@ from rotsolve.motion.rigid import rim_ways, tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size, whole_vector
-from rotsolve.paths.shares import joined, last_body
+from rotsolve.paths.shares import joined, named_last
 
 
 def impulse(path: Path, interval: str, scene: SceneEquations) -> Formula:
@@ -108,7 +108,7 @@ def impulse_over(path: Path, passage: Passage, scene: SceneEquations) -> Formula
     acted = [body.name for body in passage.start.bodies if any(item.owner == path.owner for item in body.acting)]
     if not acted:
         raise NotYet(f"`{path.owner}` gives no impulse in this phase")
-    last = last_body(path.owner, acted, instant)
+    last = named_last(path.owner, acted, instant)
     for first, body in zip(passage.start.bodies, passage.midst.bodies, strict=True):
         if body.name == last:
             sense = sense_on(path.owner, body, instant)
