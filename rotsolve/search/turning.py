@@ -11,6 +11,7 @@ from fractions import Fraction
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.calculus.integral import integrate_by_hand
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
@@ -50,7 +51,7 @@ def turned_on_way(passage: Passage, settled: Settled, search: Search) -> tuple[T
         ahead = search.numbers.side(way.end - way.start)
         if ahead != way.sets_out:
             return travel, BACK
-        if stopped(way, search):
+        if stopped(way, search) or falls_short(way, search):
             return travel, NEVER
     return None
 
@@ -86,14 +87,31 @@ def time_to_turn(interval: Interval, line: Condition, search: Search) -> Formula
     return own.settled(passage.duration)
 
 
+def pull_on(way: Way, search: Search) -> Formula | None:
+    """The acceleration of a coordinate along its way, by its place; None where the laws do not tell it."""
+    travel = way.travel
+    push = search.beside_by((NEWTON,)).settled(travel.acceleration) if is_quantity(travel.acceleration) else None
+    return signed(push * travel.arm, travel.sense) if push is not None else None
+
+
+def falls_short(way: Way, search: Search) -> bool:
+    """Whether ½ v₀² + ∫ a ds is negative at the end; of letters that is a condition of the case."""
+    pull, travel = pull_on(way, search), way.travel
+    if pull is None or not isinstance(travel.coordinate, Symbol):
+        return False
+    ends = [signed(place, travel.sense) for place in (way.start, way.end)]
+    gained = integrate_by_hand(pull, travel.coordinate.name, *ends, positive=search.solver.positive)
+    if gained is None or has_quantities(gained):
+        return False
+    return search.numbers.side(HALF * way.speed**2 + gained) == -1
+
+
 def stopped(way: Way, search: Search) -> bool:
     """Whether ½ v₀² + ∫ a ds is negative at a place between the ends where it is smallest: where a vanishes."""
-    travel, values = way.travel, search.values
-    push = search.beside_by((NEWTON,)).settled(travel.acceleration) if is_quantity(travel.acceleration) else None
-    if push is None or not isinstance(travel.coordinate, Symbol):
+    travel, values, pull = way.travel, search.values, pull_on(way, search)
+    if pull is None or not isinstance(travel.coordinate, Symbol):
         return False
     letter = travel.coordinate.name
-    pull = signed(push * travel.arm, travel.sense)
     ends = [signed(place, travel.sense) for place in (way.start, way.end)]
     if {name for name in pull.symbols() - values.keys() if name != letter} or any(map(has_quantities, ends)):
         return False
