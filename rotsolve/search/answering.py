@@ -48,7 +48,7 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
     failed = answer_all(search, finds)
     if not failed:
         return search
-    alone = failed if search.thorough else [item for find, _ in failed for item in answer_all(afresh(search), [find])]
+    alone = failed if search.thorough else [item for find, _ in failed for item in refused_alone(find, search)]
     if alone:
         raise Unanswered({find.name: error for find, error in alone})
     first = [find for find, _ in failed]
@@ -64,6 +64,12 @@ def afresh(search: Search) -> Search:
     other = search.another(search.families, spare=search.spare)
     other.thorough = True
     return other
+
+
+def refused_alone(find: Find, search: Search) -> Refused:
+    """Why a question has no answer even with nothing else than the questions that it names; nothing where it has one."""
+    named = with_named({find.name}, search.scene.configuration.problem)
+    return [item for item in answer_all(afresh(search), named) if item[0].name == find.name]
 
 
 def needed_for(find: Find, problem: Problem) -> Iterator[tuple[Find, ...]]:

@@ -10,10 +10,11 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.separable import has_root
 from rotsolve.algebra.exact.field import PolynomialSigns
-from rotsolve.algebra.exact.normal import Fractions, is_zero
+from rotsolve.algebra.exact.normal import Fractions, degree, is_zero
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import FOUND
 from rotsolve.core.quantity import QUANTITIES
@@ -103,7 +104,8 @@ class Curve(Struct, frozen=True):
     letter: str
     quantity: Formula
     curve: Formula
-    slope: Formula
+    slope: Formula  # of the curve, or of its square where only that is smooth
+    smooth: Formula  # the curve or its square
 
     def value(self, at: Formula, search: Search) -> Formula | None:
         """The quantity at a place, None where it has no value there."""
@@ -113,8 +115,8 @@ class Curve(Struct, frozen=True):
             return None
 
 
-def best_place(course: Curve, word: str, search: Search) -> tuple[Formula, Words]:
-    """The place of the extremum, and why it is this one: all places where it can be, with the value there."""
+def best_place(course: Curve, word: str, search: Search, *, only: bool) -> tuple[Formula, Words]:
+    """The place of the extremum, the `only` one where that is asked, and why: all places where it can be, with the value there."""
     domain = domain_of(course.letter, search)
     check_smooth(course, domain, search)
     roots = roots_of(course, search)
@@ -132,6 +134,10 @@ def best_place(course: Curve, word: str, search: Search) -> tuple[Formula, Words
         if ahead is None:
             raise NotYet(f"where `{course.letter}` makes it {word} depends on the givens: give them numbers")
         best = other if ahead * side > 0 else best
+    level = [at for at, value in valued if only and at != best[0] and not turning and is_zero(value - best[1])]
+    if level:
+        places = " and ".join(to_text(at) for at in (best[0], *level))
+        raise NotYet(f"it is {word} at more than one `{course.letter}`: at {places}")
     at_end: Words = ("an end of the range; ",) if best[0] in ends else ()
     return best[0], (*at_end, *why_best(course, valued, best, word))
 
@@ -181,12 +187,26 @@ def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> b
 def check_smooth(course: Curve, domain: Domain, search: Search) -> None:
     """An extremum at a kink or a pole is not seen by the derivative."""
     positive = search.solver.positive | ({course.letter} if domain.low == ZERO else frozenset())
-    problem = Fractions([course.curve], positive=positive)
+    problem = Fractions([course.smooth], positive=positive)
     _, bottom = problem.field.cancel(problem.ratio())
     signs = PolynomialSigns(problem.field, positive)
-    kinked = any(course.letter in node.symbols() for node in course.curve.walk("abs"))
-    if kinked or not (signs.nonnegative(bottom) or signs.nonnegative(-bottom)):
+    parts = [part for part, _ in problem.field.factor(bottom)[1]]
+    if bends(course.smooth, course.letter) or not all(
+        signs.nonnegative(part)
+        or signs.nonnegative(-part)
+        or rootless(problem.shaper.poly(part), course.letter, search)
+        for part in parts
+    ):
         raise NotYet(f"an extremum of what jumps or bends sharply as `{course.letter}` changes is not solved yet")
+
+
+def rootless(part: Formula, letter: str, search: Search) -> bool:
+    """Whether a factor of the second degree in a letter vanishes nowhere: b² < 4 a c."""
+    if degree(part, letter) != 2:
+        return letter not in part.symbols()
+    bend, zero = differentiate(differentiate(part, letter), letter), {letter: ZERO}
+    slope, rest = differentiate(part, letter).substitute(zero), part.substitute(zero)
+    return search.signs.sign(slope**2 - bend * rest * 2) == -1
 
 
 def check_open_ends(
@@ -283,11 +303,14 @@ def place_of_extremum(search: Search, find: Find, *, aside: bool = False) -> Ans
             help="write `x where Q is largest`, with `x: unknown` or `x: m` under `given`",
         )
     quantity, curve = as_function_of(search, condition.phrase, letter)
-    slope = search.solver.simplify(differentiate(curve, letter))
+    smooth = search.solver.simplify(curve**2) if bends(curve, letter) else curve
+    slope = search.solver.simplify(differentiate(smooth, letter))
     said, shown = flatness(name_to_text(quantity.asked.find.name), curve, letter, slope, search)
     given = search.givens[letter]
     own = letter if given.asked else asked_symbol(find.name)
-    at, reason = best_place(Curve(letter, Symbol(quantity.asked.letter), curve, slope), condition.word, search)
+    at, reason = best_place(
+        Curve(letter, Symbol(quantity.asked.letter), curve, slope, smooth), condition.word, search, only=not aside
+    )
     # else it is at an end, where nothing needs to vanish
     flat = is_zero(shown.substitute({letter: at}), search.solver.positive)
     equation = Equality(shown.substitute({letter: Symbol(own)}) if flat else shown, ZERO)
@@ -300,11 +323,16 @@ def place_of_extremum(search: Search, find: Find, *, aside: bool = False) -> Ans
 
 
 def flatness(name: str, curve: Formula, letter: str, slope: Formula, search: Search) -> tuple[str, Formula]:
-    """What vanishes at an extremum, in words and as a formula: the derivative, of a root that of its square."""
+    """What vanishes at an extremum, in words and as a formula: the derivative, of a root or a size that of its square."""
     square = search.solver.simplify(curve**2)
-    if has_root(curve, letter) and not has_root(square, letter):
+    if (has_root(curve, letter) and not has_root(square, letter)) or bends(curve, letter):
         return f"d({name}²)/d{name_to_text(letter)} = 0", search.solver.simplify(differentiate(square, letter))
     return f"d{name}/d{name_to_text(letter)} = 0", slope
+
+
+def bends(curve: Formula, letter: str) -> bool:
+    """Whether a curve is a size, which may bend sharply where its letter changes."""
+    return any(letter in node.symbols() for node in curve.walk("abs"))
 
 
 def as_function_of(search: Search, phrase: Find, letter: str) -> tuple[Answered, Formula]:

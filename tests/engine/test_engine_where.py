@@ -112,3 +112,34 @@ find: {{theta: theta where rod.angular_velocity = u at high in deg}}
 """
     )
     assert solution.answers["theta"].float == pytest.approx(reached, abs=0.01)
+
+
+HINGED = """
+title: Rod let go from level, hinged at x
+given: {{M: {M}, L: {L}, x: m}}
+bodies: {{bar: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{hinge: bar.at(x)}}}}
+states: {{s: {{bar.angle: 0, at rest: all}}}}
+find: {{a: size of bar.end.acceleration at s, al: size of bar.angular_acceleration at s, {find}}}
+"""
+
+
+@pytest.mark.parametrize("letters", [NUMBERS, LETTERS])
+def test_a_size_has_an_extremum_where_its_square_has_one(letters: dict[str, str]) -> None:
+    solution = solve(
+        HINGED.format(find="y: x where a is largest", **letters)
+    )  # 3 g |2 x − L| (L − x)/(2 (L² − 3 L x + 3 x²)) falls
+    assert same(solution, "y", "0")
+    assert solution.derivation.confirmed and not solution.derivation.refused
+
+
+def test_one_of_two_places_that_are_as_good_is_no_answer() -> None:
+    solution = solve(HINGED.format(find="y: x where al is largest", **LETTERS))
+    assert [item.name for item in solution.derivation.refused] == ["y"]
+    assert "at more than one `x`" in solution.derivation.refused[0].fault.message
+
+
+def test_a_question_without_an_answer_says_why_with_those_that_it_names() -> None:
+    solution = solve(HINGED.format(find="y: x where al is smallest, m: bar.mass, z: x where m is largest", **LETTERS))
+    assert same(solution, "y", "L/2")
+    assert "is no function of `x`" in solution.derivation.refused[0].fault.message
