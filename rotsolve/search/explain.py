@@ -169,7 +169,10 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
         return f"give the `stiffness` of `{spring}`, or its force"
     from rotsolve.search.proposals import TRIED, leads_on, proposals
 
-    worth = search.thorough and search.families == families_for(None) and len(quantities) <= FEW
+    opened = any(
+        state.opened for state in scene.configuration.timeline.states
+    )  # then the scene has said enough to follow it
+    worth = search.thorough and not opened and search.families == families_for(None) and len(quantities) <= FEW
     for proposal in islice(proposals(quantities, scene, asked), TRIED if worth else 0):
         if search.ground is None or search.ground.helps_left == 0:
             break

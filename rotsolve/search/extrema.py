@@ -191,7 +191,7 @@ def check_smooth(course: Curve, domain: Domain, search: Search) -> None:
     _, bottom = problem.field.cancel(problem.ratio())
     signs = PolynomialSigns(problem.field, positive)
     parts = [part for part, _ in problem.field.factor(bottom)[1]]
-    if bends(course.smooth, course.letter) or not all(
+    if may_bend(course.smooth, course.letter) or not all(
         signs.nonnegative(part)
         or signs.nonnegative(-part)
         or rootless(problem.shaper.poly(part), course.letter, search)
@@ -303,7 +303,7 @@ def place_of_extremum(search: Search, find: Find, *, aside: bool = False) -> Ans
             help="write `x where Q is largest`, with `x: unknown` or `x: m` under `given`",
         )
     quantity, curve = as_function_of(search, condition.phrase, letter)
-    smooth = search.solver.simplify(curve**2) if bends(curve, letter) else curve
+    smooth = search.solver.simplify(curve**2) if may_bend(curve, letter) else curve
     slope = search.solver.simplify(differentiate(smooth, letter))
     said, shown = flatness(name_to_text(quantity.asked.find.name), curve, letter, slope, search)
     given = search.givens[letter]
@@ -325,12 +325,12 @@ def place_of_extremum(search: Search, find: Find, *, aside: bool = False) -> Ans
 def flatness(name: str, curve: Formula, letter: str, slope: Formula, search: Search) -> tuple[str, Formula]:
     """What vanishes at an extremum, in words and as a formula: the derivative, of a root or a size that of its square."""
     square = search.solver.simplify(curve**2)
-    if (has_root(curve, letter) and not has_root(square, letter)) or bends(curve, letter):
+    if (has_root(curve, letter) and not has_root(square, letter)) or may_bend(curve, letter):
         return f"d({name}²)/d{name_to_text(letter)} = 0", search.solver.simplify(differentiate(square, letter))
     return f"d{name}/d{name_to_text(letter)} = 0", slope
 
 
-def bends(curve: Formula, letter: str) -> bool:
+def may_bend(curve: Formula, letter: str) -> bool:
     """Whether a curve is a size, which may bend sharply where its letter changes."""
     return any(letter in node.symbols() for node in curve.walk("abs"))
 

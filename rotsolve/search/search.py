@@ -34,7 +34,10 @@ if TYPE_CHECKING:
     from rotsolve.questions.functions_of_time import Beside
 
 STONES_TRIED = 3  # letters of a scene that may have to be settled before an answer
-HELPS_TRIED = 8  # lines that a refusal may propose, tried for all questions of a scene together
+HELPS_TRIED, FEW_HELPS = (
+    8,
+    2,
+)  # lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 STONES = {
     kind: rank
@@ -60,7 +63,7 @@ class Ground:
         self.running = frozenset(running | {swing.coordinate.name for swing in scene.swings.values()})
         self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
         self.stones_left = STONES_TRIED
-        self.helps_left = HELPS_TRIED
+        self.helps_left = FEW_HELPS if scene.modes else HELPS_TRIED
         self._order: tuple[str, ...] = ()
         self._ordered = -1
 
