@@ -10,8 +10,9 @@ from itertools import islice
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
+from rotsolve.confirm.course.astray import LetsGo, MeetAgain
 from rotsolve.confirm.course.following import Broken, Course
-from rotsolve.confirm.course.node import Astray, Budget, OverBudget
+from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.samples import SETS, sets_of_numbers
 from rotsolve.confirm.course.verdict import SAME
 from rotsolve.core.equation import FAMILIES
@@ -51,12 +52,12 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
 
 
 def released_before(course: Course, find: Find) -> str:
-    """What lets go, turns back or meets again before the states that a question is about; '' where nothing certainly does."""
+    """What lets go, or meets again, before the states that a question is about, where it certainly does; '' where nothing does."""
     if any(given.value is None for given in course.problem.givens):
         return ""
     try:
         Asker(course.problem, course).answer(find, {})
-    except Astray as reason:
+    except (LetsGo, MeetAgain) as reason:
         return str(reason)
     except (NotConfirmed, ArithmeticError, ValueError):
         return ""
