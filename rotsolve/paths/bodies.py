@@ -54,7 +54,7 @@ class OfBodies(AtInstant, frozen=True):
         return OfInertias(self.instant, self.facts).meaning(path, term)
 
     def instantaneous_centre(self, path: Path, term: Term | None) -> Meaning:
-        """Where v + ω × r = 0, from the centre of mass: x = −v_y/ω, y = vₓ/ω."""
+        """Where v + ω × r = 0, from the body's own centre of mass: x = −v_y/ω, y = vₓ/ω."""
         body = self.body(path.owner)
         self._refuse_on_shaft(path)
         if body.motion.spin == ZERO:
@@ -63,7 +63,8 @@ class OfBodies(AtInstant, frozen=True):
             raise NotYet("the instantaneous centre is asked by its components", help=f"ask for `{path_text(path)}.x`")
         axis = RIGHT if path.component == "x" else UP
         way = body.motion.velocity.turned(90).along(axis)
-        place = (way / body.motion.spin if way != ZERO else ZERO) - body.cm.along(axis)
+        own = self.instant.point(PointRef(path.owner, "cm"))
+        place = (way / body.motion.spin if way != ZERO else ZERO) - own.along(axis)
         label = f"instantaneous centre of {path.owner.replace('_', ' ')}, v + ω × r = 0, from its centre of mass"
         return Meaning(place, QUANTITIES["instantaneous_centre"].dimension, label=label)
 
