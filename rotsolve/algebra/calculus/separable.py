@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
+from math import prod
 
 from msgspec import Struct
 
@@ -183,9 +184,21 @@ class Stretch(Struct, frozen=True):
         way = self.sign(slope) if radicand == ZERO or self.sign(radicand) == 0 else None
         return HALF * PI * -way if way else call("asin", self._tidy(negate(slope) / size))
 
+    def _apparent(self, f: Formula) -> int | None:
+        """The sign of ±c √…, whatever stands under the root; None where it can't be seen."""
+        if self.name not in f.symbols():
+            return self.sign(f)
+        if isinstance(f, Call) and f.function == "sqrt":
+            return 1
+        if not isinstance(f, (Negative, Product, Quotient)):
+            return None
+        signs = [self._apparent(part) for part in f.children()]
+        told = [sign for sign in signs if sign is not None]
+        return prod(told) * (-1 if isinstance(f, Negative) else 1) if len(told) == len(signs) else None
+
     def _negative(self, f: Formula) -> bool:
         """Whether the integrand is negative on the way."""
-        sign = self.sign(f.substitute({self.name: HALF * (self.lower + self.upper)}))
+        sign = self._apparent(f) or self.sign(f.substitute({self.name: HALF * (self.lower + self.upper)}))
         return sign == -1 if sign is not None else isinstance(f, Negative)
 
 
