@@ -14,15 +14,15 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import witnessed
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.units.dimension import base_unit_text
-from rotsolve.core.derivation import Derivation, Refusal, Section
+from rotsolve.core.derivation import Check, Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Contradicted, Fault, SceneError, Unsolvable
+from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Contradicted, Fault, NeverReached, SceneError, Unsolvable
 from rotsolve.core.symbols import POSITION
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Problem, TimeValue
+from rotsolve.language.problem import Problem, TimeValue, before
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
@@ -114,9 +114,9 @@ def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str 
 def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
     """Solve all questions that have an answer; why the others have none is told beside them."""
     try:
-        return solved_together(problem, law, digits, at)
+        return solved_as_far(problem, law, digits, at)
     except Unsolvable as error:
-        if len(problem.finds) < 2 or isinstance(error, Contradicted):
+        if len(problem.finds) < 2 or (isinstance(error, Contradicted) and not isinstance(error, NeverReached)):
             raise
         solution, refused = solved_without(error, problem, law, digits, at)
     told = tuple(Refusal(name, error.fault) for name, error in refused.items())
@@ -135,7 +135,7 @@ def solved_without(
         if not kept or len(kept) == len(problem.finds):
             continue
         with suppress(Unsolvable):
-            return solved_together(replace(problem, finds=kept), law, digits, at), refused
+            return solved_as_far(replace(problem, finds=kept), law, digits, at), refused
     raise error
 
 
@@ -145,13 +145,29 @@ def told_apart(problem: Problem, law: str | None, at: str | None) -> dict[str, U
     for find in problem.finds:
         for finds in needed_for(find, problem):
             try:
-                solved_together(replace(problem, finds=finds), law, DIGITS, at)
+                solved_as_far(replace(problem, finds=finds), law, DIGITS, at)
             except Unsolvable as error:
                 refused.setdefault(find.name, error)
             else:
                 refused.pop(find.name, None)
                 break
     return refused
+
+
+def solved_as_far(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
+    """Solve all questions of a problem; where they are about states before one that is never reached, without that, and say so."""
+    try:
+        return solved_together(problem, law, digits, at)
+    except NeverReached as error:
+        early = before(error.state, problem)
+        if early is None or len(early.finds) < len(problem.finds):
+            raise
+        with suppress(Unsolvable):
+            solution = solved_as_far(early, law, digits, at)
+            objection = Check((error.fault.message.replace("`", ""), f": {error.fault.help}"), holds=False)
+            told = replace(solution.derivation, checks=(*solution.derivation.checks, objection))
+            return replace(solution, problem=problem, derivation=told)
+        raise
 
 
 def solved_together(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:

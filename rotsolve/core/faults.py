@@ -119,6 +119,12 @@ class Unsolvable(Exception):
 
 
 class Contradicted(Unsolvable):
-    """A scene whose data contradict each other, so that no question of it has an answer."""
+    """A scene whose data contradict each other, so that no question about what they tell has an answer."""
 
     kind = CONTRADICTORY
+
+
+class NeverReached(Contradicted):
+    """A `state` to which the motion never gets: what is asked of the states before it may have an answer."""
+
+    state = ""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Span as Span
@@ -244,3 +245,24 @@ def references(item: object) -> Iterator[PointRef | Path]:
     elif isinstance(item, Struct) and not isinstance(item, Formula):
         for name in item.__struct_fields__:
             yield from references(getattr(item, name))
+
+
+def before(state: str, problem: Problem) -> Problem | None:
+    """The problem up to a state, without it and what is asked there or later; None where nothing is left, or an event or a phase of its
+    own leads to what is left out."""
+    names = [item.name for item in problem.states]
+    kept = set(names[: names.index(state)]) if state in names else set()
+    ends = [*(event.to for event in problem.events), *(phase.end for phase in problem.phases)]
+    finds = tuple(find for find in problem.finds if asked_within(find, kept))
+    if not kept or not finds or not kept.issuperset(ends):
+        return None
+    states = tuple(item for item in problem.states if item.name in kept)
+    return replace(problem, states=states, finds=finds)
+
+
+def asked_within(find: Find, states: Collection[str]) -> bool:
+    """Whether all that a question speaks of is at some states, or between them."""
+    if find.where is not None or find.choice is not None or not find.terms:
+        return False
+    times = [[time for time in (term.at, term.start, term.end) if time is not None] for term in find.terms]
+    return all(told and set(told) <= set(states) for told in times)

@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import NeverReached, Unsolvable
 from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
@@ -305,13 +305,13 @@ class Endings(Struct, dict=True):
         return self.side(duration - at) == 1 or self.side(duration) == -1
 
 
-def never_reached(interval: Interval, configuration: Configuration, why: str) -> Unsolvable:
+def never_reached(interval: Interval, configuration: Configuration, why: str) -> NeverReached:
     """A state to which the motion never gets, and why."""
     start, end = configuration.timeline.told(interval)
     span = configuration.timeline.state(end).span
-    from rotsolve.search.explain import clash
+    from rotsolve.search import explain
 
-    return clash(configuration.problem, f"`{end}` is never reached from `{start}`", span, why)
+    return explain.never_reached(configuration.problem, start, end, span, why)
 
 
 def not_in_time(search: Search, numbers: KnownBalls) -> None:

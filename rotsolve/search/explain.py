@@ -7,7 +7,7 @@ from itertools import islice
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
-from rotsolve.core.faults import INCOMPLETE, Contradicted, Span, Unsolvable
+from rotsolve.core.faults import INCOMPLETE, Contradicted, NeverReached, Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
@@ -49,17 +49,24 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
         message = f"the data contradict each other: `{interval.end}` can not follow from `{interval.start}` by `{interval.name}`"
     else:
         start, end = timeline.told(interval)
-        message = f"`{end}` is never reached from `{start}`"
         on_the_way = timeline.states[timeline.order[start] : timeline.order[end]]
         between = [state.opened for state in on_the_way if state.opened]
         broken = f"{between[-1]} before" if between else broken
-        return clash(problem, message, timeline.state(end).span or fallback, broken)
+        return never_reached(problem, start, end, timeline.state(end).span or fallback, broken)
     return clash(problem, message, timeline.state(interval.end).span or fallback, broken)
 
 
 def clash(problem: Problem, message: str, span: Span | None, help: str) -> Contradicted:
     """Data that contradict each other, with their place in the file."""
     return Contradicted(message, span=span, help=help, lines=problem.lines, file=problem.file)
+
+
+def never_reached(problem: Problem, start: str, end: str, span: Span | None, help: str) -> NeverReached:
+    """A state of the scene to which the motion does not get."""
+    message = f"`{end}` is never reached from `{start}`"
+    error = NeverReached(message, span=span, help=help, lines=problem.lines, file=problem.file)
+    error.state = end
+    return error
 
 
 def turns_back(interval: Interval, problem: Problem) -> Unsolvable:

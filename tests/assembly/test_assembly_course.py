@@ -225,3 +225,27 @@ def test_what_rolls_slips_again_where_friction_does_not_do(time: float) -> None:
     found = asked(WHEEL_ON_A_SPRING.replace("t: 0.76 s", f"t: {time} s"))
     assert found["T"] == pytest.approx(time, rel=1e-12)
     assert found["e"] == pytest.approx(x, abs=2e-3)
+
+
+@pytest.mark.parametrize("way", ["left", "right"])
+@pytest.mark.parametrize("angle", [0, 28])
+def test_the_way_of_a_loaded_wheel_that_rolls_is_that_of_its_centre(angle: int, way: str) -> None:
+    """It has turned by φ = d/R; ½ I ω² about where it touches is what weight and force have done. The lump is on the right at first."""
+    sign, beta, phi = 1 if way == "left" else -1, math.radians(angle), 1.1 / 1.6  # +1: it turns counterclockwise
+    down = (-sign * math.cos(beta), -math.sin(beta))
+    text = f"""
+surfaces: {{ramp: {{slope: {angle} deg, down: {way}}}}}
+bodies:
+  one: {{radius: 1.6 m, moves: down, parts: {{hoop: {{shape: disc, mass: 1.3 kg, radius: 1.6 m}}, lump: {{mass: 1.4 kg, at: [0.8 m, 0]}}}}}}
+connections: {{base: {{rolls: [one, ramp]}}}}
+actions: {{pull: {{force: 9 N + (4 N/m)*one.displacement, on: one.center, direction: [{down[0]}, {down[1]}]}}}}
+states: {{start: {{at rest: all}}, end: {{one.displacement: 1.1 m}}}}
+find: {{w: one.angular_velocity at end}}
+"""
+    if angle == 0:
+        text = text.replace("{slope: 0 deg, down: " + way + "}", "level").replace("moves: down", f"moves: {way}")
+    lump = (0.8 * math.cos(phi), sign * 0.8 * math.sin(phi))  # from the centre
+    speed = (1.6 * down[0] - sign * lump[1], 1.6 * down[1] + sign * lump[0])  # of the lump, per ω
+    inertia = 1.3 * 1.6**2 * 1.5 + 1.4 * (speed[0] ** 2 + speed[1] ** 2)
+    gained = 2.7 * G * 1.1 * math.sin(beta) - 1.4 * G * lump[1] + 9 * 1.1 + 2 * 1.1**2
+    assert abs(asked(text)["w"]) == pytest.approx(math.sqrt(2 * gained / inertia), rel=1e-6)

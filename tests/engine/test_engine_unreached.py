@@ -1,0 +1,70 @@
+"""A state that is never reached takes no question about the states before it with it: these are answered, and that it is not is said."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+
+G = 9.8
+SCENES = {
+    "stops": (
+        """
+surfaces: {floor: level}
+bodies: {one: {mass: 2 kg, moves: WAY}}
+connections: {base: {contact: [one, floor], friction: 0.4}}
+states: {start: {one.velocity: 1 m/s}, end: {one.displacement: 1 m}}
+""",
+        -0.4 * G,
+    ),
+    "turns back": (
+        """
+surfaces: {ramp: {slope: 30 deg, down: WAY}}
+bodies: {one: {mass: 2 kg, moves: up}}
+connections: {base: {contact: [one, ramp]}}
+states: {start: {one.velocity: 1 m/s}, end: {one.displacement: 1 m}}
+""",
+        -0.5 * G,
+    ),
+    "is never pushed": (
+        """
+surfaces: {floor: level}
+bodies: {one: {mass: 2 kg, moves: WAY}, two: {mass: 1 kg, moves: WAY}}
+connections: {base: {contact: [one, floor]}, under: {contact: [two, floor]}}
+states: {start: {one.velocity: 3 m/s, two.velocity: 0}, after: {}, end: {one.velocity: 0}}
+events: {hit: {joins: [one, two], from: start, to: after}}
+""",
+        0.0,
+    ),
+}
+
+
+@pytest.mark.parametrize("way", ["right", "left"])
+@pytest.mark.parametrize("name", SCENES)
+def test_what_is_asked_of_the_first_state_is_answered(name: str, way: str) -> None:
+    scene, acceleration = SCENES[name]
+    early, late = "a: one.acceleration at start", "v: one.acceleration at end"
+    for questions in (f"{early}, {late}", f"{late}, {early}", early):
+        solution = solve(f"title: unreached{scene.replace('WAY', way)}find: {{{questions}}}\n")
+        assert solution.answers["a"].float == pytest.approx(acceleration)
+        assert set(solution.refused) == ({"v"} if late in questions else set())
+        assert all(item.holds for item in solution.derivation.confirmed)
+        (said,) = [check for check in solution.derivation.checks if check.holds is False]
+        assert "end is never reached from" in str(said.words[0])
+    with pytest.raises(Unsolvable, match="never reached"):
+        solve(f"title: unreached{scene.replace('WAY', way)}find: {{{late}}}\n")
+
+
+def test_what_an_event_leads_to_from_there_tells_the_states_before() -> None:
+    """A connection that an event begins later would act from the start, were the event left out."""
+    with pytest.raises(Unsolvable, match="never reached"):
+        solve("""
+title: unreached
+surfaces: {floor: level}
+bodies: {one: {mass: 2 kg, moves: right}}
+connections: {base: {contact: [one, floor], friction: 0.4}}
+states: {start: {one.velocity: 1 m/s}, end: {one.displacement: 1 m}, after: {}}
+events: {hit: {impulse: 2 N s, 'on': one, direction: right, from: end, to: after}}
+find: {a: one.acceleration at start, v: one.velocity at after}
+""")
