@@ -41,7 +41,7 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
             event = place in search.scene.encounters
             at = place if event or need.kind.placed else search.scene.section(place)
             key = (need.owner, need.otherwise, at)
-            if key in told or not concerns(need, search):
+            if key in told or not (concerns(need, search) or (event and asked_after(need, place, search))):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))
             sign = sign_of(gap, need, place, search, letters)
@@ -107,12 +107,20 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
     for name, encounter in search.scene.encounters.items():
         for need in encounter.requirements:
             met = concerns(need, search) or asked_after(need, name, search)
-            margin = search.apart().certified(need.left - need.right) if met else None
-            if margin is not None and margin.sign == -1:
+            if met and negative_margin(need.left - need.right, search):
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
                 message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
                 yield unsolvable(configuration.problem, message, span)
+
+
+def negative_margin(gap: Formula, search: Search) -> bool:
+    """Whether a margin is negative: by the numbers of the scene or for all sizes of its letters, else in the case looked at."""
+    number = search.apart().certified(gap)
+    if number is not None:
+        return number.sign == -1
+    settled = search.apart().settled(gap)
+    return settled is not None and search.signs.taken(settled) == -1
 
 
 def concerns(need: Requirement, search: Search) -> bool:
@@ -124,14 +132,15 @@ def concerns(need: Requirement, search: Search) -> bool:
 
 
 def asked_after(need: Requirement, event: str, search: Search) -> bool:
-    """Whether a question about a state after an event speaks of a body that the requirement is about."""
+    """Whether a question is about a time after an event, and about the scene, an element or a body that takes part in it with what is
+    required."""
     timeline = search.scene.configuration.timeline
     interval = timeline.interval(event)
     first = timeline.order[interval.end] if interval is not None else 0
     terms = [term for answered in search.answered for term in answered.asked.find.terms]
     later = {term.path.owner for term in terms if timeline.order.get(term.at or term.end or "", -1) >= first}
-    item = next((item for item in search.scene.configuration.problem.connections if item.name == need.owner), None)
-    return item is not None and any(ref.owner in later for ref in item.touches())
+    taking_part = {meeting.body.name for meeting in search.scene.encounters[event].meetings}
+    return not later.isdisjoint({"", need.owner, *taking_part})
 
 
 def objection(need: Requirement, state: str, search: Search, letters: Letters) -> Words:

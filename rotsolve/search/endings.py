@@ -309,9 +309,9 @@ def never_reached(interval: Interval, configuration: Configuration, why: str) ->
     """A state to which the motion never gets, and why."""
     start, end = configuration.timeline.told(interval)
     span = configuration.timeline.state(end).span
-    from rotsolve.search import explain
+    from rotsolve.search.explain import unreachable
 
-    return explain.never_reached(configuration.problem, start, end, span, why)
+    return unreachable(configuration.problem, start, end, span, why)
 
 
 def not_in_time(search: Search, numbers: KnownBalls) -> None:

@@ -52,7 +52,7 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
         on_the_way = timeline.states[timeline.order[start] : timeline.order[end]]
         between = [state.opened for state in on_the_way if state.opened]
         broken = f"{between[-1]} before" if between else broken
-        return never_reached(problem, start, end, timeline.state(end).span or fallback, broken)
+        return unreachable(problem, start, end, timeline.state(end).span or fallback, broken)
     return clash(problem, message, timeline.state(interval.end).span or fallback, broken)
 
 
@@ -61,7 +61,7 @@ def clash(problem: Problem, message: str, span: Span | None, help: str) -> Contr
     return Contradicted(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
-def never_reached(problem: Problem, start: str, end: str, span: Span | None, help: str) -> NeverReached:
+def unreachable(problem: Problem, start: str, end: str, span: Span | None, help: str) -> NeverReached:
     """A state of the scene to which the motion does not get."""
     message = f"`{end}` is never reached from `{start}`"
     error = NeverReached(message, span=span, help=help, lines=problem.lines, file=problem.file)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -315,3 +316,42 @@ find: {w: a.angular_velocity at hit}
 def test_what_can_not_be_meant_is_refused_by_name(words: str) -> None:
     with pytest.raises(Unsolvable, match=words):
         solve(REFUSED[words])
+
+
+LIFTED = {
+    "knocked up": (
+        "one: {mass: m, moves: right}",
+        "hit: {impulse: J, 'on': one, direction: up, from: start, to: after}",
+    ),
+    "hit from below": (
+        "one: {mass: m, radius: R}, two: {mass: m2, moves: up}",
+        "hit: {collides: [two, one.bottom], restitution: e, from: start, to: after}",
+    ),
+    "stuck to from below": (
+        "one: {mass: m, shape: disc, radius: R}, two: {mass: m2, moves: up}",
+        "hit: {joins: [two, one.rim], from: start, to: after}",
+    ),
+}
+
+
+@pytest.mark.parametrize("numbers", [True, False])
+@pytest.mark.parametrize("name", LIFTED)
+def test_what_a_blow_lifts_is_refused_by_name_whatever_is_asked_of_its_other_bodies(name: str, numbers: bool) -> None:
+    """The surface would have to pull, for all sizes of the letters: what the one that hits does then hangs on how the other flies off."""
+    bodies, event = LIFTED[name]
+    sizes = {"m": "2 kg", "m2": "1 kg", "R": "0.3 m", "e": "0.4", "u": "3 m/s", "J": "5 N s"}
+    units = {letter: value if numbers or letter == "e" else value.split(" ", 1)[1] for letter, value in sizes.items()}
+    letters = [letter for letter in units if letter in re.findall(r"\w+", f"{bodies} {event} u")]
+    asked = "two.velocity at after" if "two" in bodies else "base.work from start to after"
+    start = "two.velocity: u, at rest: one" if "two" in bodies else "one.velocity: u"
+    with pytest.raises(Unsolvable, match="one leaves the surface"):
+        solve(f"""
+title: lifted
+given: {{{", ".join(f"{letter}: {units[letter]}" for letter in letters)}}}
+surfaces: {{floor: level}}
+bodies: {{{bodies}}}
+connections: {{base: {{contact: [one, floor]}}}}
+states: {{start: {{{start}}}, after: {{}}}}
+events: {{{event}}}
+find: {{x: {asked}}}
+""")
