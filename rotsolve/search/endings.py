@@ -78,6 +78,9 @@ class Endings(Struct, dict=True):
 
         found, timeline = turned_on_way(passage, self.settled, self.search), self.configuration.timeline
         if timeline.state(interval.end).opened or found is None:
+            if found is not None and self.nowhere(found[0]):
+                why = f"{spoken(found[0].body)} stays where it turns back"
+                raise never_reached(timeline.intervals[-1], self.configuration, why)
             if self.stuck and timeline.state(interval.end).opened:
                 raise never_reached(
                     interval, self.configuration, "it sets out the other way, and nothing brings it back so far"
@@ -89,6 +92,11 @@ class Endings(Struct, dict=True):
             raise never_reached(interval, self.configuration, why)
         senses = tuple((rub.name, 0) for rub in rubs_at(self.configuration, interval.start))
         return Ending(interval, (turning_line(travel),), senses, "turn", f"{spoken(travel.body)} turns back")
+
+    def nowhere(self, travel: Travel) -> bool:
+        """Whether a motion that sets out would have to turn back at once, since what is said of later states holds it at its start."""
+        speed, gone = self.settled(travel.before), self.settled(travel.change)
+        return speed is not None and gone is not None and bool(self.side(speed)) and self.side(gone) == 0
 
     def swinging(self, interval: Interval) -> Ending | None:
         """The moment at which a motion that goes by its place and rubs turns back, and its friction with it, before a time that is told."""
