@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import pytest
 
+from rotsolve.confirm.course.samples import sets_of_numbers
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
+from rotsolve.scene.read import read_text
 from rotsolve.solution import Solution
 
 BALLS = """
@@ -89,9 +93,22 @@ connections: {base: {contact: [crate, floor], friction: mu}}
 actions: {push: {force: F, on: crate.corner3, direction: right}}
 find: {a: crate.acceleration}
 """
+SHAKEN = """
+title: A drum that turns to and fro, and a load on a string
+given: {m: kg, R: m, b: rad, w: rad/s}
+bodies: {drum: {shape: disc, mass: 1 kg, radius: R}, load: {mass: m, moves: up}}
+connections: {axle: {axle: drum, angle: WAY*sin(w*time)}, string: {string: SIDES}}
+states: {start: {}, end: {time: pi/w}}
+find: {v: load.velocity at end, T: string.tension at end}
+"""
+SWUNG = [
+    SHAKEN.replace("SIDES", sides).replace("WAY", way) for sides, way in (("[drum, load]", "b"), ("[load, drum]", "-b"))
+]
 
 
-@pytest.mark.parametrize("scene", [HUMP, WELL, LOOP, CRATE], ids=["hump", "well", "loop", "crate"])
+@pytest.mark.parametrize(
+    "scene", [HUMP, WELL, LOOP, CRATE, *SWUNG], ids=["hump", "well", "loop", "crate", "shaken", "mirrored"]
+)
 def test_what_can_fail_between_is_said(scene: str) -> None:
     """Only right inside the edges of what is printed, or for rare sizes, does it turn back, let go or tip: no such answer is confirmed."""
     try:
@@ -100,3 +117,12 @@ def test_what_can_fail_between_is_said(scene: str) -> None:
         assert "not solved" in str(error) or "not confirmed" in str(error)
         return
     assert any("not so with" in why for why in reasons(found))
+
+
+def test_letters_are_drawn_apart_from_each_other() -> None:
+    """Of any two letters there are sets in which both are large, both small, and one of either kind."""
+    problem = read_text(SWUNG[0].replace("b: rad", "b: rad, n: number, q: kg, p: s"))
+    sets = list(sets_of_numbers(problem))[1:]
+    middle = {name: sorted(one[name] for one in sets)[len(sets) // 2] for name in "mRbwnqp"}
+    for first, other in combinations(middle, 2):
+        assert len({(one[first] < middle[first], one[other] < middle[other]) for one in sets}) == 4, (first, other)

@@ -32,6 +32,7 @@ LIMITS = {  # numbers that are drawn for letters, by what they measure
 }
 OTHERS = (0.5, 3.0)
 BOUNDED = (kinds.ANGLE, kinds.NONE)
+PRIMES = (5, 2, 3, 7, 13, 11, 17, 19, 23, 29)  # their roots are the steps from set to set, none a fraction of others
 BEYOND = 3.0  # how far the later sets go beyond the limits, so that they are on both sides of what a size decides
 
 Numbers = Mapping[str, float]
@@ -100,9 +101,12 @@ def with_givens(problem: Problem, drawn: Numbers) -> Numbers:
 
 
 def number_drawn(given: Given, number: int, place: int) -> float:
-    """Between the limits of its kind: the same in every run, and spread evenly from set to set; after the first beyond them too."""
+    """Between the limits of its kind: the same in every run, and spread evenly from set to set; after the first beyond them too.
+
+    Each letter goes from set to set by a step of its own, so that one grows where another does, or falls.
+    """
     lowest, highest = LIMITS.get(given.dimension, OTHERS) if given.dimension is not None else OTHERS
-    part = (number * 0.6180339887 + place * 0.7548776662 + 0.317) % 1.0
+    part = (number * math.sqrt(PRIMES[place % len(PRIMES)]) + place * 0.7548776662 + 0.317) % 1.0
     if number == 0 or given.dimension in BOUNDED:
         return lowest + (highest - lowest) * part
     return lowest / BEYOND * math.exp(part * math.log(highest / lowest * BEYOND**2))
