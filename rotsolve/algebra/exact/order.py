@@ -52,11 +52,11 @@ LAST = {"sin": 1, "cos": 2, "tan": 3}  # the order of functions of one argument
 
 
 class Order:
-    """The order of one field's atoms and terms, symbols in the given order; `radicands` are what stands under its roots."""
+    """The order of one field's atoms and terms, symbols in the given order; `roots` are its atoms that are roots of letters."""
 
     def __init__(self, ring: Field, names: Sequence[str], radicands: Mapping[int, Poly]) -> None:
         self.field = ring
-        self.radicands = radicands
+        self.roots = [i for i, radicand in radicands.items() if not radicand.is_constant()]
         places = {name: k for k, name in enumerate(names)}
         self.ranks: list[Rank] = [rank_of(atom, places) for atom in ring.atoms]
         order = {rank: place for place, rank in enumerate(sorted(set(self.ranks)))}
@@ -65,7 +65,7 @@ class Order:
 
     def has_root(self, exponents: tuple[int, ...]) -> bool:
         """Whether a term holds the root of a letter."""
-        return any(exponents[i] for i, radicand in self.radicands.items() if not radicand.is_constant())
+        return any(exponents[i] for i in self.roots)
 
     def key(self, exponents: tuple[int, ...]) -> tuple[object, ...]:
         """Where a term stands in a sum: roots last, few letters before many."""
