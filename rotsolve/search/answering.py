@@ -151,7 +151,7 @@ def refuse_open(search: Search, find: Find) -> None:
     for answered in search.answered if not find.runs else ():  # a function of time holds what runs with it
         formula = answered.found.formula if answered.asked.find.name == find.name and not answered.aside else None
         open_ = sorted(name for name in formula.symbols() if is_key(name)) if formula is not None else []
-        if open_:
+        if open_ and formula is not None and search.apart().certified(formula) is None:
             from rotsolve.search.explain import open_quantities, unknowns_listed
 
             scene = search.scene

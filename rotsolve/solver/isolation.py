@@ -28,7 +28,7 @@ from rotsolve.solver.steps import (
 from rotsolve.solver.textbook import Textbook
 
 INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp"}
-LONGEST = 400  # nodes of an equation beyond which nothing is solved in letters
+LONGEST = 800  # nodes of an equation beyond which nothing is solved in letters
 MOST_TERMS = 60  # terms of a closed form beyond which it is left out
 TOO_LONG = "too long to print in letters"
 REACHES = (10, 100, 1000, 10**6)  # how far from zero roots are looked for, one after the other

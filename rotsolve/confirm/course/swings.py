@@ -17,6 +17,7 @@ from rotsolve.confirm.linear import solved
 from rotsolve.language.problem import Condition, State, Term
 
 STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
+NEARLY = 1e-3  # share of gravity, in SI units, with which swings have to start to be followed
 STARTS = (0.0, 1.0, -1.0, 2.0, -2.0, 0.3, -0.3)
 
 
@@ -35,6 +36,8 @@ def rest_to_rest(course: Course, term: Term) -> float:
     start = course.timed(term.start or course.names[0])
     if any(abs(part) > 1e-12 for part in start.placed.speed):
         raise NotConfirmed("swings that do not start from rest")
+    if max(map(abs, start.pushes), default=0.0) < NEARLY * max(start.model.gravity, 1.0):
+        raise NotConfirmed("swings that start where next to nothing pushes, so that rounding tells how long they take")
     owner = term.path.owner or "all"
     rest = State("the other side", (Condition(None, rest=True, owner=owner),))
     return 2.0 * (followed(start, rest).end.time - start.time)
