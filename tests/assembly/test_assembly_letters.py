@@ -126,3 +126,35 @@ def test_letters_are_drawn_apart_from_each_other() -> None:
     middle = {name: sorted(one[name] for one in sets)[len(sets) // 2] for name in "mRbwnqp"}
     for first, other in combinations(middle, 2):
         assert len({(one[first] < middle[first], one[other] < middle[other]) for one in sets}) == 4, (first, other)
+
+
+DRAGGED = """
+title: A block that drag slows down, up to a place
+given: {m: kg, c: kg/s, u: m/s, d: m}
+surfaces: {ice: level}
+bodies: {box: {mass: m, moves: right}}
+connections: {base: {contact: [box, ice]}}
+actions: {drag: {force: -c*box.velocity, on: box, direction: right}}
+states: {start: {box.velocity: u}, far: {box.displacement: d}}
+find: {v: box.velocity at far}
+"""
+PUSHED = """
+title: A push that fades and turns round, up to a speed
+given: {m: 1 kg, F: 2 N, T: 1 s, v1: SPEED}
+surfaces: {ice: level}
+bodies: {box: {mass: m, moves: right}}
+connections: {base: {contact: [box, ice]}}
+actions: {push: {force: F*(1 - time/T), on: box, direction: right}}
+states: {start: at rest, fast: {box.velocity: v1}}
+find: {s: box.displacement from start to fast}
+"""
+
+
+def test_what_is_only_come_near_to_is_not_reached() -> None:
+    """Drag lets it go no farther than m u/c; the push never makes it faster than F T/(2m), and then drives it away."""
+    assert any("ever less near" in why for why in reasons(solve(DRAGGED)))
+    with pytest.raises(Unsolvable, match=r"ever less near|never reached|is not reached"):
+        solve(DRAGGED.replace("m: kg, c: kg/s, u: m/s, d: m", "m: 1 kg, c: 1 kg/s, u: 2 m/s, d: 3 m"))
+    assert solve(PUSHED.replace("SPEED", "0.75 m/s")).answers["s"].float is not None
+    with pytest.raises(Unsolvable, match="goes away from it|never reached"):
+        solve(PUSHED.replace("SPEED", "3 m/s"))

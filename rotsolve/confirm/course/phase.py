@@ -31,6 +31,7 @@ AGAIN = 1e-6  # share of all rates and accelerations within which they are those
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
 NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
+LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and how much longer it would have to go on so
 FAR = 1e6  # seconds after which nothing is waited for any more
 SAMPLES = (0.25, 0.5, 0.75, 1.0)
 LOBATTO = (
@@ -163,6 +164,7 @@ class NextState:
                 self.node = instant(self.first, self.laps[-1], 1.0)
                 if self.recurs(self.laps[-1]):
                     raise Astray(f"`{self.state.name}` is not reached: what moves comes back before it as it began")
+                self.check_coming()
             if way is not None:
                 held = modes.get(way[1]) == STICKS
                 self.node = giving_way(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
@@ -185,6 +187,21 @@ class NextState:
         begun = [(*at.placed.speed, *at.pushes) for at in (before, again)]
         size = max(map(abs, begun[0]))
         return all(abs(one - two) <= AGAIN * size for one, two in zip(*begun, strict=True))
+
+    def check_coming(self) -> None:
+        """Astray where the first line's gap has grown for long, or closes ever more slowly: a block that drag stops short of a place."""
+        if not self.gauges or self.gauges[0].passing or self.end_time is not None or len(self.laps) <= LONG:
+            return
+        last = self.laps[-LONG:]
+        gaps = [abs(self.gauges[0].value(instant(self.first, lap, 1.0))) for lap in self.laps[-LONG - 1 :]]
+        begun = max(abs(self.gauges[0].value(self.first)), self.gauges[0].size)
+        rates = [(old - new) / lap.step.width for old, new, lap in zip(gaps, gaps[1:], last, strict=False)]
+        name, elapsed = self.state.name, self.node.time - self.first.time
+        if all(rate < 0.0 for rate in rates) and gaps[-1] > MUCH * begun:
+            raise Astray(f"`{name}` is not reached: what moves goes away from it")
+        slower = all(later < rate for rate, later in pairwise(rates))
+        if slower and 0.0 <= rates[-1] * MUCH * elapsed < gaps[-1]:
+            raise Astray(f"`{name}` is not reached: what moves comes ever less near to it")
 
     def astray(self, way: tuple[str, str]) -> NotConfirmed:
         """What tells against a state; not against one of several lines, at rest just at the top, which rounding passes by."""
