@@ -118,7 +118,14 @@ def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | No
     except Unsolvable as error:
         if len(problem.finds) < 2 or (isinstance(error, Contradicted) and not isinstance(error, NeverReached)):
             raise
-        solution, refused = solved_without(error, problem, law, digits, at)
+        if isinstance(error, NeverReached):
+            early = before(error.state, problem)
+            if early is None or not early.finds:
+                raise
+            solution = solved_as_far(replace(problem, finds=early.finds), law, digits, at)
+            refused: Mapping[str, Unsolvable] = {find.name: error for find in problem.finds if find not in early.finds}
+        else:
+            solution, refused = solved_without(error, problem, law, digits, at)
     told = tuple(Refusal(name, error.fault) for name, error in refused.items())
     finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
     return replace(solution, problem=problem, derivation=replace(solution.derivation, refused=told, finds=finds))
