@@ -26,6 +26,7 @@ from rotsolve.language.problem import Problem, TimeValue, before
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.hereafter import changes_at_last, with_hereafter
 from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
@@ -181,6 +182,8 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
     """Solve all questions of a problem in one derivation."""
     with stage("arrange", whole=True):
         whole = configured(problem)
+        if changes_at_last(whole):
+            whole = configured(with_hereafter(problem))
         configuration = block_of(whole)
     if any(given.value is None and not given.asked for given in configuration.problem.givens):
         solution = solved_by_cases(problem, configuration, law, digits, at)

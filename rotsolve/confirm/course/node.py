@@ -39,7 +39,7 @@ class Budget:
     def spend(self, model: Model) -> None:
         self.left -= 0.5 + 0.5 * len(model.seats)
         if self.left < 0:
-            raise OverBudget("its motion takes too long to follow: nothing tells that it comes about so")
+            raise OverBudget("its motion takes too long to follow")
 
 
 def check_turns(model: Model, changes: Sequence[float], open_: Container[int]) -> None:

@@ -1,0 +1,39 @@
+"""Hereafter: what is asked of the last state where friction changes there is of what comes then, as it is where another state follows."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE, POWER, TORQUE
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.language.problem import Condition, Problem, State
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.rubs import rubs
+
+HEREAFTER = "after that"
+BY_FORCES = (FORCE, TORQUE, ACCELERATION, ANGULAR_ACCELERATION, POWER)
+RATES = ("velocity", "angular_velocity", "speed")
+
+
+def changes_at_last(configuration: Configuration) -> bool:
+    """Whether friction changes at the last state, as something sticks or comes to rest, and a force or acceleration is asked there."""
+    problem = configuration.problem
+    if len(problem.states) < 2 or not any(map(stops, problem.states[-1].conditions)):
+        return False
+    last = problem.states[-1].name
+    struck = any(event.to == last for event in problem.events)
+    terms = [term for find in problem.finds for term in find.terms if term.at == last]
+    asked = any(QUANTITIES[term.path.quantity].dimension in BY_FORCES for term in terms)
+    return asked and not struck and bool(rubs(configuration))
+
+
+def stops(line: Condition) -> bool:
+    """Whether a line says that something sticks, rolls or is at rest."""
+    still = line.path is not None and line.path.quantity in RATES and line.value == ZERO
+    return line.rest or line.word in ("sticks", "rolls") or still
+
+
+def with_hereafter(problem: Problem) -> Problem:
+    """The problem with a state of which nothing is told behind its last one."""
+    return replace(problem, states=(*problem.states, State(HEREAFTER)))
