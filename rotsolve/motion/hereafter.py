@@ -19,7 +19,7 @@ RATES = ("velocity", "angular_velocity", "speed")
 def changes_at_last(configuration: Configuration) -> bool:
     """Whether friction changes at the last state, as something sticks or comes to rest, and a force or acceleration is asked there."""
     problem = configuration.problem
-    if len(problem.states) < 2 or not any(map(stops, problem.states[-1].conditions)):
+    if len(problem.states) < 2 or not any(map(comes_to_hold, problem.states[-1].conditions)):
         return False
     last = problem.states[-1].name
     struck = any(event.to == last for event in problem.events)
@@ -28,7 +28,7 @@ def changes_at_last(configuration: Configuration) -> bool:
     return asked and not struck and bool(rubs(configuration))
 
 
-def stops(line: Condition) -> bool:
+def comes_to_hold(line: Condition) -> bool:
     """Whether a line says that something sticks, rolls or is at rest."""
     still = line.path is not None and line.path.quantity in RATES and line.value == ZERO
     return line.rest or line.word in ("sticks", "rolls") or still

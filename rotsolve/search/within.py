@@ -54,12 +54,12 @@ def out_of_bounds(search: Search) -> Iterator[Unsolvable]:
     """Asked letters whose answer is none that they can be; of letters the case has the condition that they are."""
     problem = search.scene.configuration.problem
     for bound in bounds_of_asked(problem):
-        if broken(bound, search):
+        if beyond_its_bound(bound, search):
             message = f"no `{bound.asked.name}` that it can be makes it so: {bound.words}"
             yield unsolvable(problem, message, bound.asked.span, "check what the scene says of it")
 
 
-def broken(bound: Bound, search: Search) -> bool:
+def beyond_its_bound(bound: Bound, search: Search) -> bool:
     """Whether the answers make negative what may not be, or zero."""
     value, roots = bound.gap, {}
     for name in bound.gap.symbols() & search.solver.solved.keys():

@@ -19,7 +19,7 @@ CLUTCH = """
 title: Two discs that stick
 given: {I: 1 kg m^2, J: 2 kg m^2, w: 30 rad/s, tau: 4 N m, Q: 1 N m}
 bodies: {one: {inertia: I}, two: {inertia: J}}
-connections: {left: {axle: one}, stud: {axle: two}, plates: {clutch: [one, two], friction_torque: tau}}
+connections: {stud: {axle: [one, two]}, plates: {clutch: [one, two], friction_torque: tau}}
 actions: {motor: {couple: Q, on: one}}
 states: {start: {one.angular_velocity: w, two.angular_velocity: 0}, then: {plates: sticks}MORE}
 find: {a: one.angular_acceleration at then, T: plates.torque at then}
