@@ -248,11 +248,12 @@ def references(item: object) -> Iterator[PointRef | Path]:
 
 
 def before(state: str, problem: Problem) -> Problem | None:
-    """The problem up to a state, without it and what is asked there or later; None where nothing is left, or an event or a phase of its
-    own leads to what is left out."""
+    """The problem up to a state, without it and what is asked there or later; None where nothing is left, or an event, a phase of its
+    own or an action leads to what is left out."""
     names = [item.name for item in problem.states]
     kept = set(names[: names.index(state)]) if state in names else set()
     ends = [*(event.to for event in problem.events), *(phase.end for phase in problem.phases)]
+    ends += [name for action in problem.actions for name in (action.from_, action.to) if name is not None]
     finds = tuple(find for find in problem.finds if asked_within(find, kept))
     if not kept or not finds or not kept.issuperset(ends):
         return None

@@ -68,3 +68,23 @@ states: {start: {one.velocity: 1 m/s}, end: {one.displacement: 1 m}, after: {}}
 events: {hit: {impulse: 2 N s, 'on': one, direction: right, from: end, to: after}}
 find: {a: one.acceleration at start, v: one.velocity at after}
 """)
+
+
+@pytest.mark.parametrize("lasts", ["from: start, to: end", "to: end", "from: start"])
+def test_an_action_that_lasts_until_there_is_no_error_of_its_own(lasts: str) -> None:
+    """A push that is too weak: what the action is told by may be the state that is left out."""
+    scene = f"""
+given: {{m: 2 kg, F: 3 N}}
+surfaces: {{floor: level}}
+bodies: {{one: {{mass: m, moves: right}}}}
+connections: {{base: {{contact: [one, floor], friction: 0.5}}}}
+actions: {{push: {{force: F, on: one, direction: right, {lasts}}}}}
+states: {{start: {{at rest: all}}, end: {{one.displacement: 1 m}}}}
+find: {{v: one.velocity at start}}
+"""
+    try:
+        found = solve("title: too weak\n" + scene)
+    except Unsolvable as error:
+        assert "`end` is never reached" in str(error)
+    else:
+        assert found.answers["v"].float == 0.0
