@@ -79,7 +79,7 @@ surfaces: {{floor: level}}
 bodies: {{one: {{mass: m, moves: right}}}}
 connections: {{base: {{contact: [one, floor], friction: 0.5}}}}
 actions: {{push: {{force: F, on: one, direction: right, {lasts}}}}}
-states: {{start: {{at rest: all}}, end: {{one.displacement: 1 m}}}}
+states: {{start: {{at rest: all}}, end: {{one.displacement: 100 cm}}}}
 find: {{v: one.velocity at start}}
 """
     try:
