@@ -7,44 +7,31 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import witnessed
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.units.dimension import base_unit_text
-from rotsolve.core.derivation import Check, Derivation, Refusal, Section
+from rotsolve.core.derivation import Check, Derivation, Refusal
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Contradicted, Fault, NeverReached, SceneError, Unsolvable
-from rotsolve.core.symbols import POSITION
-from rotsolve.derivation.checks import checks
-from rotsolve.derivation.compose import DerivationComposer
-from rotsolve.derivation.results import with_missing_told
-from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Problem, TimeValue, before
-from rotsolve.motion.block import asked_block, left_out
+from rotsolve.language.problem import Problem, before
+from rotsolve.motion.block import asked_block
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
-from rotsolve.motion.rubs import rubs
-from rotsolve.paths.meaning import NotYet
-from rotsolve.profile import counted, skipped, stage
-from rotsolve.scene.idle import idle_words, noted
+from rotsolve.profile import stage
 from rotsolve.scene.read import read_source, read_text
-from rotsolve.search.answering import Unanswered, answered, needed_for
-from rotsolve.search.answers import NoAnswer, unsolvable
-from rotsolve.search.consistency import KnownBalls, contradiction, turned_back, untimely
-from rotsolve.search.planning import families_for
-from rotsolve.search.search import Search, asked_letter
-from rotsolve.solution import Solution, Trace
+from rotsolve.search.answering import Unanswered, needed_for
+from rotsolve.search.answers import unsolvable
+from rotsolve.solution import Solution
+from rotsolve.solving import solved
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.core.derivation import AnswerConfirmation
-    from rotsolve.derivation.meanings import Meanings
-    from rotsolve.derivation.requirements import Validity
-    from rotsolve.search.friction import Decision
 
 DIGITS, MOST_DIGITS = 4, 1000
 
@@ -119,14 +106,7 @@ def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | No
     except Unsolvable as error:
         if len(problem.finds) < 2 or (isinstance(error, Contradicted) and not isinstance(error, NeverReached)):
             raise
-        if isinstance(error, NeverReached):
-            early = before(error.state, problem)
-            if early is None or not early.finds:
-                raise
-            solution = solved_as_far(replace(problem, finds=early.finds), law, digits, at)
-            refused: Mapping[str, Unsolvable] = {find.name: error for find in problem.finds if find not in early.finds}
-        else:
-            solution, refused = solved_without(error, problem, law, digits, at)
+        solution, refused = solved_without(error, problem, law, digits, at)
     told = tuple(Refusal(name, error.fault) for name, error in refused.items())
     finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
     return replace(solution, problem=problem, derivation=replace(solution.derivation, refused=told, finds=finds))
@@ -136,8 +116,8 @@ def solved_without(
     error: Unsolvable, problem: Problem, law: str | None, digits: int, at: str | None
 ) -> tuple[Solution, Mapping[str, Unsolvable]]:
     """The solution without the questions that have no answer, and these with their reasons: those that an error names, if it does."""
-    known = error.refused if isinstance(error, Unanswered) else {}
-    for refused in (known, None):
+    known = refused_by(error, problem)
+    for refused in (known,) if isinstance(error, NeverReached) else (known, None):
         refused = told_apart(problem, law, at) if refused is None else refused
         kept = tuple(find for find in problem.finds if find.name not in refused)
         if not kept or len(kept) == len(problem.finds):
@@ -145,6 +125,14 @@ def solved_without(
         with suppress(Unsolvable):
             return solved_as_far(replace(problem, finds=kept), law, digits, at), refused
     raise error
+
+
+def refused_by(error: Unsolvable, problem: Problem) -> Mapping[str, Unsolvable]:
+    """The questions that an error itself says have no answer: of a state that is never reached all that ask of it or later."""
+    if isinstance(error, NeverReached):
+        early = before(error.state, problem)
+        return {find.name: error for find in problem.finds if early is None or find not in early.finds}
+    return error.refused if isinstance(error, Unanswered) else {}
 
 
 def told_apart(problem: Problem, law: str | None, at: str | None) -> dict[str, Unsolvable]:
@@ -265,107 +253,6 @@ def fairly_refused(
     return error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help)
 
 
-def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:
-    """The solution of a scene by one choice of laws."""
-    configuration = Configuration(noted(configuration.problem), configuration.alteration)
-    decision, (search, balls) = searched(configuration, law)
-    if at is not None and not search.scene.configuration.mentions.functions:
-        raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
-    if law is not None:
-        check_law(search, law)
-    return composed(problem, search, balls, decision, digits, at)
-
-
-Found = tuple[Search, KnownBalls]  # a search that has answered all questions, and the numbers found
-
-
-def searched(configuration: Configuration, law: str | None) -> tuple[Decision | None, Found]:
-    """The answers to all questions, with a state more wherever the laws of a phase end before it does."""
-    first: Unsolvable | None = None
-    while True:
-        decision, search = prepared(configuration, law)
-        found = answered_fully(search)
-        if search.ground and search.ground.chose and doubtful(found):  # perhaps by a root that is not meant
-            again = answered_fully(Search(search.scene, search.families, search.spare, careful=True))
-            found = found if isinstance(again, Unsolvable) else again
-        stuck = isinstance(found, Unsolvable)
-        reached = search if isinstance(found, Unsolvable) else found[0]
-        further = following(reached, stuck=stuck) if decision is not None or turnable(reached) else None
-        if further is None:
-            break
-        first, configuration = first or (found if isinstance(found, Unsolvable) else None), Configuration(further)
-    if isinstance(found, Unsolvable):
-        raise found if isinstance(found, Contradicted) else first or found
-    if untimely(*found):
-        from rotsolve.search.endings import not_in_time
-
-        not_in_time(*found)
-    return decision, found
-
-
-def turnable(search: Search) -> bool:
-    """Whether a motion goes by its place, so that it may turn back on its way."""
-    return any(travel.pace == POSITION for over in search.scene.passages.values() for travel in over.travels)
-
-
-def doubtful(found: Found | Unsolvable) -> bool:
-    """Whether another root may be meant: there is no answer, or none that time brings about."""
-    return isinstance(found, Unsolvable) or untimely(*found)
-
-
-def prepared(configuration: Configuration, law: str | None) -> tuple[Decision | None, Search]:
-    """The scene as friction lets it move, ready to be asked."""
-    try:
-        with stage("friction", whole=True):
-            decision = decided(configuration)
-        with stage("laws"):
-            scene = (decision and decision.scene) or SceneEquations(configuration)
-            return decision, Search(scene, families_for(law), spare=law is not None)
-    except NotYet as error:
-        raise unsolvable(configuration.problem, str(error), error.span, error.help) from None
-    except Unsolvable as error:
-        fault = error.fault
-        told = unsolvable(configuration.problem, fault.message, fault.span, fault.help)
-        raise error if error.lines else told from None
-
-
-def answered_fully(search: Search) -> Found | Unsolvable:
-    """Answer all questions, and hold the answers against everything else; or why that fails."""
-    problem = search.scene.configuration.problem
-    try:
-        with stage("solve"):
-            if any(state.opened for state in problem.states):
-                from rotsolve.search.openings import tell_openings
-
-                tell_openings(search)
-            search = answered(search, problem.finds)
-        with stage("verify", whole=True):
-            return search, check_consistent(search)
-    except Unsolvable as error:
-        return error
-
-
-def following(search: Search, *, stuck: bool) -> Problem | None:
-    """The problem with a state more, where the laws of a phase end before it does; or told what friction there is, where that matters."""
-    from rotsolve.search.endings import Endings, with_state_at
-
-    with stage("solve"):
-        ending, configuration = Endings(search, stuck).first(), search.scene.configuration
-        if ending is not None:
-            return with_state_at(configuration.problem, ending)
-        if not rubs(configuration):
-            return None
-        if any(given.asked for given in configuration.problem.givens):
-            from rotsolve.search.ways import with_way_found
-
-            told = with_way_found(search, stuck=stuck)
-            if told is not None or stuck:
-                return told
-        from rotsolve.search.friction import with_friction_found
-
-        return None if stuck else with_friction_found(search)
-
-
 def may_be(problem: Problem, numbers: Mapping[str, float]) -> bool:
     """Whether the scene as written may have such numbers, in SI units, for its letters: what is cut out of a body lies within it."""
     open_ = [given for given in problem.givens if given.value is None and not (given.asked or given.automatic)]
@@ -387,98 +274,6 @@ def refuse_idle(solutions: Sequence[Solution], problem: Problem) -> None:
         raise SceneError(idle, problem.lines, problem.file)
 
 
-def solved_for(letter: str, search: Search) -> Formula | float | None:
-    """What the answers make of a letter of the laws, if only aside: a formula of givens, else a number."""
-    try:
-        found = (
-            search.solver.solved.get(letter) or search.beside_by(families_for(None)).answer(asked_letter(letter)).found
-        )
-    except NoAnswer:
-        return None
-    return found.formula or (None if found.number is None else found.number.float)
-
-
-def decided(configuration: Configuration) -> Decision | None:
-    """How all that rubs behaves; None where nothing does, and no state says how a contact moves."""
-    spoken_of = any(line.word for state in configuration.timeline.states for line in state.conditions)
-    if not spoken_of and not rubs(configuration):
-        return None
-    from rotsolve.search.friction import decide, said_otherwise
-
-    decision = decide(configuration)
-    for clash in said_otherwise(configuration, decision.modes):
-        raise clash
-    return decision
-
-
-def composed(
-    problem: Problem, search: Search, balls: KnownBalls, decision: Decision | None, digits: int, at: str | None
-) -> Solution:
-    """The answers of a search as a derivation with its checks."""
-    with stage("compose", whole=True):
-        before, first = sections_before(decision)
-        composer = DerivationComposer(search, first, evaluation_time(at))
-    with stage("verify", whole=True):
-        held = checks(search, composer.letters, balls)
-        idle = idle_words(search.scene)  # what is read from here on is none of the solution
-    with stage("compose", whole=True):
-        trials = () if decision is None else decision.trials
-        derivation = with_missing_told(composer.derivation(held, before, trials), composer.problem)
-    beside = left_out(problem, composer.problem)
-    skipped("bodies", beside)
-    counted("equations written", derivation.equations_written)
-    counted("equations used", derivation.equations_used)
-    trace = Trace(
-        lambda: stages_before().facts_text(search.scene, beside),
-        lambda: stages_before().equations_text(search, composer.letters),
-        lambda: stages_before().plan_text(search, composer.letters),
-        lambda: validity_of(search),
-        lambda: meanings_of(composer),
-        idle=idle,
-        letter=lambda letter: solved_for(letter, search),
-    )
-    return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
-
-
-def sections_before(decision: Decision | None) -> tuple[tuple[Section, ...], int]:
-    """The sections that show what slips, and the number of the first equation after them."""
-    if decision is None or not decision.slipping:
-        return (), 1
-    from rotsolve.derivation.friction import slipping_sections
-
-    return slipping_sections(decision.slipping)
-
-
-def evaluation_time(at: str | None) -> TimeValue | None:
-    """The time at which functions of time are evaluated."""
-    if at is None:
-        return None
-    from rotsolve.scene.values import read_time
-
-    return read_time(at)
-
-
-def stages_before() -> Any:
-    """What prints the stages before the derivation; loaded when someone asks for one."""
-    from rotsolve.derivation import stages
-
-    return stages
-
-
-def validity_of(search: Search) -> Validity:
-    """For which numbers the closed forms hold; worked out when someone asks."""
-    from rotsolve.derivation.requirements import validity
-
-    return validity(search)
-
-
-def meanings_of(composer: DerivationComposer) -> Meanings:
-    """What the letters of the scene stand for; worked out when someone asks."""
-    from rotsolve.derivation.meanings import Meanings
-
-    return Meanings(composer)
-
-
 def asked_part(problem: Problem) -> Configuration:
     """The part of the problem that is asked for, made ready for the laws, once all of it has been checked."""
     return block_of(configured(problem))
@@ -488,54 +283,3 @@ def block_of(configuration: Configuration) -> Configuration:
     """The part of a scene that is asked for."""
     block = asked_block(configuration.problem)
     return configuration if block is configuration.problem else Configuration(block)
-
-
-def check_consistent(search: Search) -> KnownBalls:
-    """The answers, and what follows from them, as numbers; they must agree with everything that the laws write about the scene."""
-    back = turned_back(search)
-    if back is not None:
-        from rotsolve.search.explain import turns_back
-
-        raise turns_back(back, search.scene.configuration.problem)
-    broken, balls = contradiction(search)
-    if broken is not None:
-        from rotsolve.search.explain import contradicted
-
-        raise contradicted(broken, search.scene)
-    if search.scene.encounters:
-        from rotsolve.derivation.requirements import let_go
-
-        for refusal in let_go(search):
-            raise refusal
-    configuration = search.scene.configuration
-    if any(given.asked for given in configuration.problem.givens):
-        from rotsolve.search.within import out_of_bounds
-
-        for refusal in out_of_bounds(search):
-            raise refusal
-    for value, (sign, question, span) in configuration.supposed.items():
-        if configuration.signs.sign(settled_aside(value, search)) != sign:
-            raise configuration.undecided(value, question, span)
-    return balls
-
-
-def settled_aside(value: Formula, search: Search) -> Formula:
-    """A formula of letters that are asked for, with what they are put in; those that no question asks for are worked out aside."""
-    value = search.solver.with_found(value)
-    for name in sorted(value.symbols() - search.values.keys()):
-        try:
-            found = search.apart().value_of(name)
-        except NoAnswer:
-            continue
-        value = value if found is None else value.substitute({name: found})
-    return value
-
-
-def check_law(search: Search, law: str) -> None:
-    """A law asked for must have a part in the solution."""
-    used = {search.planner.pool[index].family for answered in search.answered for index in answered.used}
-    problem = search.scene.configuration.problem
-    if used - {""} and law not in used:
-        others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
-        message = f"{FAMILIES[law].words} does not settle anything that is asked here"
-        raise unsolvable(problem, message, None, f"it takes {others}")

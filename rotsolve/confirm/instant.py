@@ -322,46 +322,27 @@ def assembled(
     loads: Mapping[str, Slope],
     modes: dict[str, str],
 ) -> Dynamics:
-    """The linear system in the reactions and the accelerations of what has no mass."""
-    masses, size = model.masses, model.size
-    force, terms = [0.0] * size, [0.0] * size  # and how large its parts are
-    for load in loads.values():
-        for index, part in load.items():
-            force[index] += part
-            terms[index] += abs(part)
-    light = {index: len(rows) + number for number, index in enumerate(i for i in range(size) if masses[i] == 0.0)}
-    system, right = [], []
+    """The linear system in the reactions and the accelerations of what has no mass, solved."""
+    masses = model.masses
+    light = {
+        index: len(rows) + number for number, index in enumerate(i for i, mass in enumerate(masses) if mass == 0.0)
+    }
     by_index: dict[int, list[tuple[int, float]]] = {}
     for number, column in enumerate(columns):
         for index, part in column.items():
             by_index.setdefault(index, []).append((number, part))
-    for row in rows:
-        equation: dict[int, float] = {}
-        rest = row.bend or 0.0
-        for index, part in row.slope.items():
-            if index in light:
-                equation[light[index]] = equation.get(light[index], 0.0) + part
-                continue
-            share = part / masses[index]
-            rest -= share * force[index]
-            for number, other in by_index.get(index, ()):
-                equation[number] = equation.get(number, 0.0) + share * other
-        system.append(equation)
-        right.append(rest)
-    for index in light:
-        system.append(dict(by_index.get(index, ())))
-        right.append(-force[index])
-    answer = solved(system, right, len(rows) + len(light))
-    rates, open_rates = [], set()
-    for index in range(size):
-        if index in light:
-            rates.append(answer.values[light[index]])
-            if light[index] in answer.open:
-                open_rates.add(index)
-            continue
+    pushes: list[list[float]] = [[] for _ in masses]
+    for load in loads.values():
+        for index, part in load.items():
+            pushes[index].append(part)
+    force = list(map(sum, pushes))
+    equations = [equation_of(row, masses, light, by_index, force) for row in rows]
+    equations += [(dict(by_index.get(index, ())), -force[index]) for index in light]
+    answer = solved([left for left, _ in equations], [right for _, right in equations], len(equations))
+    rates = []
+    for index, mass in enumerate(masses):
         held = [part * answer.values[number] for number, part in by_index.get(index, ())]
-        whole, large = force[index] + sum(held), terms[index] + sum(map(abs, held))
-        rates.append(whole / masses[index] if abs(whole) > ROUNDING * large else 0.0)
+        rates.append(answer.values[light[index]] if index in light else rate_by([*pushes[index], *held], mass))
     keys = [row.key for row in rows]
     return Dynamics(
         placed=at,
@@ -371,7 +352,34 @@ def assembled(
         columns=dict(zip(keys, columns, strict=True)),
         loads=dict(loads),
         modes=modes,
-        open_rates=frozenset(open_rates),
+        open_rates=frozenset(index for index, place in light.items() if place in answer.open),
         open_reactions=frozenset(key for number, key in enumerate(keys) if number in answer.open),
         clash=answer.clash if answer.clash > 1e-9 and math.isfinite(answer.clash) else 0.0,
     )
+
+
+def equation_of(
+    row: Row,
+    masses: Sequence[float],
+    light: Mapping[int, int],
+    by_index: Mapping[int, Sequence[tuple[int, float]]],
+    force: Sequence[float],
+) -> tuple[dict[int, float], float]:
+    """slope · q̈ + bend = 0 with the q̈ of what has mass put in: what reactions and light coordinates add, and what is left for them."""
+    equation: dict[int, float] = {}
+    rest = row.bend or 0.0
+    for index, part in row.slope.items():
+        if index in light:
+            equation[light[index]] = equation.get(light[index], 0.0) + part
+            continue
+        share = part / masses[index]
+        rest -= share * force[index]
+        for number, other in by_index.get(index, ()):
+            equation[number] = equation.get(number, 0.0) + share * other
+    return equation, rest
+
+
+def rate_by(pushes: Sequence[float], mass: float) -> float:
+    """ΣF/m; 0 where the pushes cancel but for rounding."""
+    whole = sum(pushes)
+    return whole / mass if abs(whole) > ROUNDING * sum(map(abs, pushes)) else 0.0

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.keys.statement import statement
-from rotsolve.keys.working import Worked
 from rotsolve.page.blocks import Answers, Labelled, Labels, Page, PageBlock, Paragraph, Title
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.text import plain_text
+
+if TYPE_CHECKING:
+    from rotsolve.keys.working import Worked
 from rotsolve.page.values import answer_row, given_equation
 
 

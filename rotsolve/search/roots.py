@@ -322,6 +322,12 @@ class RootChoice(Struct, frozen=True):
             index, number = real[0]
             opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
             return PickedRoot(index, dropped, fits=not opposed)
+        return self._of_several(name, real, numbered, roots)
+
+    def _of_several(
+        self, name: str, real: list[tuple[int, float]], numbered: list[tuple[int, Formula]], roots: Sequence[Formula]
+    ) -> PickedRoot:
+        """Of several roots that have numbers the one that is meant: a double one, the stable one, the first reached, the expected sign."""
         if all(self.numbers.side(root - numbered[0][1]) == 0 for _, root in numbered[1:]):
             return PickedRoot(real[0][0], ("the roots coincide: it is only just reached",))
         stable = self._stable(name, [root for _, root in numbered])

@@ -32,6 +32,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("arrays",),
     ("solution",),
     ("scene",),
+    ("solving",),
     ("pipeline",),
     ("run",),
     ("keys",),

@@ -9,7 +9,7 @@ from time import process_time
 import pytest
 from msgspec.structs import replace
 
-from rotsolve import SceneError, Unsolvable, pipeline, solve
+from rotsolve import SceneError, Unsolvable, pipeline, solve, solving
 from rotsolve.derivation.drafts import drafts_of
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.block import asked_block, left_out
@@ -164,8 +164,8 @@ def test_no_law_is_written_for_what_is_left_out() -> None:
 def test_no_step_is_derived_that_is_not_printed(folder: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Checks derive by searches of their own; that of the answers holds what the page shows."""
     searches: list[Search] = []
-    composed = pipeline.composed
-    monkeypatch.setattr(pipeline, "composed", lambda *given: searches.append(given[1]) or composed(*given))
+    composed = solving.composed
+    monkeypatch.setattr(solving, "composed", lambda *given: searches.append(given[1]) or composed(*given))
     for path in sorted((ROOT / "problems" / folder).glob("*.yaml"))[:3]:
         solve(path)
         derived = {step.number for step in searches[-1].solver.steps}
