@@ -19,6 +19,7 @@ from rotsolve.elements.connections.drives import MutualDrive
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Shaft
+from rotsolve.elements.surfaces import Wall
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import ActingElement
 
@@ -95,13 +96,19 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
 
 
 def spring_way(item: Spring, model: Known) -> Way:
-    """From left to right along a line of travel that is not upright; else up from the ground, down from the ceiling."""
+    """From left to right along a line of travel that is not upright, from a wall out of it; else up from the ground, down from the
+    ceiling, of two bodies down."""
     first, second = item.spring
     anchor, body = (first, second) if first.owner not in model.seats else (second, first)
     way = model.line(body.owner) if body.owner in model.seats else None
+    wall = model.surfaces.get(anchor.owner)
     if way is not None and abs(way[0]) > 1e-9:
-        return way if way[0] > 0 else (-way[0], -way[1])
-    outward = UP if anchor.owner == "ground" else DOWN
+        right = way if way[0] > 0 else (-way[0], -way[1])
+        if not isinstance(wall, Wall):
+            return right
+        outward = right if wall.wall == "left" else (-right[0], -right[1])
+    else:
+        outward = UP if anchor.owner == "ground" or anchor.owner in model.seats else DOWN
     return outward if anchor is first else (-outward[0], -outward[1])
 
 

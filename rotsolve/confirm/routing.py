@@ -34,7 +34,7 @@ def direction(item: String, index: int, model: Known) -> Way | None:
     if told_apart(first, second, model):
         return None
     ends = [(index, index + 1, 1.0), (index + 1, index, -1.0)]
-    for rule in (declared, supported, pulled, wheeled):
+    for rule in (declared, supported, abreast, pulled, wheeled):
         for here, there, sign in ends:
             way = rule(item, here, there, model)
             if way is not None:
@@ -65,13 +65,26 @@ def declared(item: String, here: int, there: int, model: Known) -> Way | None:
         return None
     up = uphill(surface, model)
     on = [parallel(line(end.owner, model), up) for end in (ref, neighbour) if end.owner in model.seats]
-    if not any(on):
+    if sum(on) != 1:  # two that lie on it are drawn from left to right
         return None
     return up if ref.owner in model.seats else (-up[0], -up[1])
 
 
 def parallel(one: Way | None, other: Way) -> bool:
     return one is not None and abs(one[0] * other[1] - one[1] * other[0]) < 1e-9
+
+
+def abreast(item: String, here: int, there: int, model: Known) -> Way | None:
+    """Two bodies that travel along one line that is not upright: the earlier-named stands on the left."""
+    ends = (0, len(item.string) - 1)
+    if any(wraps(item.string[index], model) and index not in ends for index in (here, there)):
+        return None
+    ways = [line(item.string[index].owner, model) for index in (here, there) if item.string[index].owner in model.seats]
+    way = ways[0] if len(ways) == 2 else None
+    if way is None or not parallel(ways[1], way) or abs(way[0]) < 1e-9:
+        return None
+    ahead = (way[0] > 0) == (there > here)
+    return way if ahead else (-way[0], -way[1])
 
 
 def supported(item: String, here: int, there: int, model: Known) -> Way | None:

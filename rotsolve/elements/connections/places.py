@@ -5,7 +5,7 @@ from __future__ import annotations
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
-from rotsolve.core.vectors.heading import RIGHT, UP, Vector, unit, vector
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Moment
 
@@ -24,6 +24,12 @@ def between(first: PointRef, second: PointRef, instant: Moment) -> Vector | None
     whole = distance(gap, instant)
     right, up = (min((side / whole, simplify(side / whole)), key=length) for side in gap)
     return vector(right, RIGHT) + vector(up, UP)
+
+
+def rightward(line: Heading, ref: PointRef, instant: Moment) -> Heading | None:
+    """A line of travel as it runs towards the right; None where it is upright."""
+    side = instant.configuration.certain_sign(line.cos(), f"whether `{ref.owner}` moves to the right", ref.span)
+    return (line if side > 0 else line.turned(180)) if side else None
 
 
 def distance(gap: tuple[Formula, Formula], instant: Moment) -> Formula:

@@ -10,8 +10,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula, add, negate
 from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import DOWN, UP, Vector, along_text, unit
-from rotsolve.elements.connections.places import between, distance, gap_between
+from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Vector, along_text, unit
+from rotsolve.elements.connections.places import between, distance, gap_between, rightward
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -73,18 +73,21 @@ class Spring(Connection, frozen=True):
 
     def along(self, instant: Moment) -> Vector:
         """Unit vector from the first end to the second: where they are, if a place is named; from left to right along a level or
-        sloping line of travel; else up from the ground, down from the ceiling."""
+        sloping line of travel, from a wall out of it; else up from the ground, down from the ceiling, of two bodies down."""
         configuration = instant.configuration
         straight = between(self.spring[0], self.spring[1], instant) if self.placed else None
         if straight is not None:
             return straight
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
         line = instant.line(instant.host(body.owner)) if body.owner in configuration.bodies else None
-        question = f"in which direction `{self.name}` pulls `{body.owner}`"
-        side = configuration.certain_sign(line[0].cos(), question, body.span) if line is not None else 0
-        if line is not None and side:
-            return unit(line[0] if side > 0 else line[0].turned(180))
-        outward = UP if anchor.owner == "ground" else DOWN
+        right = rightward(line[0], body, instant) if line is not None else None
+        wall = configuration.surfaces.get(anchor.owner)
+        if right is not None and (wall is None or not wall.upright):
+            return unit(right)
+        if right is not None and wall is not None:
+            outward = right if wall.normal == RIGHT else right.turned(180)
+        else:
+            outward = UP if anchor.owner == "ground" or anchor.owner in configuration.bodies else DOWN
         return unit(outward if anchor is self.spring[0] else outward.turned(180))
 
 

@@ -30,7 +30,7 @@ from rotsolve.core.vectors.heading import (
     unit,
 )
 from rotsolve.core.writing import balance, spoken
-from rotsolve.elements.connections.places import between
+from rotsolve.elements.connections.places import between, rightward
 from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import rim_radius, rims, round_part
 from rotsolve.language.bodies import Body, PointRef, Surface
@@ -69,7 +69,23 @@ class Routing(Struct, frozen=True, dict=True):
         said, held = self.said(index), self.settled(index, self.fixed)
         if held is not None:
             return self.agreed(index, said, held)
-        return said if said.parts else self.settled(index, self.leaving_mover) or unit(RIGHT)
+        return said if said.parts else self.abreast(index) or self.settled(index, self.leaving_mover) or unit(RIGHT)
+
+    def abreast(self, index: int) -> Vector | None:
+        """The direction of a leg between two bodies that travel along one line, level or sloping: from left to right."""
+        pair = self.points[index : index + 2]
+        if any(self.wraps(index + k) and not self.at_end(index + k) for k in (0, 1)):
+            return None
+        lines = [self.line(ref.owner) for ref in pair]
+        if lines[0] is None or lines[1] is None or (lines[0] - lines[1]).sin() != ZERO:
+            return None
+        right = rightward(lines[0], pair[0], self.instant)
+        return None if right is None else unit(right)
+
+    def line(self, owner: str) -> Heading | None:
+        """The direction in which a body travels; nothing of what is no body, or turns only."""
+        found = self.instant.line(self.instant.host(owner)) if owner in self.instant.configuration.bodies else None
+        return None if found is None else found[0]
 
     def settled(self, index: int, leaving: Callable[[int, int], Vector | None]) -> Vector | None:
         """The direction of a leg by how the string leaves its first end, or else its second."""
@@ -116,7 +132,7 @@ class Routing(Struct, frozen=True, dict=True):
         ref, neighbour = self.points[index], self.points[other]
         configuration = self.instant.configuration
         surface = configuration.surfaces.get(self.along or "")
-        if surface is not None and any(self.travels(owner, surface) for owner in (ref.owner, neighbour.owner)):
+        if surface is not None and self.travels(ref.owner, surface) != self.travels(neighbour.owner, surface):
             return unit(uphill(surface) if ref.owner in configuration.bodies else uphill(surface).turned(180))
         if ref.owner == "ceiling":
             return unit(DOWN)
@@ -126,9 +142,8 @@ class Routing(Struct, frozen=True, dict=True):
 
     def travels(self, owner: str, surface: Surface) -> bool:
         """Whether a body travels along a surface."""
-        instant = self.instant
-        line = instant.line(instant.host(owner)) if owner in instant.configuration.bodies else None
-        return line is not None and (line[0] - uphill(surface)).sin() == ZERO
+        line = self.line(owner)
+        return line is not None and (line - uphill(surface)).sin() == ZERO
 
     def leaving_mover(self, index: int, other: int) -> Vector | None:
         """Direction in which the string leaves a body that travels.
@@ -139,14 +154,13 @@ class Routing(Struct, frozen=True, dict=True):
         ref, neighbour = self.points[index], self.points[other]
         if ref.owner not in self.instant.configuration.bodies:
             return None
-        line = self.instant.line(self.instant.host(ref.owner))
-        if line is None:
+        direction = self.line(ref.owner)
+        if direction is None:
             hinged = ref.point not in (None, "rim", "center") and self.instant.configuration.heavy
             if not hinged or self.wraps(index):
                 return None
             hanging = neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
             return unit(DOWN if hanging else UP)
-        direction = line[0]
         surface = supporting(self.instant.host(ref.owner), self.instant.configuration, self.instant.state)
         if surface is not None and surface.slanted:
             return unit(uphill(surface))
@@ -161,9 +175,8 @@ class Routing(Struct, frozen=True, dict=True):
 
     def leaving_reel(self, index: int, other: int) -> Vector | None:
         """Direction in which a string leaves what travels up and down and has its end wound on it: up, save where a body hangs from it."""
-        owner = self.points[other].owner
-        line = self.instant.line(self.instant.host(owner)) if owner in self.instant.configuration.bodies else None
-        if line is None or line[0].sin() == ZERO:
+        line = self.line(self.points[other].owner)
+        if line is None or line.sin() == ZERO:
             return unit(UP)
         if self.wraps(other) and self.at_end(other):  # of two reels the first hangs higher
             return unit(DOWN if other > index else UP)
@@ -175,10 +188,7 @@ class Routing(Struct, frozen=True, dict=True):
 
     def same_line(self, index: int) -> bool:
         """Whether a neighbour hangs below: it travels too and the string does not go round it."""
-        owner = self.points[index].owner
-        if owner not in self.instant.configuration.bodies or self.wraps(index):
-            return False
-        return self.instant.line(self.instant.host(owner)) is not None
+        return not self.wraps(index) and self.line(self.points[index].owner) is not None
 
     def wraps(self, index: int) -> bool:
         """Whether the string runs on a rim there: a round body named alone, by `rim`, or by one of its radii."""
