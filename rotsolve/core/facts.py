@@ -206,8 +206,8 @@ class Rule(Struct, frozen=True):
 
 
 class Need(Struct, frozen=True):
-    """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N; `placed` where it is about places, which
-    change though all forces stay."""
+    """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N; `placed` where it is about places or
+    speeds, which change though all forces stay."""
 
     name: str
     grips: bool = False
@@ -216,6 +216,7 @@ class Need(Struct, frozen=True):
 
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
 APART = Need("apart", placed=True)  # of bodies that have met
+GAINS = Need("gains", placed=True)  # no blow gives energy
 
 
 class Requirement(Struct, frozen=True):

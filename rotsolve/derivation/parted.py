@@ -1,11 +1,12 @@
-"""Parted: two bodies that have bounced off each other on a line may not go through each other up to the next blow between them."""
+"""Parted: two bodies that meet do not part faster than they came, and those that have bounced off each other on a line may not go
+through each other up to the next blow between them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import APART, Requirement
+from rotsolve.core.facts import APART, GAINS, Requirement
 from rotsolve.core.writing import spoken
 from rotsolve.motion.encounters import participants
 from rotsolve.motion.timeline import Interval
@@ -13,18 +14,60 @@ from rotsolve.search.search import Search
 
 
 def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
-    """By state after a blow: s₂ − s₁ ≥ 0 of the ways since then, where the second was ahead."""
+    """What two bodies that meet obey, by event that they part as fast as it can be, by later state s₂ − s₁ ≥ 0 of the ways since then.
+
+    Bodies that did not come towards each other may be driven apart: by a charge, or a spring that is let go.
+    """
     for name, encounter in search.scene.encounters.items():
         interval = search.scene.configuration.timeline.interval(name)
-        if interval is None or encounter.closing is None:
-            continue
         pair = meeting_bodies(interval, search)
-        closing = search.apart().settled(encounter.closing[0]) if len(pair) == 2 else None
+        if interval is None or encounter.closing is None or len(pair) != 2:
+            continue
+        closing = search.apart().settled(encounter.closing[0])
         ahead = search.numbers.side(closing) if closing is not None else None
-        for state, space in ways_apart(pair, interval, search) if ahead else ():
-            words = " and ".join(map(spoken, pair))
-            left = space if ahead == 1 else -space
+        if not ahead:
+            continue
+        if encounter.restitution is None:
+            yield name, tuple(speeds_apart(name, pair, (encounter.closing, ahead), interval, search))
+        for state, space in ways_apart(pair, interval, search):
+            left = space * (ahead if keeps_order(pair, encounter.closing, ahead, interval, search) else -ahead)
+            words = in_words(pair)
             yield state, (Requirement(name, APART, left, ZERO, f"{words} stay apart", f"{words} meet again before"),)
+
+
+def speeds_apart(
+    name: str, pair: tuple[str, ...], closing: tuple[tuple[Formula, Formula], int], blow: Interval, search: Search
+) -> Iterator[Requirement]:
+    """Neither apart nor through each other faster than they came, since ½ μ (v² − u²) of that is the energy lost: |v| ≤ u."""
+    (approach, parting), ahead = closing
+    came, went = approach * ahead, parting * ahead
+    words, kept = in_words(pair), "the blow gives no energy"
+    yield Requirement(name, GAINS, came - went, ZERO, kept, f"{words} part faster than they met: no blow gives energy, in")
+    if solid(pair, blow, search):
+        yield Requirement(name, GAINS, went, ZERO, f"{words} part", f"{words} go through each other in")
+    else:
+        faster = f"{words} go through each other faster than they met: no blow gives energy, in"
+        yield Requirement(name, GAINS, came + went, ZERO, kept, faster)
+
+
+def in_words(pair: tuple[str, ...]) -> str:
+    return " and ".join(map(spoken, pair))
+
+
+def solid(pair: tuple[str, ...], blow: Interval, search: Search) -> bool:
+    """Whether two bodies can't go through each other: both lie on something."""
+    lying = {item.lying() for item in search.scene.configuration.connections(blow.start)}
+    return lying.issuperset(pair)
+
+
+def keeps_order(
+    pair: tuple[str, ...], closing: tuple[Formula, Formula], ahead: int, blow: Interval, search: Search
+) -> bool:
+    """Whether two bodies stand after a blow as before it; what goes through the other, as a bullet does, is ahead of it from then on."""
+    if solid(pair, blow, search):
+        return True
+    parting = search.apart().settled(closing[1])
+    return parting is None or search.numbers.side(parting) != -ahead
 
 
 def meeting_bodies(interval: Interval | None, search: Search) -> tuple[str, ...]:

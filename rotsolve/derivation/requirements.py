@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.ball import need as noted
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import ACUTE, SignOracle
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
@@ -67,7 +67,9 @@ def sign_of(gap: Formula | None, need: Requirement, place: str, search: Search, 
     number = search.signs.at_trial(gap) if sign is None else None
     if number is not None:
         sign = number.sign or 0
-        noted(gap, sign, objection(need, place, search, letters))
+        # what is about places or speeds may only just hold: the condition is that −gap is not positive
+        value, side = (negate(gap), -sign) if need.kind.placed else (gap, sign)
+        noted(value, side, objection(need, place, search, letters))
     return sign
 
 

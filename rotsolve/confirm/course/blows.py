@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from msgspec.structs import replace
 
@@ -27,8 +28,11 @@ def brought(before: Node, model: Model) -> Placed:
     return replace(before.placed, q=q)
 
 
-def met_through(before: Node, event: Event, model: Model) -> tuple[Met, ...]:
-    """Who has met up to an event and may not go through each other: bodies on one line; a later blow of theirs counts anew."""
+def met_through(before: Node, event: Event, model: Model, speed: Sequence[float]) -> tuple[Met, ...]:
+    """Who has met up to an event and may not go through each other: bodies on one line; a later blow of theirs counts anew.
+
+    By the speeds after it one may have gone through the other, as a bullet does, if not both lie on something.
+    """
     if not isinstance(event, Collides):
         return before.placed.met
     one, other = (ref.owner for ref in event.collides)
@@ -41,7 +45,11 @@ def met_through(before: Node, event: Event, model: Model) -> tuple[Met, ...]:
     closing = (x.rate - ahead.rate) * way[0] + (y.rate - above.rate) * way[1]
     if closing == 0.0:
         return kept
-    way = way if closing > 0.0 else (-way[0], -way[1])
+    firsts = [model.seats[name].first for name in (one, other)]
+    parting = sum((speed[firsts[1] + k] - speed[firsts[0] + k]) * way[k] for k in (0, 1))
+    lying = {item.lying() for item in before.model.acting.connections}
+    through = parting * closing < -1e-9 * closing**2 and not lying.issuperset({one, other})
+    way = way if (closing > 0.0) != through else (-way[0], -way[1])
     apart = (ahead.value - x.value) * way[0] + (above.value - y.value) * way[1]
     return (*kept, Met((one, other), way, apart))
 
@@ -58,7 +66,7 @@ class Blow:
             raise NotConfirmed(f"what holds through `{event.name}` can not hold together")
         changes = [now - old for now, old in zip(self.struck.placed.speed, before.placed.speed, strict=True)]
         check_turns(model, changes, self.struck.placed.open)
-        placed = replace(self.struck.placed, met=met_through(before, event, model))
+        placed = replace(self.struck.placed, met=met_through(before, event, model, self.struck.placed.speed))
         self.after = Node(model, placed, before.budget)
 
     def on_body(self, owner: str, body: str) -> tuple[Way, float]:
