@@ -42,7 +42,9 @@ def speeds_apart(
     (approach, parting), ahead = closing
     came, went = approach * ahead, parting * ahead
     words, kept = in_words(pair), "the blow gives no energy"
-    yield Requirement(name, GAINS, came - went, ZERO, kept, f"{words} part faster than they met: no blow gives energy, in")
+    yield Requirement(
+        name, GAINS, came - went, ZERO, kept, f"{words} part faster than they met: no blow gives energy, in"
+    )
     if solid(pair, blow, search):
         yield Requirement(name, GAINS, went, ZERO, f"{words} part", f"{words} go through each other in")
     else:
