@@ -11,6 +11,8 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.units.dimension import NONE, Dimension
+from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import IS, WHICH
 from rotsolve.language.problem import Find, Option, WhichOf
@@ -61,7 +63,7 @@ class OptionReader:
         self.name = name
         self.answers = answers
         self.read: list[Find] = []
-        self.dimensions: dict[str, Any] = {}
+        self.dimensions: dict[int, Any] = {}  # of what is read, by identity: sides of one option may share a letter
 
     def test(self, node: Node) -> tuple[str | None, Find | None]:
         """`largest`, `smallest`, `above X`, `below X`."""
@@ -131,18 +133,28 @@ class OptionReader:
         find, dimension = found
         side = named_side(find, label, len(self.read) + 1)
         self.read.append(side)
-        self.dimensions[side.name] = dimension
+        nothing = find.formula == ZERO and not find.terms
+        self.dimensions[id(side)] = dimension_of_zero(text) if nothing else dimension
         return side
 
     def same_dimension(self, node: Node, sides: list[Find]) -> None:
         """What is compared must be of one kind."""
-        known = [side for side in sides if self.dimensions[side.name] is not None]
+        known = [side for side in sides if self.dimensions[id(side)] is not None]
         for side in known[1:]:
-            first, second = (self.dimensions[item.name] for item in (known[0], side))
+            first, second = (self.dimensions[id(item)] for item in (known[0], side))
             if not first.matches(second):
                 message = f"`{known[0].text}` is {dimension_in_words(first)}, but `{side.text}` is {dimension_in_words(second)}"
                 self.scope.fault(node, message, "only quantities of one kind can be compared", "dimension")
                 return
+
+
+def dimension_of_zero(text: str) -> Dimension | None:
+    """That of its unit, `0 m/s`; None for a bare 0, which is of every kind."""
+    try:
+        dimension = parse_quantity(text.strip()).dimension
+    except UnitError:
+        return None
+    return None if dimension == NONE else dimension
 
 
 def named_side(find: Find, label: str, number: int) -> Find:

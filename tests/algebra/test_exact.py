@@ -431,3 +431,17 @@ def test_an_angle_of_a_root_that_no_table_knows_stays(inside: str) -> None:
     angle = parse(f"atan(sqrt({inside}))")
     assert simplify(angle).holds("atan")
     assert evaluate(simplify(angle) - angle, {}, digits=12).float == pytest.approx(0, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "power", ["sqrt(2*m)*sqrt(F*u+F*x)", "sqrt(2*m)/sqrt(F*u-F*x)", "sqrt(m)*sqrt(3*F*u*x-2*u*u*x)/b"]
+)
+@pytest.mark.parametrize("known", ["m", "mb", "mFu"])
+def test_the_factors_under_a_root_stand_in_one_product(power: str, known: str) -> None:
+    """Whether or not the sign of each is known: √(2 F m (u + x)), never √(2 m (F (u + x)))."""
+    f = parse(power)
+    g = simplify(f, order=ORDER, positive=tuple(known))
+    products = [node for node in g.walk() if isinstance(node, Product)]
+    assert products and not any(isinstance(factor, Product) for node in products for factor in node.factors)
+    numbers = {name: Number(Fraction(size)) for name, size in zip("mbFux", (2, 3, 17, 11, 7), strict=True)}
+    assert evaluate(f - g, numbers).sign == 0

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import pytest
 
-from rotsolve.confirm.course.samples import sets_of_numbers
+from rotsolve.confirm.course.samples import letters_open, near_edges, sets_of_numbers
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_text
@@ -158,3 +158,56 @@ def test_what_is_only_come_near_to_is_not_reached() -> None:
     assert solve(PUSHED.replace("SPEED", "0.75 m/s")).answers["s"].float is not None
     with pytest.raises(Unsolvable, match=r"goes away from it|never reached"):
         solve(PUSHED.replace("SPEED", "3 m/s"))
+
+
+NEARLY = """
+title: {title}
+given: {{m: kg, M: kg, k: N/m, d: m, u: m/s, v: m/s, beta: deg, I: kg m^2}}
+surfaces: {{ramp: {{slope: beta, down: left}}}}
+bodies: {{box: {{mass: m, moves: {way}}}, bar: {{inertia: I}}}}
+connections: {{{links}}}
+states: {{{states}}}
+find: {{{find}}}
+"""
+ON_A_SPRING = "touch: {contact: [box, ramp]}, coil: {spring: [ground, box], stiffness: k}"
+HANGING = "coil: {spring: [ceiling, box], stiffness: k}"
+TWISTED = "ax: {axle: bar}, wire: {torsion: bar, stiffness: k*d^2}"
+
+
+@pytest.mark.parametrize(
+    ("way", "links", "states", "find"),
+    [
+        (
+            "up",
+            ON_A_SPRING,
+            "s0: {coil.elongation: -d, at rest: all}, s1: {coil.elongation: 0}",
+            "x: box.velocity at s1",
+        ),
+        ("down", HANGING, "s0: {coil.elongation: d, at rest: all}, s1: {coil.elongation: 0}", "x: box.velocity at s1"),
+        ("down", HANGING, "s0: {coil.elongation: 0, at rest: all}, s1: {box.velocity: u}", "x: coil.elongation at s1"),
+        ("up", TWISTED, "s0: {bar.angle: 1 rad, at rest: all}, s1: {bar.angular_velocity: -u/d}", "x: bar.angle at s1"),
+    ],
+)
+def test_numbers_that_are_told_lie_within_the_conditions(way: str, links: str, states: str, find: str) -> None:
+    """Right inside an edge the state is still reached; what a set of numbers is said of is that set as it is printed."""
+    found = solve(NEARLY.format(title="Nearly", way=way, links=links, states=states, find=find))
+    assert found.answers["x"].conditions
+    assert not reasons(found)
+
+
+def test_samples_have_few_digits() -> None:
+    """Those that are drawn, those right inside edges, and those of cases as far as they are told."""
+    found = solve(
+        NEARLY.format(
+            title="Nearly",
+            way="up",
+            links=ON_A_SPRING,
+            states="s0: {coil.elongation: -d, at rest: all}, s1: {coil.elongation: 0}",
+            find="x: box.velocity at s1",
+        )
+    )
+    problem, answers = found.problem, found.derivation.answers
+    sets = [*sets_of_numbers(problem), *near_edges(problem, answers, found.trace.points)]
+    assert len(sets) > 15
+    for numbers in sets:
+        assert all(float(f"{numbers[given.name]:g}") == numbers[given.name] for given in letters_open(problem))

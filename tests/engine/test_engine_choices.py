@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+from rotsolve.core.faults import SceneError
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
@@ -84,3 +87,30 @@ def test_what_a_choice_compares_may_fail_by_name() -> None:
         )
     )
     assert any("is not the same at all states" in refusal.fault.message for refusal in solution.derivation.refused)
+
+
+@pytest.mark.parametrize("label", ["nil", "not at all", "'not moving'"])
+@pytest.mark.parametrize("zero", ["0", "0 m/s^2", "0 km/h^2", "-0 m/s^2"])
+@pytest.mark.parametrize("compared", ["a > {zero}", "{zero} < ring.acceleration", "a/2 >= {zero}"])
+def test_zero_is_of_every_kind_or_of_that_of_its_unit(label: str, zero: str, compared: str) -> None:
+    option = compared.format(zero=zero)
+    assert chosen(f"{{which of: {{{label}: {option}, other: a < 0 m/s^2}}}}").answers["pick"].word == label.strip("'")
+    assert (
+        chosen("{which of: {one: a, two: ring.acceleration}, is: above ZERO}".replace("ZERO", zero))
+        .answers["pick"]
+        .word
+    )
+
+
+@pytest.mark.parametrize("label", ["nil", "not at all"])
+@pytest.mark.parametrize(
+    ("compared", "kinds"),
+    [
+        ("a > 0 m/s", "an acceleration (m/s²), but `0 m/s` is a velocity (m/s)"),
+        ("a = 5", "an acceleration (m/s²), but `5` is a pure number"),
+        ("a = 5 kg", "an acceleration (m/s²), but `5 kg` is a mass (kg)"),
+    ],
+)
+def test_what_is_of_another_kind_is_refused_whatever_the_label(label: str, compared: str, kinds: str) -> None:
+    with pytest.raises(SceneError, match=re.escape(kinds)):
+        chosen(f"{{which of: {{{label}: {compared}, other: a < 0 m/s^2}}}}")

@@ -17,6 +17,7 @@ from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, FactoredGroup, 
 from rotsolve.algebra.exact.order import (
     Item,
     Order,
+    Rank,
     assembled,
     late,
     length,
@@ -24,7 +25,7 @@ from rotsolve.algebra.exact.order import (
     written_fraction,
     written_term,
 )
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Sum, negate, total
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Product, Sum, Symbol, negate, total
 from rotsolve.algebra.notation.letters import GLYPHS
 
 GATHERED = ("sqrt", "exp")  # functions of which a product has one at most
@@ -184,8 +185,13 @@ class Shaper:
             if whole:
                 outer.append((rank, base, whole))
             if e != whole:
-                inner.append((rank, base, 1 if e > 0 else -1))
+                factors = base.factors if isinstance(base, Product) else (base,)
+                inner += [(self._rank(factor, rank), factor, 1 if e > 0 else -1) for factor in factors]
         return assembled(parts.number * flip * shared, parts.root, one_exponential(outer), inner)
+
+    def _rank(self, factor: Formula, other: Rank) -> Rank:
+        """Where a letter stands in a product; what is none stands elsewhere."""
+        return self.order.ranks[self.field.index[factor]] if isinstance(factor, Symbol) else other
 
     def _turned(self, parts: Parts) -> list[tuple[Terms, Exponent]]:
         """The brackets of a product, two that both lead with a minus turned round: (v − u) (y − x) is (u − v) (x − y)."""

@@ -6,7 +6,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
+from operator import is_
 
+from rotsolve.algebra.formula import Sum
 from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import related
@@ -15,6 +17,8 @@ from rotsolve.core.derivation import Answer, Equality
 from rotsolve.language.problem import Given, Problem
 
 SETS, DRAWS = 5, 15  # sets of numbers for letters, and how often one is drawn for them
+DIGITS = 3  # significant ones of a number that is drawn
+EDGE, ROOM = 0.01, 0.05  # by how much of what it compares a condition holds right inside its edge, and well inside
 EDGES = 8  # sets right inside the edges of cases
 STEPS, CLOSER = (
     8,
@@ -47,9 +51,8 @@ def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
     """The numbers of the givens; where some have none, several sets drawn for those."""
     open_ = letters_open(problem)
     for number in range(DRAWS if open_ else 1):
-        yield with_givens(
-            problem, {given.name: number_drawn(given, number, place) for place, given in enumerate(open_)}
-        )
+        drawn = {given.name: in_few_digits(number_drawn(given, number, place)) for place, given in enumerate(open_)}
+        yield with_givens(problem, drawn)
 
 
 def near_edges(
@@ -59,7 +62,7 @@ def near_edges(
     letters = {given.name for given in letters_open(problem) if given.dimension != kinds.ANGLE}  # those stay acute
     done: list[Equality] = []
     for point in points:
-        numbers = {name: float(size) for name, size in point.items()}
+        numbers = within_case(problem, answers, point)
         known = with_givens(problem, numbers)
         cases = [case for answer in answers if (case := holding(answer, known)) is not None]
         for condition in (one for case in cases for one in case.conditions):
@@ -72,19 +75,19 @@ def near_edges(
 
 
 def near_edge(problem: Problem, condition: Equality, numbers: Numbers, name: str, factor: float) -> Numbers | None:
-    """Numbers with which a condition holds and with one letter a hundredth further does not; None where it is on no edge that way."""
+    """Numbers with which a condition holds just enough, and with one letter a hundredth further does not; None without an edge that way."""
 
     def at(size: float) -> Numbers:
         return with_givens(problem, {**numbers, name: size})
 
     inside = numbers[name]
     further = (inside * factor**step for step in range(1, STEPS))
-    outside = next((size for size in further if not holds(condition, at(size))), None)
+    outside = next((size for size in further if spare(condition, at(size)) < EDGE), None)
     if outside is None:
         return None
     for _ in range(CLOSER):
-        middle = (inside + outside) / 2
-        inside, outside = (middle, outside) if holds(condition, at(middle)) else (inside, middle)
+        middle = in_few_digits((inside + outside) / 2)
+        inside, outside = (inside, middle) if spare(condition, at(middle)) < EDGE else (middle, outside)
     return at(inside)
 
 
@@ -98,6 +101,34 @@ def with_givens(problem: Problem, drawn: Numbers) -> Numbers:
             except (NotConfirmed, ZeroDivisionError, OverflowError):
                 continue
     return numbers
+
+
+def in_few_digits(number: float) -> float:
+    """A number as a page tells it: what it says of numbers has been tried with these."""
+    return float(f"{number:.{DIGITS}g}")
+
+
+def within_case(problem: Problem, answers: Sequence[Answer], point: Mapping[str, Fraction]) -> Numbers:
+    """The numbers of a point, or, where they are next to an edge, of one beside it that is further inside its case."""
+    exact = {name: float(size) for name, size in point.items()}
+    own = cases_at(answers, with_givens(problem, exact))
+
+    def room(numbers: Numbers) -> float:
+        known = with_givens(problem, numbers)
+        conditions = [condition for case in own if case is not None for condition in case.conditions]
+        inside = all(map(is_, cases_at(answers, known), own))
+        return min((spare(condition, known) for condition in conditions), default=1.0) if inside else 0.0
+
+    letters = [given.name for given in letters_open(problem) if given.dimension != kinds.ANGLE and given.name in exact]
+    beside = [exact, *({**exact, name: exact[name] * factor} for name in letters for factor in (2.0, 0.5))]
+    sets = [{name: in_few_digits(size) for name, size in numbers.items()} for numbers in beside]
+    best = sets[0] if room(sets[0]) >= ROOM else max(sets, key=room)
+    return best if room(best) else exact
+
+
+def cases_at(answers: Sequence[Answer], numbers: Numbers) -> list[Answer | None]:
+    """Of each answer the case that the numbers are of."""
+    return [holding(answer, numbers) for answer in answers]
 
 
 def number_drawn(given: Given, number: int, place: int) -> float:
@@ -127,3 +158,13 @@ def holds(condition: Equality, numbers: Numbers) -> bool:
     except (NotConfirmed, ArithmeticError, ValueError):
         return False
     return related(left, condition.relation, right)
+
+
+def spare(condition: Equality, numbers: Numbers) -> float:
+    """By how much of the largest of the terms that it compares a condition holds; 0 where it does not."""
+    if not holds(condition, numbers):
+        return 0.0
+    sides = (condition.left, condition.right)
+    left, right = (float(value_of(side, numbers)) for side in sides)
+    terms = [term for side in sides for term in (side.terms if isinstance(side, Sum) else (side,))]
+    return abs(left - right) / (max(abs(float(value_of(term, numbers))) for term in terms) or 1.0)

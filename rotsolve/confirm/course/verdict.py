@@ -27,6 +27,7 @@ from rotsolve.confirm.course.samples import (
     near_edges,
     sets_of_numbers,
     with_givens,
+    within_case,
 )
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, Words
@@ -78,7 +79,7 @@ def confirmations(
     verdicts: dict[str, AnswerConfirmation] = {}
     seen = set[int]()  # the cases that have been tried
     tried, budget = 0, Budget(BUDGET)
-    own = (with_givens(problem, {name: float(size) for name, size in point.items()}) for point in points)
+    own = (with_givens(problem, within_case(problem, answers, point)) for point in points)
     drawn = zip(repeat(DRAWN), sets_of_numbers(problem))
     for kind, numbers in chain(drawn, zip(repeat(OWN), own), zip(repeat(EDGE), near_edges(problem, answers, points))):
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
@@ -143,7 +144,7 @@ def judged(find: Find, said: Mapping[str, float | str], asker: Asker, numbers: N
     try:
         return compared(name, said, asker.answer(find, said))
     except Astray as reason:  # letters may have other numbers, with which it comes about
-        letters = [f"{given.name} = {numbers[given.name]:.3g}" for given in letters_open(asker.problem)]
+        letters = [f"{given.name} = {numbers[given.name]:g}" for given in letters_open(asker.problem)]
         if not letters:
             return AnswerConfirmation(name, False, str(reason))
         return AnswerConfirmation(name, None, f"not so with {', '.join(letters)} in SI units: {reason}", astray=True)
