@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import witnessed
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.core.derivation import Check, Derivation, Refusal
@@ -22,6 +23,7 @@ from rotsolve.motion.block import asked_block
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
+from rotsolve.motion.limits import limits_of_scene
 from rotsolve.profile import stage
 from rotsolve.scene.read import read_source, read_text
 from rotsolve.search.answering import Unanswered, needed_for
@@ -187,7 +189,7 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
 
         trace = solution.trace
         return confirmations(
-            solution.derivation.answers, whole.problem, trace.letter, partial(may_be, problem), trace.points
+            solution.derivation.answers, whole.problem, trace.letter, partial(may_be, problem, whole), trace.points
         )
 
     return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
@@ -216,8 +218,8 @@ def solved_by_cases(
     from rotsolve.search.cases import cases_of
     from rotsolve.search.letterspace import LetterSpace, at_point, numbers_of
 
-    rooms = [room for item in configuration.problem.connections for room in item.rooms(configuration)]
-    space = LetterSpace(configuration.problem, configuration.signs, configuration.order, rooms)
+    limits = limits_of_scene(configuration)
+    space = LetterSpace(configuration.problem, configuration.signs, configuration.order, limits)
     solutions: list[Solution] = []
 
     def solve(point: Mapping[str, Fraction]) -> tuple[Derivation, bool]:
@@ -231,7 +233,7 @@ def solved_by_cases(
         assert cases[0].fault is not None
         raise cases[0].fault
     refuse_idle(solutions, problem)
-    if len(cases) == 1 and not (cases[0].conditions or cases[0].needs or space.assumed):
+    if len(cases) == 1 and not (cases[0].conditions or cases[0].needs or space.assumed or space.limited):
         return solutions[0]
     from rotsolve.derivation.cases import with_cases
 
@@ -253,8 +255,13 @@ def fairly_refused(
     return error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help)
 
 
-def may_be(problem: Problem, numbers: Mapping[str, float]) -> bool:
+def may_be(problem: Problem, configuration: Configuration, numbers: Mapping[str, float]) -> bool:
     """Whether the scene as written may have such numbers, in SI units, for its letters: what is cut out of a body lies within it."""
+    known = {name: Number(Fraction(size)) for name, size in numbers.items()}
+    signs = SignOracle({**problem.values, **known})
+    told = ((signs.by_numbers(limit.gap), limit.strict) for limit in limits_of_scene(configuration))
+    if any(sign == -1 or (sign == 0 and strict) for sign, strict in told):
+        return False
     open_ = [given for given in problem.givens if given.value is None and not (given.asked or given.automatic)]
     settings = {
         item.name: f"{numbers[item.name]!r} {base_unit_text(item.dimension) if item.dimension else ''}"

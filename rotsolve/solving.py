@@ -245,7 +245,8 @@ def check_consistent(search: Search) -> KnownBalls:
         for refusal in let_go(search):
             raise refusal
     configuration = search.scene.configuration
-    if any(given.asked for given in configuration.problem.givens):
+    problem = configuration.problem
+    if any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds):
         from rotsolve.search.within import out_of_bounds
 
         for refusal in out_of_bounds(search):

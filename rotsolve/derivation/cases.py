@@ -8,11 +8,10 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import equal, simplify
-from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
 from rotsolve.search.cases import Case, Needed
-from rotsolve.search.letterspace import LetterSpace, Proviso, shown
-from rotsolve.search.provisos import Region, follows, needed, united
+from rotsolve.search.letterspace import LetterSpace, Proviso, in_words, shown
+from rotsolve.search.provisos import Region, follows, limits_told, needed, united
 
 Solved = Case[Derivation]
 
@@ -41,7 +40,7 @@ class CaseTeller(Struct, frozen=True):
             sections = tuple(section for key, case in told.items() for section in headed(key, case))
         answers = tuple(self.piecewise(place) for place in range(len(main.answers)))
         checks = (*main.checks, *self.failing())
-        said = (*main.conventions, *((words,) for words in self.space.assumptions()))
+        said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
         return replace(main, answers=answers, sections=sections, checks=checks, conventions=said)
 
     def piecewise(self, place: int) -> Answer:
@@ -158,7 +157,7 @@ def headed(key: tuple[Equality, ...], case: Solved) -> tuple[Section, ...]:
 
 def in_a_line(conditions: Sequence[Equality]) -> str:
     """Conditions in a line of text."""
-    return " and ".join(f"{to_text(one.left)} {one.relation} {to_text(one.right)}" for one in conditions)
+    return " and ".join(map(in_words, conditions))
 
 
 def why_no_answer(case: Solved) -> Words:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
+from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
 from rotsolve.language.bodies import Surface
 from rotsolve.language.keys import amount, key
@@ -92,13 +93,13 @@ class Curved(Surface, frozen=True):
         right = -1 if self.outside else 1
         return -right if moves == "left" else right
 
-    def rooms(self, rim: Formula, flat: bool) -> Iterator[tuple[Formula, str]]:
-        """Lengths that must be positive, and what is the matter where one is not; a corner is as high as it may be above no floor."""
+    def rooms(self, name: str, rim: Formula, flat: bool) -> Iterator[Limit]:
+        """Lengths that must be positive for a body to fit; a corner is as high as it may be above no floor."""
         circle, height = self.circle(rim), self.height()
         if circle is not None and not self.outside:
-            yield circle, "does not fit into"
+            yield Limit(circle, f"`{name}` does not fit into `{self.name}`", strict=True)
         if flat and height is not None:
-            yield rim - height, "is too small to climb"
+            yield Limit(rim - height, f"`{name}` is too small to climb `{self.name}`", strict=True)
 
     def met(self, rim: Formula) -> Formula | None:
         """Angle at which a wheel on the level floor touches it, where that is settled by its place."""

@@ -14,6 +14,7 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import Drive
 from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Whirl
 from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
@@ -41,6 +42,7 @@ class Mentioned(Protocol):
 
     def says(self, state: str, owner: str, *words: str) -> bool: ...
     def asks(self, owner: str, word: str) -> bool: ...
+    def values(self, owner: str, word: str) -> Iterator[Formula]: ...
     def untold(self, owner: str, word: str) -> tuple[str, Span | None] | None: ...
 
 
@@ -307,8 +309,8 @@ class Connection(ActingElement, frozen=True):
         """The body, if any, that it lays on something."""
         return ""
 
-    def rooms(self, scene: Surroundings) -> Iterator[Formula]:
-        """Lengths that are positive where that body fits what it lies on."""
+    def rooms(self, scene: Surroundings) -> Iterator[Limit]:
+        """What has to be for bodies to fit each other: a wheel is as large as what it climbs, a bead is on its bar."""
         return iter(())
 
     def places(self) -> tuple[PointRef, ...]:

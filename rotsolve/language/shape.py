@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.language.keys import Element, amount
@@ -76,6 +78,12 @@ class Shape(Element, frozen=True):
     def box(self) -> tuple[Formula, ...]:
         """Width and height of what looks like a rectangle."""
         return ()
+
+    def rooms(self) -> Iterator[Limit]:
+        """What has to be for its sizes to fit each other: of two radii the inner one is smaller."""
+        radii = dict(getattr(self, "radii", ()))
+        if {"inner", "outer"} <= radii.keys():
+            yield Limit(radii["outer"] - radii["inner"], "`inner` must be smaller than `outer`", strict=True)
 
     def following(self, positive: frozenset[str]) -> Shape:
         """The shape with the letters that surely are positive, where its integrals need them."""

@@ -12,6 +12,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rigid import centre_of_mass, locate, pieces, rim_centre, tidy
@@ -29,8 +30,18 @@ def check(problem: Problem) -> None:
     check_stacks(problem, scene.bodies)
     for item in (*problem.connections, *problem.actions):
         item.check(scene)
+    for connection in problem.connections:
+        check_rooms(connection, scene)
     for event in problem.events:
         event.check(scene)
+
+
+def check_rooms(item: Connection, scene: Configuration) -> None:
+    """Bodies that a connection brings together fit each other; letters without a number are left open."""
+    for limit in item.rooms(scene):
+        sign = scene.signs.sign(limit.gap)
+        if sign == -1 or (sign == 0 and limit.strict):
+            raise Unsolvable(limit.words, span=item.touches()[0].span, help="check the lengths, radii and heights")
 
 
 def check_sequence(problem: Problem) -> None:

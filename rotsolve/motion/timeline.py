@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property
 from itertools import pairwise
 
@@ -162,6 +163,16 @@ class Mentions(Struct, frozen=True, dict=True):
         lines = self.timeline.state(state).conditions
         paths = ((line.value, line.path) for line in lines if line.path is not None and line.path.point is None)
         return next((value for value, path in paths if (path.owner, path.quantity) == (owner, word)), None)
+
+    def values(self, owner: str, word: str) -> Iterator[Formula]:
+        """The values that states tell of a quantity of an element."""
+        for line in (line for state in self.timeline.states for line in state.conditions):
+            if (
+                line.path is not None
+                and line.value is not None
+                and (line.path.owner, line.path.quantity) == (owner, word)
+            ):
+                yield line.value
 
     def untold(self, owner: str, word: str) -> tuple[str, Span | None] | None:
         """The first later state that says nothing of a quantity of an element, with its place."""

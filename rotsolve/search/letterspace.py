@@ -23,9 +23,11 @@ from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Quotient, Symbol, negate
 from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.derivation import Equality
 from rotsolve.core.letters import Given
+from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.answers import unsolvable
@@ -72,27 +74,6 @@ def open_letters(problem: Problem) -> tuple[Given, ...]:
             arguments = [ref.argument for ref in references(find) if ref.argument is not None]
             ranging.update(name for argument in arguments for name in argument.symbols())
     return tuple(item for item in problem.givens if item.value is None and not item.asked and item.name not in ranging)
-
-
-def reaches_of(problem: Problem) -> tuple[Formula, ...]:
-    """What is not negative in every scene that can be: a rod reaches as far as the points that are named on it, and friction that holds
-    is no weaker than friction that slips."""
-    found = {simplify(whole - place): None for _, place, whole in places_on_rods(problem)}
-    for item in problem.connections:
-        static, kinetic = item.static(), item.kinetic()
-        if static is not None and kinetic is not None:
-            found[simplify(static - kinetic)] = None
-    return tuple(limit for limit in found if limit.symbols())
-
-
-def places_on_rods(problem: Problem) -> Iterator[tuple[str, Formula, Formula]]:
-    """The places that are named on rods: whose, how far from its start, and how far it reaches."""
-    shapes = {body.name: body.shape for body in problem.bodies if body.shape is not None and body.shape.slender}
-    for ref in references((problem.connections, problem.actions, problem.states, problem.events, problem.finds)):
-        shape = shapes.get(ref.owner) if ref.point == "at" else None
-        whole = shape.reach() if shape is not None else None
-        if ref.argument is not None and whole is not None:
-            yield ref.owner, ref.argument, whole
 
 
 def at_point(problem: Problem, point: Mapping[str, Formula]) -> Problem:
@@ -149,21 +130,32 @@ class LetterSpace:
     """What the open letters of a problem may be, and what follows of signs for all that they may be."""
 
     def __init__(
-        self, problem: Problem, oracle: SignOracle, order: Sequence[str], rooms: Iterable[Formula] = ()
+        self, problem: Problem, oracle: SignOracle, order: Sequence[str], limits: Iterable[Limit] = ()
     ) -> None:
         self.letters = {given.name: given for given in open_letters(problem)}
-        known = self.letters.keys() | oracle.values.keys()
-        limits = [limit for limit in (*reaches_of(problem), *rooms) if limit.symbols() <= known]
-        self.limits = tuple(limit for limit in limits if limit.symbols() & self.letters.keys())
         self.oracle, self.order, self.problem = oracle, order, problem
         self.acute = {name for name, given in self.letters.items() if is_angle(given)}
         self.positive = (oracle.positive | self.letters.keys()) - self.acute
+        self.limited = self.provisos_of(limits)
+        self.limits = tuple(one.gap for one in self.limited)
         self.assumed = set[
             str
         ]()  # letters of which it was needed that they are positive, or acute, though nothing else says so
 
         self.told: dict[Formula, int | None] = {}
         self.implied: dict[tuple[Proviso, Proviso], bool] = {}  # whether the first holds wherever the second does
+
+    def provisos_of(self, limits: Iterable[Limit]) -> tuple[Proviso, ...]:
+        """What the scene asks of its open letters beyond that they are positive, or acute."""
+        known = self.letters.keys() | self.oracle.values.keys()
+        found: dict[Formula, bool] = {}
+        for limit in limits:
+            names = limit.gap.symbols()
+            if names <= known and names & self.letters.keys() and not isinstance(limit.gap, Symbol):
+                gap = simplify(limit.gap, positive=self.positive)
+                if sign_within(gap, {*self.positive, *self.acute}, self.acute) not in (0, 1):
+                    found[gap] = found.get(gap, False) or limit.strict
+        return tuple(Proviso(gap, strict) for gap, strict in found.items())
 
     # signs
 
@@ -386,6 +378,11 @@ def shown(proviso: Proviso, space: LetterSpace) -> Equality:
             line = Equality(Symbol(name), limit, more if slope > 0 else less)
             told.append((divides(limit), letter_rank(space.letters[name]), length(limit), name, line))
     return min(told)[-1] if told else Equality(proviso.gap, ZERO, more)
+
+
+def in_words(line: Equality) -> str:
+    """A condition in a line of text."""
+    return f"{to_text(line.left)} {line.relation} {to_text(line.right)}"
 
 
 def divides(value: Formula) -> bool:

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, Formula
-from rotsolve.search.letterspace import LetterSpace, Proviso
+from rotsolve.search.letterspace import LetterSpace, Proviso, in_words, shown
 
 LONG = 200  # nodes of conditions from which on nothing is proved of them
 
@@ -25,6 +27,14 @@ def needed(region: Region, space: LetterSpace) -> Region:
         rest = [other for other in kept if other is not one]
         kept = rest if follows(one, rest, space) else kept
     return tuple(kept)
+
+
+def limits_told(space: LetterSpace) -> tuple[str, ...]:
+    """What the scene asks of its letters, in words, without what follows from the rest of it: "R > r"."""
+    bare = LetterSpace(space.problem, space.oracle, space.order)  # which takes nothing for granted
+    point = space.first_point()
+    parts = [replace(part, strict=one.strict) for one in space.limited for part in bare.factors(one.gap, 1, point)]
+    return tuple(dict.fromkeys(in_words(shown(one, bare)) for one in needed(tuple(parts), bare)))
 
 
 def each_once(provisos: Sequence[Proviso], more: Sequence[Proviso]) -> Region:

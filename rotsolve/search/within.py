@@ -8,54 +8,50 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ONE, PI, Formula, negate
+from rotsolve.algebra.formula import Formula, Symbol, negate
 from rotsolve.core.faults import Unsolvable
-from rotsolve.language.problem import Given, Problem
-from rotsolve.motion.positive import limited_values
+from rotsolve.core.limits import Limit
+from rotsolve.core.symbols import asked_symbol
+from rotsolve.language.problem import Given
+from rotsolve.motion.limits import limits_of_scene
 from rotsolve.search.answers import unsolvable
-from rotsolve.search.letterspace import places_on_rods
 from rotsolve.search.search import Search
-
-LOWEST = {  # by what a key says of its values
-    "positive": "must be positive",
-    "nonnegative": "can't be negative",
-    "fraction": "must lie from 0 to 1",
-    "acute": "must lie from 0 to 90°",
-}
-HIGHEST = {"fraction": ONE, "acute": PI / 2}
 
 
 class Bound(Struct, frozen=True):
-    """What is not negative where an asked letter is what it can be, if `strict` not zero either, and what is said where it is not."""
+    """A limit of what is asked for: with the answers in it, and a letter of it that they settle."""
 
     gap: Formula
+    limit: Limit
     asked: Given
-    words: str
-    strict: bool = False
 
 
-def bounds_of_asked(problem: Problem) -> Iterator[Bound]:
-    """Where the letters that are asked for have to lie: by the keys under which they stand, and on the rods on which they are places."""
-    asked = {item.name: item for item in problem.givens if item.asked}
-    for owner, value, limits in limited_values(problem) if asked else ():
-        for name in sorted(value.symbols() & asked.keys()):
-            words = f"in `{owner}` it {LOWEST[limits]}"
-            yield Bound(value, asked[name], words, strict=limits == "positive")
-            if limits in HIGHEST:
-                yield Bound(HIGHEST[limits] - value, asked[name], words)
-    for owner, place, reach in places_on_rods(problem) if asked else ():
-        for name in sorted((place.symbols() | reach.symbols()) & asked.keys()):
-            words = f"it is a place on `{owner}`, which ends before"
-            yield Bound(place, asked[name], words)
-            yield Bound(reach - place, asked[name], words)
+def seeks(search: Search) -> dict[str, str]:
+    """The letters that questions settle, with the symbols of their answers: those that are asked for, and that of `x where …`."""
+    problem = search.scene.configuration.problem
+    asked = {item.name: item.name for item in problem.givens if item.asked}
+    for find in problem.finds:
+        if find.where is not None and isinstance(find.formula, Symbol) and find.formula.name in search.givens:
+            asked.setdefault(find.formula.name, asked_symbol(find.name))
+    return asked
+
+
+def bounds_of_asked(search: Search) -> Iterator[Bound]:
+    """Where the letters that questions settle have to lie."""
+    sought = seeks(search)
+    for limit in limits_of_scene(search.scene.configuration) if sought else ():
+        names = sorted(limit.gap.symbols() & sought.keys())
+        if names:
+            gap = limit.gap.substitute({name: Symbol(sought[name]) for name in names})
+            yield Bound(gap, limit, search.givens[names[0]])
 
 
 def out_of_bounds(search: Search) -> Iterator[Unsolvable]:
     """Asked letters whose answer is none that they can be; of letters the case has the condition that they are."""
     problem = search.scene.configuration.problem
-    for bound in bounds_of_asked(problem):
+    for bound in bounds_of_asked(search):
         if beyond_its_bound(bound, search):
-            message = f"no `{bound.asked.name}` that it can be makes it so: {bound.words}"
+            message = f"no `{bound.asked.name}` that it can be makes it so: {bound.limit.words}"
             yield unsolvable(problem, message, bound.asked.span, "check what the scene says of it")
 
 
@@ -73,6 +69,6 @@ def beyond_its_bound(bound: Bound, search: Search) -> bool:
             return evaluate(value, search.values, roots=roots).sign == -1
         except Undefined:
             return False
-    if bound.strict:
+    if bound.limit.strict:
         return search.numbers.side(value) in (0, -1)
     return search.numbers.side(negate(value)) == 1  # so that letters have the condition ≥ 0

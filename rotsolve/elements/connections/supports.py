@@ -6,6 +6,7 @@ from collections.abc import Callable, Container, Iterator
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import (
@@ -22,6 +23,7 @@ from rotsolve.core.facts import (
     signed,
 )
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.elements.shapes import rims, shape_of
@@ -288,6 +290,20 @@ class Rides(Connection, frozen=True):
             raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{untold[0]}`", span=untold[1], help=help)
         if self.ride().free and scene.problem.events:
             raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
+
+    def rooms(self, scene: Surroundings) -> Iterator[Limit]:
+        """On a rod the rider lies between the axis and the rod's end, on a round body within its rim."""
+        rider, carrier = self.rides
+        shape = shape_of(scene.bodies[carrier.owner])
+        whole, far = shape.reach(), shape.outer if shape.round else None
+        held = (ref for item in scene.problem.connections for ref in item.fixed_points() if ref.owner == carrier.owner)
+        axis = next(held, None)
+        if whole is not None and axis is not None:
+            far = whole / 2 - shape.locate(axis.point or "center", axis.argument)[0]
+        for place in scene.mentions.values(rider.owner, "radius"):
+            if far is None:
+                return
+            yield Limit(simplify(far - place), f"`{rider.owner}` is beyond the end of `{carrier.owner}`")
 
     def ride(self) -> Ride:
         return Ride(self.name, self.rides[0], self.rides[1], self.friction == "none")

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
 from rotsolve.core.facts import FRICTION, GRIPS, NORMAL, TOUCHES, Force, Requirement, Rule, square
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import (
     NOWHERE,
     RIGHT,
@@ -160,19 +161,15 @@ class Touch(Connection, frozen=True):
         for other in self.held_besides(scene):
             message = f"`{other}` on a body that is on `{surface.name}` is not solved yet"
             raise Unsolvable(message, span=ref.span, help="solved are forces and couples on it")
-        for room, words in surface.rooms(rim or ZERO, self.on_flat(scene)):
-            number = scene.signs.number(room)  # letters without a number are left open
-            if number is not None and (number.sign or 0) <= 0:
-                message = f"`{body.name}` {words} `{surface.name}`"
-                raise Unsolvable(message, span=ref.span, help="check the radii and heights")
 
-    def rooms(self, scene: Surroundings) -> Iterator[Formula]:
+    def rooms(self, scene: Surroundings) -> Iterator[Limit]:
+        """A wheel fits into the bowl and is larger than the step."""
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         rim = rim_radius(body, ref.point) if body is not None else None
         surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
         for surface in surfaces if rim is not None else ():
             if isinstance(surface, Curved):
-                yield from (room for room, _ in surface.rooms(rim or ZERO, self.on_flat(scene)))
+                yield from surface.rooms(self.lying(), rim or ZERO, self.on_flat(scene))
 
     def held_besides(self, scene: Surroundings) -> Iterator[str]:
         """Strings, springs and the like on the body, and events that join it to another; not while it is on the floor."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, call, multiply, negate, total
+from rotsolve.core.limits import Limit
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.language.keys import key
@@ -112,6 +114,12 @@ class Triangle(Cornered, frozen=True):
     corners: tuple[Place, ...] = key(
         "places", "three corners", letter="x", count=(3, 3), default=(), example="[[0, 0], [b, 0], [0, h]]"
     )
+
+    def rooms(self) -> Iterator[Limit]:
+        """Each side is shorter than the other two together."""
+        words = "the longest side of a triangle must be shorter than the other two together"
+        whole = total(self.sides)
+        yield from (Limit(simplify(whole - 2 * side), words, strict=True) for side in dict.fromkeys(self.sides))
 
     def moment(self, mass: Formula) -> Formula:
         """M (a² + b² + c²)/36."""

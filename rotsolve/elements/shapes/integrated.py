@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from msgspec.structs import replace
@@ -9,7 +10,9 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, call
 from rotsolve.core.derivation import Words
+from rotsolve.core.limits import Limit
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_axis
+from rotsolve.core.symbols import is_coordinate
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.language.keys import key
@@ -99,6 +102,9 @@ class Lamina(Integrated, frozen=True):
     def variables(self) -> tuple[str, ...]:
         return tuple(item.variable.name[1:] for item in self.region)
 
+    def rooms(self) -> Iterator[Limit]:
+        return wide(self.region)
+
     def slicing(self) -> Slicing:
         return self.layers(ONE)
 
@@ -162,6 +168,14 @@ class Lamina(Integrated, frozen=True):
         return (f"strips of {word} ", size, " and width d", outer.variable)
 
 
+def wide(ranges: Sequence[Range]) -> Iterator[Limit]:
+    """What lies between two limits that do not hang on a coordinate is something."""
+    for one in ranges:
+        gap = one.upper - one.lower
+        if not any(map(is_coordinate, gap.symbols())):
+            yield Limit(gap, f"the limits of `{one.variable.name[1:]}` enclose nothing", strict=True)
+
+
 class Revolution(Integrated, frozen=True):
     word = "solid of revolution"
     about = "solid round the z axis by its profile: the limits of z, and the radius r there (or `[inner, outer]`)"
@@ -171,6 +185,9 @@ class Revolution(Integrated, frozen=True):
     profile: Region = key(
         "profile", "limits of z, and the radius at z", default=(), required=True, example="{z: [0, h], r: R*z/h}"
     )
+
+    def rooms(self) -> Iterator[Limit]:
+        return wide(self.profile)
 
     def slicing(self) -> Slicing:
         """Discs, or discs with a hole, of thickness dz."""

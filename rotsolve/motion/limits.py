@@ -1,0 +1,148 @@
+"""Limits of a scene: what its keys, shapes, holes, places and connections ask of its letters, beyond that each is positive.
+
+What numbers are refused by, letters are held to: it is what they may be, and it is told with the answers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations, product
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, call, negate, sqrt, total
+from rotsolve.core.limits import Limit
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.elements.shapes import Shape
+from rotsolve.language.bodies import Part
+from rotsolve.language.problem import Body, Problem, references
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.positive import limited_values
+
+LOWEST = {  # by what a key says of its values
+    "positive": "must be positive",
+    "nonnegative": "can't be negative",
+    "fraction": "must lie from 0 to 1",
+    "acute": "must lie from 0 to 90°",
+}
+HIGHEST = {"fraction": ONE, "acute": PI / 2}
+
+
+def limits_of_scene(configuration: Configuration) -> Iterator[Limit]:
+    """All limits of a scene, those that hold of themselves among them."""
+    problem = configuration.problem
+    yield from of_keys(problem)
+    yield from of_places(problem)
+    for body in problem.bodies:
+        yield from of_body(body)
+    for item in problem.connections:
+        yield from item.rooms(configuration)
+        static, kinetic = item.static(), item.kinetic()
+        if static is not None and kinetic is not None and static != kinetic:
+            yield Limit(static - kinetic, f"static friction of `{item.name}` can't be less than kinetic friction")
+    yield from of_states(configuration)
+
+
+def of_keys(problem: Problem) -> Iterator[Limit]:
+    """What stands under keys that take only some values."""
+    for owner, value, limits in limited_values(problem):
+        words = f"in `{owner}` it {LOWEST[limits]}"
+        yield Limit(value, words, strict=limits == "positive")
+        if limits in HIGHEST:
+            yield Limit(HIGHEST[limits] - value, words)
+
+
+def of_places(problem: Problem) -> Iterator[Limit]:
+    """Places that are named on rods lie between their ends."""
+    shapes = {body.name: body.shape for body in problem.bodies if body.shape is not None and body.shape.slender}
+    for ref in references((problem.connections, problem.actions, problem.states, problem.events, problem.finds)):
+        shape = shapes.get(ref.owner) if ref.point == "at" else None
+        whole = shape.reach() if shape is not None else None
+        if ref.argument is not None and whole is not None:
+            words = f"it is a place on `{ref.owner}`, which ends before"
+            yield Limit(ref.argument, words)
+            yield Limit(whole - ref.argument, words)
+
+
+def of_body(body: Body) -> Iterator[Limit]:
+    """What its shape asks of its sizes, and those of its parts, and that its holes lie within it beside each other."""
+    for part in (body, *(part.body for part in (*body.parts, *body.holes))):
+        yield from part.shape.rooms() if part.shape is not None else ()
+    for hole in body.holes:
+        for gap in margins(hole, body.shape):
+            yield Limit(gap, f"the hole `{hole.body.name}` sticks out of `{body.name}`")
+    for one, other in combinations(body.holes, 2):
+        radii = [rim(hole.body.shape) for hole in (one, other)]
+        if radii[0] is not None and radii[1] is not None:
+            names = f"the holes `{one.body.name}` and `{other.body.name}` of `{body.name}`"
+            gap = distance([a - b for a, b in zip(place(one), place(other), strict=True)])
+            yield Limit(gap - radii[0] - radii[1], f"{names} overlap")
+    sizes = [measure(part.shape) for part in (body, *(hole.body for hole in body.holes))] if body.holes else []
+    if sizes and sizes[0] is not None:
+        left = total([sizes[0], *(negate(size) for size in sizes[1:] if size is not None)])
+        yield Limit(left, f"the holes leave nothing of `{body.name}`", strict=True)
+
+
+def margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
+    """How far a round or rectangular hole lies within a round or rectangular shape."""
+    x, y = place(hole)
+    radius, box = rim(hole.body.shape), hole.body.shape.box() if hole.body.shape is not None else ()
+    edge, sides = rim(whole), whole.box() if whole is not None else ()
+    spots = [(x, y)] if radius is not None else [(x + u, y + v) for u, v in around(box, hole.angle)] if box else []
+    room = radius or ZERO
+    for spot in dict.fromkeys(spots):
+        if edge is not None:
+            yield edge - distance(spot) - room
+        for reach, side in zip(spot, sides[:2], strict=False):
+            yield from (simplify(side / 2 - room - way) for way in dict.fromkeys((reach, negate(reach))))
+    inner = dict(getattr(whole, "radii", ())).get("inner")
+    if inner is not None and radius is not None:
+        yield distance((x, y)) - inner - radius
+
+
+def around(box: tuple[Formula, ...], angle: Formula | None) -> Iterator[tuple[Formula, Formula]]:
+    """The corners of a rectangle from its centre."""
+    cos, sin = (ONE, ZERO) if angle is None else (call("cos", angle), call("sin", angle))
+    for right, up in product((ONE, negate(ONE)), repeat=2):
+        x, y = right * box[0] / 2, up * box[1] / 2
+        yield simplify(x * cos - y * sin), simplify(x * sin + y * cos)
+
+
+def place(part: Part) -> tuple[Formula, Formula]:
+    """Where the centre of a part or a hole is, in the picture."""
+    x, y, *_ = part.at or (ZERO, ZERO)
+    return x, y
+
+
+def distance(way: tuple[Formula, ...] | list[Formula]) -> Formula:
+    return simplify(sqrt(total([part**2 for part in way])))
+
+
+def rim(shape: Shape | None) -> Formula | None:
+    """The outer radius of a round shape."""
+    return shape.outer if shape is not None and shape.round else None
+
+
+def measure(shape: Shape | None) -> Formula | None:
+    """The length or area of a shape, where it has one."""
+    try:
+        return None if shape is None else shape.measure()
+    except (NotImplementedError, TypeError, IndexError):
+        return None  # a size is left out
+
+
+def of_states(configuration: Configuration) -> Iterator[Limit]:
+    """What states tell of quantities that are never negative, and that nothing leaves a body whose mass changes on the way."""
+    for state in configuration.timeline.states:
+        before = configuration.timeline.before(state.name)
+        for line in state.conditions:
+            if line.path is None or line.value is None:
+                continue
+            name, word = line.path.owner, line.path.quantity
+            if QUANTITIES[word].nonnegative:
+                yield Limit(line.value, f"at `{state.name}` it can't be negative")
+            if word == "mass" and before is not None and name in configuration.bodies:
+                earlier = configuration.body(name, before.start).mass
+                if earlier is not None:
+                    yield Limit(
+                        line.value - earlier, f"what leaves `{name}` takes momentum along, which is not solved yet"
+                    )
