@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
 from rotsolve.search.cases import Case, Needed
-from rotsolve.search.letterspace import LetterSpace, Proviso, in_words, shown
+from rotsolve.search.letterspace import LetterSpace, Proviso, condition_line, shown
 from rotsolve.search.provisos import Region, follows, limits_told, needed, united
 
 Solved = Case[Derivation]
@@ -157,7 +157,7 @@ def headed(key: tuple[Equality, ...], case: Solved) -> tuple[Section, ...]:
 
 def in_a_line(conditions: Sequence[Equality]) -> str:
     """Conditions in a line of text."""
-    return " and ".join(map(in_words, conditions))
+    return " and ".join(map(condition_line, conditions))
 
 
 def why_no_answer(case: Solved) -> Words:

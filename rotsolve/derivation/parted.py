@@ -31,7 +31,7 @@ def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
             yield name, tuple(speeds_apart(name, pair, (encounter.closing, ahead), interval, search))
         for state, space in ways_apart(pair, interval, search):
             left = space * (ahead if keeps_order(pair, encounter.closing, ahead, interval, search) else -ahead)
-            words = in_words(pair)
+            words = both_spoken(pair)
             yield state, (Requirement(name, APART, left, ZERO, f"{words} stay apart", f"{words} meet again before"),)
 
 
@@ -41,7 +41,7 @@ def speeds_apart(
     """Neither apart nor through each other faster than they came, since ½ μ (v² − u²) of that is the energy lost: |v| ≤ u."""
     (approach, parting), ahead = closing
     came, went = approach * ahead, parting * ahead
-    words, kept = in_words(pair), "the blow gives no energy"
+    words, kept = both_spoken(pair), "the blow gives no energy"
     yield Requirement(
         name, GAINS, came - went, ZERO, kept, f"{words} part faster than they met: no blow gives energy, in"
     )
@@ -52,7 +52,7 @@ def speeds_apart(
         yield Requirement(name, GAINS, came + went, ZERO, kept, faster)
 
 
-def in_words(pair: tuple[str, ...]) -> str:
+def both_spoken(pair: tuple[str, ...]) -> str:
     return " and ".join(map(spoken, pair))
 
 

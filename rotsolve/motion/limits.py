@@ -30,19 +30,19 @@ HIGHEST = {"fraction": ONE, "acute": PI / 2}
 def limits_of_scene(configuration: Configuration) -> Iterator[Limit]:
     """All limits of a scene, those that hold of themselves among them."""
     problem = configuration.problem
-    yield from of_keys(problem)
-    yield from of_places(problem)
+    yield from key_limits(problem)
+    yield from place_limits(problem)
     for body in problem.bodies:
-        yield from of_body(body)
+        yield from body_limits(body)
     for item in problem.connections:
         yield from item.rooms(configuration)
         static, kinetic = item.static(), item.kinetic()
         if static is not None and kinetic is not None and static != kinetic:
             yield Limit(static - kinetic, f"static friction of `{item.name}` can't be less than kinetic friction")
-    yield from of_states(configuration)
+    yield from state_limits(configuration)
 
 
-def of_keys(problem: Problem) -> Iterator[Limit]:
+def key_limits(problem: Problem) -> Iterator[Limit]:
     """What stands under keys that take only some values."""
     for owner, value, limits in limited_values(problem):
         words = f"in `{owner}` it {LOWEST[limits]}"
@@ -51,7 +51,7 @@ def of_keys(problem: Problem) -> Iterator[Limit]:
             yield Limit(HIGHEST[limits] - value, words)
 
 
-def of_places(problem: Problem) -> Iterator[Limit]:
+def place_limits(problem: Problem) -> Iterator[Limit]:
     """Places that are named on rods lie between their ends."""
     shapes = {body.name: body.shape for body in problem.bodies if body.shape is not None and body.shape.slender}
     for ref in references((problem.connections, problem.actions, problem.states, problem.events, problem.finds)):
@@ -63,43 +63,43 @@ def of_places(problem: Problem) -> Iterator[Limit]:
             yield Limit(whole - ref.argument, words)
 
 
-def of_body(body: Body) -> Iterator[Limit]:
+def body_limits(body: Body) -> Iterator[Limit]:
     """What its shape asks of its sizes, and those of its parts, and that its holes lie within it beside each other."""
     for part in (body, *(part.body for part in (*body.parts, *body.holes))):
         yield from part.shape.rooms() if part.shape is not None else ()
     for hole in body.holes:
-        for gap in margins(hole, body.shape):
+        for gap in hole_margins(hole, body.shape):
             yield Limit(gap, f"the hole `{hole.body.name}` sticks out of `{body.name}`")
     for one, other in combinations(body.holes, 2):
-        radii = [rim(hole.body.shape) for hole in (one, other)]
+        radii = [round_rim(hole.body.shape) for hole in (one, other)]
         if radii[0] is not None and radii[1] is not None:
             names = f"the holes `{one.body.name}` and `{other.body.name}` of `{body.name}`"
-            gap = distance([a - b for a, b in zip(place(one), place(other), strict=True)])
+            gap = far_out([a - b for a, b in zip(hole_centre(one), hole_centre(other), strict=True)])
             yield Limit(gap - radii[0] - radii[1], f"{names} overlap")
-    sizes = [measure(part.shape) for part in (body, *(hole.body for hole in body.holes))] if body.holes else []
+    sizes = [size_told(part.shape) for part in (body, *(hole.body for hole in body.holes))] if body.holes else []
     if sizes and sizes[0] is not None:
         left = total([sizes[0], *(negate(size) for size in sizes[1:] if size is not None)])
         yield Limit(left, f"the holes leave nothing of `{body.name}`", strict=True)
 
 
-def margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
+def hole_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
     """How far a round or rectangular hole lies within a round or rectangular shape."""
-    x, y = place(hole)
-    radius, box = rim(hole.body.shape), hole.body.shape.box() if hole.body.shape is not None else ()
-    edge, sides = rim(whole), whole.box() if whole is not None else ()
-    spots = [(x, y)] if radius is not None else [(x + u, y + v) for u, v in around(box, hole.angle)] if box else []
+    x, y = hole_centre(hole)
+    radius, box = round_rim(hole.body.shape), hole.body.shape.box() if hole.body.shape is not None else ()
+    edge, sides = round_rim(whole), whole.box() if whole is not None else ()
+    spots = [(x, y)] if radius is not None else [(x + u, y + v) for u, v in box_corners(box, hole.angle)] if box else []
     room = radius or ZERO
     for spot in dict.fromkeys(spots):
         if edge is not None:
-            yield edge - distance(spot) - room
+            yield edge - far_out(spot) - room
         for reach, side in zip(spot, sides[:2], strict=False):
             yield from (simplify(side / 2 - room - way) for way in dict.fromkeys((reach, negate(reach))))
     inner = dict(getattr(whole, "radii", ())).get("inner")
     if inner is not None and radius is not None:
-        yield distance((x, y)) - inner - radius
+        yield far_out((x, y)) - inner - radius
 
 
-def around(box: tuple[Formula, ...], angle: Formula | None) -> Iterator[tuple[Formula, Formula]]:
+def box_corners(box: tuple[Formula, ...], angle: Formula | None) -> Iterator[tuple[Formula, Formula]]:
     """The corners of a rectangle from its centre."""
     cos, sin = (ONE, ZERO) if angle is None else (call("cos", angle), call("sin", angle))
     for right, up in product((ONE, negate(ONE)), repeat=2):
@@ -107,22 +107,22 @@ def around(box: tuple[Formula, ...], angle: Formula | None) -> Iterator[tuple[Fo
         yield simplify(x * cos - y * sin), simplify(x * sin + y * cos)
 
 
-def place(part: Part) -> tuple[Formula, Formula]:
+def hole_centre(part: Part) -> tuple[Formula, Formula]:
     """Where the centre of a part or a hole is, in the picture."""
     x, y, *_ = part.at or (ZERO, ZERO)
     return x, y
 
 
-def distance(way: tuple[Formula, ...] | list[Formula]) -> Formula:
+def far_out(way: tuple[Formula, ...] | list[Formula]) -> Formula:
     return simplify(sqrt(total([part**2 for part in way])))
 
 
-def rim(shape: Shape | None) -> Formula | None:
+def round_rim(shape: Shape | None) -> Formula | None:
     """The outer radius of a round shape."""
     return shape.outer if shape is not None and shape.round else None
 
 
-def measure(shape: Shape | None) -> Formula | None:
+def size_told(shape: Shape | None) -> Formula | None:
     """The length or area of a shape, where it has one."""
     try:
         return None if shape is None else shape.measure()
@@ -130,7 +130,7 @@ def measure(shape: Shape | None) -> Formula | None:
         return None  # a size is left out
 
 
-def of_states(configuration: Configuration) -> Iterator[Limit]:
+def state_limits(configuration: Configuration) -> Iterator[Limit]:
     """What states tell of quantities that are never negative, and that nothing leaves a body whose mass changes on the way."""
     for state in configuration.timeline.states:
         before = configuration.timeline.before(state.name)

@@ -380,7 +380,7 @@ def shown(proviso: Proviso, space: LetterSpace) -> Equality:
     return min(told)[-1] if told else Equality(proviso.gap, ZERO, more)
 
 
-def in_words(line: Equality) -> str:
+def condition_line(line: Equality) -> str:
     """A condition in a line of text."""
     return f"{to_text(line.left)} {line.relation} {to_text(line.right)}"
 

@@ -13,7 +13,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, Formula
-from rotsolve.search.letterspace import LetterSpace, Proviso, in_words, shown
+from rotsolve.search.letterspace import LetterSpace, Proviso, condition_line, shown
 
 LONG = 200  # nodes of conditions from which on nothing is proved of them
 
@@ -34,7 +34,7 @@ def limits_told(space: LetterSpace) -> tuple[str, ...]:
     bare = LetterSpace(space.problem, space.oracle, space.order)  # which takes nothing for granted
     point = space.first_point()
     parts = [replace(part, strict=one.strict) for one in space.limited for part in bare.factors(one.gap, 1, point)]
-    return tuple(dict.fromkeys(in_words(shown(one, bare)) for one in needed(tuple(parts), bare)))
+    return tuple(dict.fromkeys(condition_line(shown(one, bare)) for one in needed(tuple(parts), bare)))
 
 
 def each_once(provisos: Sequence[Proviso], more: Sequence[Proviso]) -> Region:

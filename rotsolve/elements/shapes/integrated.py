@@ -103,7 +103,7 @@ class Lamina(Integrated, frozen=True):
         return tuple(item.variable.name[1:] for item in self.region)
 
     def rooms(self) -> Iterator[Limit]:
-        return wide(self.region)
+        return enclosing(self.region)
 
     def slicing(self) -> Slicing:
         return self.layers(ONE)
@@ -168,7 +168,7 @@ class Lamina(Integrated, frozen=True):
         return (f"strips of {word} ", size, " and width d", outer.variable)
 
 
-def wide(ranges: Sequence[Range]) -> Iterator[Limit]:
+def enclosing(ranges: Sequence[Range]) -> Iterator[Limit]:
     """What lies between two limits that do not hang on a coordinate is something."""
     for one in ranges:
         gap = one.upper - one.lower
@@ -187,7 +187,7 @@ class Revolution(Integrated, frozen=True):
     )
 
     def rooms(self) -> Iterator[Limit]:
-        return wide(self.profile)
+        return enclosing(self.profile)
 
     def slicing(self) -> Slicing:
         """Discs, or discs with a hole, of thickness dz."""
