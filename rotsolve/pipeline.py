@@ -23,7 +23,6 @@ from rotsolve.motion.block import asked_block
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
-from rotsolve.motion.limits import limits_of_scene
 from rotsolve.profile import stage
 from rotsolve.scene.read import read_source, read_text
 from rotsolve.search.answering import Unanswered, needed_for
@@ -215,6 +214,7 @@ def solved_by_cases(
     problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None
 ) -> Solution:
     """The solution of a scene with letters that have no number: case by case, where signs hang on them."""
+    from rotsolve.motion.limits import limits_of_scene
     from rotsolve.search.cases import cases_of
     from rotsolve.search.letterspace import LetterSpace, at_point, numbers_of
 
@@ -257,6 +257,8 @@ def fairly_refused(
 
 def may_be(problem: Problem, configuration: Configuration, numbers: Mapping[str, float]) -> bool:
     """Whether the scene as written may have such numbers, in SI units, for its letters: what is cut out of a body lies within it."""
+    from rotsolve.motion.limits import limits_of_scene
+
     known = {name: Number(Fraction(size)) for name, size in numbers.items()}
     signs = SignOracle({**problem.values, **known})
     told = ((signs.by_numbers(limit.gap), limit.strict) for limit in limits_of_scene(configuration))
