@@ -10,8 +10,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
 from rotsolve.search.cases import Case, Needed
-from rotsolve.search.letterspace import LetterSpace, Proviso, condition_line, shown
-from rotsolve.search.provisos import Region, follows, limits_told, needed, united
+from rotsolve.search.letterspace import LetterSpace, Proviso
+from rotsolve.search.provisos import Region, condition_line, follows, limits_told, needed, shown, united
 
 Solved = Case[Derivation]
 

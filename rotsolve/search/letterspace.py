@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
-from itertools import chain, islice
+from itertools import chain, islice, product
 from random import Random
 
 from msgspec import Struct
@@ -21,11 +21,9 @@ from rotsolve.algebra.certified.sign import SignOracle, sign_within
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Quotient, Symbol, negate
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Number, Quotient, Symbol, negate
 from rotsolve.algebra.notation.letters import name_to_text
-from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import NONE
-from rotsolve.core.derivation import Equality
 from rotsolve.core.letters import Given
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem, references
@@ -33,6 +31,7 @@ from rotsolve.motion.positive import is_angle
 from rotsolve.search.answers import unsolvable
 
 DOUBLINGS = 9  # up to which a letter is made larger or smaller
+MOST_ANGLES = 3  # whose ends are looked at one by one
 LONGEST = 150  # nodes of what a case hangs on from which on it is not told in letters
 PATIENT = 600  # nodes up to which it is tried whether it is shorter than it is written
 LONG = 120  # nodes of a condition from which on it is not solved for a letter
@@ -189,6 +188,7 @@ class LetterSpace:
             if sign is not None:
                 self.assumed |= own.symbols() & self.letters.keys() - self.oracle.positive - self.oracle.limits().keys()
         sign = self.within_limits(value) if sign is None else sign
+        sign = self.of_angles(value) if sign is None else sign
         sign = self.of_coefficients(value) if sign is None else sign
         return self.of_root(value) if sign is None else sign
 
@@ -208,6 +208,18 @@ class LetterSpace:
             return signs[0] if signs[0] and signs[0] == signs[1] else None
         square = self.sure(simplify(free**2 - slope**2 * root.arguments[0], positive=self.positive))
         return None if square is None or signs[0] is None else signs[0] * square
+
+    def of_angles(self, value: Formula) -> int | None:
+        """The sign of what is linear in acute letters and has no others, by its values where these are 0 or 90°."""
+        names = sorted(value.symbols() & self.acute)
+        if not 0 < len(names) <= MOST_ANGLES or value.symbols() - self.oracle.values.keys() != set(names):
+            return None
+        if any(degree(value, name) != 1 for name in names):
+            return None
+        ends = (dict(zip(names, corner, strict=True)) for corner in product((ZERO, PI / 2), repeat=len(names)))
+        signs = [self.oracle.by_numbers(value.substitute(end)) for end in ends]
+        found = {sign for sign in signs if sign}
+        return None if None in signs or len(found) > 1 else next(iter(found), 0)
 
     def of_coefficients(self, value: Formula) -> int | None:
         """The sign of a polynomial in an open letter whose coefficients all have it, by the numbers of the givens too."""
@@ -365,36 +377,6 @@ def steps(size: Fraction, factor: int | Fraction) -> Iterator[Fraction]:
         yield size * factor**power
 
 
-def shown(proviso: Proviso, space: LetterSpace) -> Equality:
-    """A condition as a page tells it: solved for a letter where that goes, with none below a line, a coefficient before others."""
-    more, less = (">", "<") if proviso.strict else ("≥", "≤")
-    told: list[tuple[bool, int, int, str, Equality]] = []
-    for name in sorted(proviso.gap.symbols() & space.letters.keys()) if length(proviso.gap) < LONG else ():
-        if degree(proviso.gap, name) != 1:
-            continue
-        limit = solve_linear(proviso.gap, name, order=space.order, positive=space.positive)
-        slope = space.sure(simplify(differentiate(proviso.gap, name)))
-        if limit is not None and slope and space.sure(limit) == 1:
-            line = Equality(Symbol(name), limit, more if slope > 0 else less)
-            told.append((divides(limit), letter_rank(space.letters[name]), length(limit), name, line))
-    return min(told)[-1] if told else Equality(proviso.gap, ZERO, more)
-
-
-def condition_line(line: Equality) -> str:
-    """A condition in a line of text."""
-    return f"{to_text(line.left)} {line.relation} {to_text(line.right)}"
-
-
-def divides(value: Formula) -> bool:
-    """Whether a letter stands below a line."""
-    return any(below.symbols() for below in denominators(value))
-
-
 def denominators(value: Formula) -> Iterator[Formula]:
     """All that stands below a line."""
     return (node.denominator for node in value.walk(Quotient) if isinstance(node, Quotient))
-
-
-def letter_rank(given: Given) -> int:
-    """Coefficients first, angles last."""
-    return 0 if given.dimension == NONE else 2 if is_angle(given) else 1

@@ -10,12 +10,19 @@ from collections.abc import Iterator, Sequence
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, Formula
-from rotsolve.search.letterspace import LetterSpace, Proviso, condition_line, shown
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import NONE
+from rotsolve.core.derivation import Equality
+from rotsolve.core.letters import Given
+from rotsolve.motion.positive import is_angle
+from rotsolve.search.letterspace import LetterSpace, Proviso, denominators
 
 LONG = 200  # nodes of conditions from which on nothing is proved of them
+SOLVED = 120  # nodes of a condition from which on it is not solved for a letter
 
 Region = tuple[Proviso, ...]  # all of these hold
 
@@ -114,3 +121,33 @@ def together(one: Region, other: Region, space: LetterSpace) -> Region | None:
             if covered and all(follows(item, (*rest, against), space) for item in own):
                 return each_once(own, rest)
     return None
+
+
+def shown(proviso: Proviso, space: LetterSpace) -> Equality:
+    """A condition as a page tells it: solved for a letter where that goes, with none below a line, a coefficient before others."""
+    more, less = (">", "<") if proviso.strict else ("≥", "≤")
+    told: list[tuple[bool, int, int, str, Equality]] = []
+    for name in sorted(proviso.gap.symbols() & space.letters.keys()) if length(proviso.gap) < SOLVED else ():
+        if degree(proviso.gap, name) != 1:
+            continue
+        limit = solve_linear(proviso.gap, name, order=space.order, positive=space.positive)
+        slope = space.sure(simplify(differentiate(proviso.gap, name)))
+        if limit is not None and slope and space.sure(limit) == 1:
+            line = Equality(Symbol(name), limit, more if slope > 0 else less)
+            told.append((divides(limit), letter_rank(space.letters[name]), length(limit), name, line))
+    return min(told)[-1] if told else Equality(proviso.gap, ZERO, more)
+
+
+def condition_line(line: Equality) -> str:
+    """A condition in a line of text."""
+    return f"{to_text(line.left)} {line.relation} {to_text(line.right)}"
+
+
+def divides(value: Formula) -> bool:
+    """Whether a letter stands below a line."""
+    return any(below.symbols() for below in denominators(value))
+
+
+def letter_rank(given: Given) -> int:
+    """Coefficients first, angles last."""
+    return 0 if given.dimension == NONE else 2 if is_angle(given) else 1

@@ -5,7 +5,8 @@ Its speed at any place tells: ½ v² = ½ v₀² + ∫ a ds. It goes on one way 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
 
 from msgspec import Struct
@@ -15,7 +16,8 @@ from rotsolve.algebra.calculus.integral import integrate_by_hand
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.formula import HALF, Formula, Integral, Number, Symbol
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.formula import HALF, PI, ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
@@ -24,12 +26,14 @@ from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.timeline import Interval
+from rotsolve.search.answers import unsolvable
 from rotsolve.search.openings import tell_openings
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
 Settled = Callable[["Formula | None"], "Formula | None"]
 ONWARD, BACK, NEVER = "onward", "back", "never"
+CLOSE = 1e-6  # how far places in the case looked at may be apart that are the same
 
 
 class Way(Struct, frozen=True):
@@ -107,20 +111,86 @@ def falls_short(way: Way, search: Search) -> bool:
 
 
 def stopped(way: Way, search: Search) -> bool:
-    """Whether ½ v₀² + ∫ a ds is negative at a place between the ends where it is smallest: where a vanishes."""
-    travel, values, pull = way.travel, search.values, pull_on(way, search)
+    """Whether ½ v₀² + ∫ a ds is not positive at a place between the ends where it is smallest: where a vanishes."""
+    travel, pull = way.travel, pull_on(way, search)
     if pull is None or not isinstance(travel.coordinate, Symbol):
         return False
-    letter = travel.coordinate.name
-    ends = [signed(place, travel.sense) for place in (way.start, way.end)]
-    if {name for name in pull.symbols() - values.keys() if name != letter} or any(map(has_quantities, ends)):
+    ends = (signed(way.start, travel.sense), signed(way.end, travel.sense))
+    if any(map(has_quantities, ends)):
         return False
-    low, high = ends if way.sets_out * travel.sense > 0 else ends[::-1]
+    letters = {name for value in (pull, *ends) for name in value.symbols()} - {travel.coordinate.name}
+    return (barred_in_letters if letters - search.values.keys() else barred)(Course(way, pull, *ends), search)
+
+
+class Course(Struct, frozen=True):
+    """A way with the acceleration by the place, and the places of both ends."""
+
+    way: Way
+    pull: Formula
+    start: Formula
+    end: Formula
+
+    @property
+    def letter(self) -> str:
+        """The letter of the place."""
+        assert isinstance(self.way.travel.coordinate, Symbol)
+        return self.way.travel.coordinate.name
+
+    def vanishing(self, values: Mapping[str, Formula]) -> list[float]:
+        """Where the acceleration vanishes between the ends, by numbers of all letters; Undefined where they do not tell."""
+        forward = self.way.sets_out * self.way.travel.sense > 0
+        low, high = (self.start, self.end) if forward else (self.end, self.start)
+        return [root.float for root in real_roots(self.pull, self.letter, values, low, high).roots]
+
+    def places_in_letters(self, search: Search) -> list[Formula]:
+        """Where the acceleration vanishes, as far as that has a closed form; of angles once round each way too."""
+        order, positive = search.solver.order, search.solver.positive
+        roots = solve_polynomial(self.pull, self.letter, order=order, positive=positive)
+        if roots:
+            return roots
+        angles = solve_trig(self.pull, self.letter, order=order, positive=positive)
+        return [root + turn for root in angles for turn in (-2 * PI, ZERO, 2 * PI)]
+
+
+def barred(course: Course, search: Search) -> bool:
+    """By numbers."""
     try:
-        for root in real_roots(pull, letter, values, low, high).roots:
-            gained = Integral(pull, letter, ends[0], Number(Fraction(root.float)))
-            if (evaluate(HALF * way.speed**2 + gained, values, digits=8).sign or 0) < 0:
+        for place in course.vanishing(search.values):
+            gained = Integral(course.pull, course.letter, course.start, Number(Fraction(place)))
+            if (evaluate(HALF * course.way.speed**2 + gained, search.values, digits=8).sign or 0) < 0:
                 return True
     except (Undefined, ZeroDivisionError):
         pass
     return False
+
+
+def barred_in_letters(course: Course, search: Search) -> bool:
+    """In letters, where the places have closed forms: that one lies between the ends, and is got past, is a condition of the case."""
+    side, positive = search.numbers.side, search.solver.positive
+    ahead = course.way.sets_out * course.way.travel.sense
+    roots = course.places_in_letters(search)
+    if unaccounted(course, roots, search):
+        problem, name = search.scene.configuration.problem, course.way.travel.body
+        message = f"in letters nothing tells whether `{name}` gets past the place at which it is slowest: not solved"
+        raise unsolvable(problem, message, search.scene.configuration.bodies[name].span, "give numbers to the letters")
+    for root in roots:
+        if side((root - course.start) * ahead) != 1 or side((course.end - root) * ahead) != 1:
+            continue
+        gained = integrate_by_hand(course.pull, course.letter, course.start, root, positive=positive)
+        if gained is not None and not has_quantities(gained) and side(HALF * course.way.speed**2 + gained) != 1:
+            return True
+    return False
+
+
+def unaccounted(course: Course, known: Sequence[Formula], search: Search) -> bool:
+    """Whether the acceleration vanishes somewhere else between the ends, with the numbers of the case that is looked at."""
+    values = {**search.values, **search.signs.trials}
+    try:
+        places = [evaluate(end, values).float for end in (course.start, course.end)]
+        found = course.vanishing(values)
+    except (Undefined, ValueError, ZeroDivisionError):
+        return False
+    for root in known if found else ():
+        with suppress(Undefined, ValueError, ZeroDivisionError):
+            places.append(evaluate(root, values).float)
+    return any(all(abs(one - other) > CLOSE for other in places) for one in found)

@@ -23,6 +23,7 @@ from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.language.problem import Condition, State
 
 NEWTON, EXACT, SAMPLES = 30, 1e-13, (0.35, 0.7, 1.0)
+HALVINGS = 24  # of the way between two places on either side of the one at which it is slowest
 LOOKS = 8  # places at which it is seen whether what only pushes would have to pull
 MISSING = 1e-6  # share of the energy that is missing where a place is not reached
 
@@ -40,21 +41,51 @@ def by_energy(first: Node, state: State) -> Node | None:
     if way is None or goal == start or not heads_for(first, way, goal - start, target):
         return None
     whole = rate_energy(first, first.placed.speed) + stored(first)
-    q = list(first.placed.q)
-    pushes = any(row.push for row in first.moment.rows.values())
-    for part in [number / LOOKS for number in range(1, LOOKS + 1)] if pushes else SAMPLES:
+    q, before, done = list(first.placed.q), first, 0.0
+    for part in parts_of(first, line, goal - start):
         found = placed_at(first, q, line, start + part * (goal - start))
         if found is None:
             return None
-        q = found
+        q, earlier = found, q
         at = with_its_speed(first, q, line, whole, goal - start)
+        if at is not None and gains(before) < 0.0 < gains(at):
+            low = slowest(first, earlier, line, (start + done * (goal - start), start + part * (goal - start)), whole)
+            check_reached(first, low, whole, state)
         if at is None and part < 1.0:
             check_reached(first, q, whole, state)
         if at is not None and part < 1.0:
             check_way(at, state)
         if at is None or at.moment.lifted or not sticks(at):
             return None
+        before, done = at, part
     return at
+
+
+def parts_of(first: Node, line: Condition, gap: float) -> Sequence[float]:
+    """Shares of the way at which it is looked how it goes: at eighths where something only pushes, of angles at each radian."""
+    pushes = any(row.push for row in first.moment.rows.values())
+    looks = max(LOOKS if pushes else 0, math.ceil(abs(gap)) if line.path and line.path.quantity == "angle" else 0)
+    return [number / looks for number in range(1, looks + 1)] if looks > len(SAMPLES) else SAMPLES
+
+
+def gains(at: Node) -> float:
+    """The power of all forces: how fast kinetic energy grows."""
+    return math.fsum(m * v * a for m, v, a in zip(at.model.masses, at.placed.speed, at.moment.rates, strict=True))
+
+
+def slowest(first: Node, q: list[float], line: Condition, ends: tuple[float, float], whole: float) -> list[float]:
+    """The places between two values of the line's place where the kinetic energy is least."""
+    low, high = ends
+    for _ in range(HALVINGS):
+        found = placed_at(first, q, line, (low + high) / 2)
+        if found is None:
+            return q
+        at = with_its_speed(first, found, line, whole, ends[1] - ends[0])
+        q = found
+        if at is None:
+            return q
+        low, high = ((low + high) / 2, high) if gains(at) < 0.0 else (low, (low + high) / 2)
+    return q
 
 
 def check_reached(first: Node, q: list[float], whole: float, state: State) -> None:
