@@ -44,6 +44,13 @@ TRIES = 100  # points that are looked at beyond those
 SHARES = ("1/8", "1/4", "1/2", "1", "3/2", "5/2", "5")
 STEEP = Fraction(3, 2)  # rad: no acute angle is larger
 MORE = "#more"  # by how much a letter is more than its limit
+ANGLE = "#angle"  # what stands for an angle whose cosine, sine or tangent is told
+QUARTER: tuple[Formula, Formula] = (ZERO, PI / 2)
+RANGES: dict[str, tuple[Formula, Formula]] = {
+    "acos": (ZERO, PI),
+    "asin": (-PI / 2, PI / 2),
+    "atan": (-PI / 2, PI / 2),
+}
 ROOT = "#root"  # what stands for a root in a formula
 Point = Mapping[str, Fraction]
 
@@ -210,13 +217,24 @@ class LetterSpace:
         return None if square is None or signs[0] is None else signs[0] * square
 
     def of_angles(self, value: Formula) -> int | None:
-        """The sign of what is linear in acute letters and has no others, by its values where these are 0 or 90°."""
-        names = sorted(value.symbols() & self.acute)
-        if not 0 < len(names) <= MOST_ANGLES or value.symbols() - self.oracle.values.keys() != set(names):
+        """The sign of what is linear in angles and hangs on nothing else, by its values where these are as small or large as they can be:
+        acute letters, arccosines and their like."""
+        if not (value.symbols() & self.acute or value.holds(*RANGES)):
+            return None
+        ranges = dict.fromkeys(value.symbols() & self.acute, QUARTER)
+        stand_ins: dict[Formula, Symbol] = {}
+        for number, node in enumerate(dict.fromkeys(value.walk(Call))):
+            if isinstance(node, Call) and node.function in RANGES:
+                stand_ins[node] = Symbol(f"{ANGLE}{number}")
+                acute = self.sure(node.arguments[0]) in (0, 1)
+                ranges[stand_ins[node].name] = QUARTER if acute else RANGES[node.function]
+        value = value.transform(lambda node: stand_ins.get(node, node), *RANGES) if stand_ins else value
+        names = sorted(value.symbols() - self.oracle.values.keys())
+        if not 0 < len(names) <= MOST_ANGLES or not ranges.keys() >= set(names):
             return None
         if any(degree(value, name) != 1 for name in names):
             return None
-        ends = (dict(zip(names, corner, strict=True)) for corner in product((ZERO, PI / 2), repeat=len(names)))
+        ends = (dict(zip(names, corner, strict=True)) for corner in product(*(ranges[name] for name in names)))
         signs = [self.oracle.by_numbers(value.substitute(end)) for end in ends]
         found = {sign for sign in signs if sign}
         return None if None in signs or len(found) > 1 else next(iter(found), 0)

@@ -12,6 +12,7 @@ from fractions import Fraction
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.integral import integrate_by_hand
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -119,10 +120,10 @@ def stopped(way: Way, search: Search) -> bool:
     if any(map(has_quantities, ends)):
         return False
     letters = {name for value in (pull, *ends) for name in value.symbols()} - {travel.coordinate.name}
-    return (barred_in_letters if letters - search.values.keys() else barred)(Course(way, pull, *ends), search)
+    return (barred_in_letters if letters - search.values.keys() else barred)(PushedWay(way, pull, *ends), search)
 
 
-class Course(Struct, frozen=True):
+class PushedWay(Struct, frozen=True):
     """A way with the acceleration by the place, and the places of both ends."""
 
     way: Way
@@ -152,42 +153,45 @@ class Course(Struct, frozen=True):
         return [root + turn for root in angles for turn in (-2 * PI, ZERO, 2 * PI)]
 
 
-def barred(course: Course, search: Search) -> bool:
+def barred(pushed: PushedWay, search: Search) -> bool:
     """By numbers."""
     try:
-        for place in course.vanishing(search.values):
-            gained = Integral(course.pull, course.letter, course.start, Number(Fraction(place)))
-            if (evaluate(HALF * course.way.speed**2 + gained, search.values, digits=8).sign or 0) < 0:
+        for place in pushed.vanishing(search.values):
+            gained = Integral(pushed.pull, pushed.letter, pushed.start, Number(Fraction(place)))
+            if (evaluate(HALF * pushed.way.speed**2 + gained, search.values, digits=8).sign or 0) < 0:
                 return True
     except (Undefined, ZeroDivisionError):
         pass
     return False
 
 
-def barred_in_letters(course: Course, search: Search) -> bool:
+def barred_in_letters(pushed: PushedWay, search: Search) -> bool:
     """In letters, where the places have closed forms: that one lies between the ends, and is got past, is a condition of the case."""
     side, positive = search.numbers.side, search.solver.positive
-    ahead = course.way.sets_out * course.way.travel.sense
-    roots = course.places_in_letters(search)
-    if unaccounted(course, roots, search):
-        problem, name = search.scene.configuration.problem, course.way.travel.body
+    ahead = pushed.way.sets_out * pushed.way.travel.sense
+    roots = pushed.places_in_letters(search)
+    if unaccounted(pushed, roots, search):
+        problem, name = search.scene.configuration.problem, pushed.way.travel.body
         message = f"in letters nothing tells whether `{name}` gets past the place at which it is slowest: not solved"
         raise unsolvable(problem, message, search.scene.configuration.bodies[name].span, "give numbers to the letters")
     for root in roots:
-        if side((root - course.start) * ahead) != 1 or side((course.end - root) * ahead) != 1:
+        turns = differentiate(pushed.pull, pushed.letter).substitute({pushed.letter: root})
+        if side(turns) == -1:  # it is fastest there
             continue
-        gained = integrate_by_hand(course.pull, course.letter, course.start, root, positive=positive)
-        if gained is not None and not has_quantities(gained) and side(HALF * course.way.speed**2 + gained) != 1:
+        if side((root - pushed.start) * ahead) != 1 or side((pushed.end - root) * ahead) != 1:
+            continue
+        gained = integrate_by_hand(pushed.pull, pushed.letter, pushed.start, root, positive=positive)
+        if gained is not None and not has_quantities(gained) and side(HALF * pushed.way.speed**2 + gained) != 1:
             return True
     return False
 
 
-def unaccounted(course: Course, known: Sequence[Formula], search: Search) -> bool:
+def unaccounted(pushed: PushedWay, known: Sequence[Formula], search: Search) -> bool:
     """Whether the acceleration vanishes somewhere else between the ends, with the numbers of the case that is looked at."""
     values = {**search.values, **search.signs.trials}
     try:
-        places = [evaluate(end, values).float for end in (course.start, course.end)]
-        found = course.vanishing(values)
+        places = [evaluate(end, values).float for end in (pushed.start, pushed.end)]
+        found = pushed.vanishing(values)
     except (Undefined, ValueError, ZeroDivisionError):
         return False
     for root in known if found else ():
