@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import partial
@@ -175,7 +175,7 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
             whole = configured(with_hereafter(problem))
         configuration = block_of(whole)
     if any(given.value is None and not given.asked for given in configuration.problem.givens):
-        solution = solved_by_cases(problem, configuration, law, digits, at)
+        solution = solved_by_cases(problem, whole.problem, configuration, law, digits, at)
     else:
         solution = solved(problem, configuration, law, digits, at)
         refuse_idle([solution], problem)
@@ -211,22 +211,27 @@ def case_of(
 
 
 def solved_by_cases(
-    problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None
+    problem: Problem, whole: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None
 ) -> Solution:
     """The solution of a scene with letters that have no number: case by case, where signs hang on them."""
     from rotsolve.motion.limits import limits_of_scene
     from rotsolve.search.cases import cases_of
-    from rotsolve.search.letterspace import LetterSpace, at_point, numbers_of
+    from rotsolve.search.letterspace import LetterSpace, at_point
 
     limits = limits_of_scene(configuration)
     space = LetterSpace(configuration.problem, configuration.signs, configuration.order, limits)
     solutions: list[Solution] = []
 
-    def solve(point: Mapping[str, Fraction]) -> tuple[Derivation, bool]:
-        own = Configuration(at_point(configuration.problem, numbers_of(point)))
+    def solve(trial: Mapping[str, Formula]) -> tuple[Derivation, bool]:
+        own = Configuration(at_point(configuration.problem, trial))
         solutions.append(solved(problem, own, law, digits, at))
         derivation = solutions[-1].derivation
         return derivation, any(check.holds is False for check in derivation.checks)
+
+    def confirming(found: Derivation, numbers: Mapping[str, float]) -> Collection[str]:
+        from rotsolve.confirm.course.verdict import confirmed_at
+
+        return confirmed_at(found.answers, whole, solutions[-1].trace.letter, numbers)
 
     cases, more = cases_of(space, solve)
     if not solutions:
@@ -236,11 +241,12 @@ def solved_by_cases(
     if len(cases) == 1 and not (cases[0].conditions or cases[0].needs or space.assumed or space.limited):
         return solutions[0]
     from rotsolve.derivation.cases import with_cases
+    from rotsolve.search.edges import Edges
 
     cases = [replace(case, fault=fairly_refused(case.fault, case.point, problem, law)) for case in cases]
     points = tuple(case.point for case in cases if case.found is not None and not case.objected)
     trace = replace(solutions[0].trace, points=points)
-    return replace(solutions[0], derivation=with_cases(cases, space, more=more), trace=trace)
+    return replace(solutions[0], derivation=with_cases(cases, Edges(space, solve, confirming), more=more), trace=trace)
 
 
 def fairly_refused(

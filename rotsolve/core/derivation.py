@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -20,6 +21,14 @@ if TYPE_CHECKING:
     from rotsolve.core.letters import Given
 
 Words = tuple["str | Formula", ...]
+
+
+def in_a_row(letters: Iterable[Formula]) -> Words:
+    """a, T, N."""
+    words: list[str | Formula] = []
+    for letter in letters:
+        words += [", ", letter] if words else [letter]
+    return tuple(words)
 
 
 class Equality(Struct, frozen=True):

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import equal, simplify
-from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words
-from rotsolve.search.cases import Case, Needed
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words, in_a_row
+from rotsolve.derivation.closing import Closing, Held, Solved, answer_put, without
+from rotsolve.search.cases import Needed
+from rotsolve.search.edges import Edge, Edges
 from rotsolve.search.letterspace import LetterSpace, Proviso
 from rotsolve.search.provisos import Region, condition_line, follows, limits_told, needed, shown, united
-
-Solved = Case[Derivation]
 
 
 class CaseTeller(Struct, frozen=True):
@@ -22,6 +24,10 @@ class CaseTeller(Struct, frozen=True):
     good: Sequence[Solved]
     bad: Sequence[Solved]
     space: LetterSpace
+    edges: Edges[Derivation]
+    bare: dict[
+        tuple[Equality, str], tuple[Edge, list[Formula]]
+    ]  # edges on which answers are not known, and these by their symbols
     more: bool = (
         False  # whether there are others, which are not solved: then each answer has all the conditions of its case
     )
@@ -30,21 +36,28 @@ class CaseTeller(Struct, frozen=True):
         """The derivation of the first case, with the others behind it: what differs between them says when it holds."""
         main = self.good[0].found
         assert main is not None
-        told: dict[tuple[Equality, ...], Solved] = {}
-        for case in self.good:
-            told.setdefault(
-                self.equalities(self.apart([other for other in self.good if same_forms(case, other)])[0]), case
-            )
+        answers = tuple(self.piecewise(place) for place in range(len(main.answers)))
+        told = self.headings()
         sections = main.sections
         if len(told) > 1:
             sections = tuple(section for key, case in told.items() for section in headed(key, case))
-        answers = tuple(self.piecewise(place) for place in range(len(main.answers)))
         checks = (*main.checks, *self.failing())
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
         return replace(main, answers=answers, sections=sections, checks=checks, conventions=said)
 
+    def headings(self) -> dict[tuple[Equality, ...], Solved]:
+        """Of cases with the same answers the first, by where they hold."""
+        told: list[Held] = []
+        for case in self.good:
+            own = [other for other in self.good if same_forms(case, other)]
+            if own[0] is case:
+                assert case.found is not None
+                told.append(Held(case.found.answers, own, self.apart(own)[0]))
+        regions = Closing(self.edges).closed(told) if len(told) > 1 else []
+        return {self.equalities(region): held.own[0] for region, held in zip(regions, told, strict=bool(regions))}
+
     def piecewise(self, place: int) -> Answer:
-        """An answer with the conditions under which it holds, and what it is in other cases."""
+        """An answer with the conditions under which it holds, and what it is in other cases, on their edges too."""
         groups: list[tuple[Answer, list[Solved]]] = []
         for case in self.good:
             assert case.found is not None
@@ -54,12 +67,39 @@ class CaseTeller(Struct, frozen=True):
                 groups.append((answer, [case]))
             else:
                 group.append(case)
-        told = [
-            replace(answer, conditions=self.equalities(provisos))
+        closing = Closing(self.edges, place)
+        held = [
+            Held((answer,), own, region)
             for answer, own in groups
-            for provisos in self.apart(own, needing=True)
+            for region in self.apart(closing.parted(answer, own), needing=True)
         ]
+        regions = zip(closing.closed(held), held, strict=True)
+        told = [replace(item.answers[0], conditions=self.equalities(region)) for region, item in regions]
+        alone, bare = closing.alone(held)
+        told += self.on_edges(alone)
+        known = {edge.equality for edge, *_ in alone}
+        for edge in bare:
+            other = "other " if edge.equality in known else ""
+            lacking = self.bare.setdefault((edge.equality, other), (edge, []))[1]
+            lacking += [] if told[0].symbol in lacking else [told[0].symbol]
         return replace(told[0], otherwise=tuple(told[1:]))
+
+    def on_edges(self, alone: Sequence[tuple[Edge, Solved, Answer]]) -> list[Answer]:
+        """What holds on edges alone, with the conditions under which it does."""
+        groups: list[tuple[Edge, Answer, list[Region]]] = []
+        for edge, case, answer in alone:
+            put = answer_put(answer, edge, self.space)
+            like = (found for other, told, found in groups if other.equality == edge.equality and same_form(told, put))
+            regions = next(like, None)
+            if regions is None:
+                groups.append((edge, put, [case.conditions]))
+            else:
+                regions.append(case.conditions)
+        return [
+            replace(answer, conditions=(edge.equality, *self.equalities(needed(region, self.space))))
+            for edge, answer, regions in groups
+            for region in united(regions, self.space)
+        ]
 
     def apart(self, own: Sequence[Solved], *, needing: bool = False) -> list[Region]:
         """Where cases of one answer hold, in as few regions as are found; with what their answers need."""
@@ -101,7 +141,7 @@ class CaseTeller(Struct, frozen=True):
                 continue  # what it needs is told by the other
             alike.setdefault(why_no_answer(case), []).append(case)
         for why, cases in alike.items():
-            for region in self.regions(cases):
+            for region in map(partial(self.closed_without, why), self.regions(cases)):
                 found[(f"if {in_a_line(self.equalities(region))} there is no answer: ", *why)] = None
         for need, cases in self.needing():
             broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
@@ -110,16 +150,32 @@ class CaseTeller(Struct, frozen=True):
                     continue  # it can not fail there
                 line = in_a_line(self.equalities(needed((*region, broken), self.space)))
                 found[(f"if {line} there is no answer: ", *need.failing)] = None
+        for (equality, other), (edge, lacking) in self.bare.items():
+            solved = self.edges.solved_at(edge)
+            said = why_no_answer(solved) if solved is not None and without(solved) else ()
+            if said not in alike:
+                line = f"if {in_a_line((equality,))} no {other}answer is given for "
+                found[(line, *in_a_row(lacking), *((": ", *said) if said else ()))] = None
         if self.more:
             found[("of other letters there are more cases, which are not worked out: give them numbers",)] = None
         return tuple(Check(words, None) for words in found)
 
+    def closed_without(self, why: Words, region: Region) -> Region:
+        """A region without an answer, with those of its edges on which there is none for the same reason, and no others that are known."""
 
-def with_cases(cases: Sequence[Solved], space: LetterSpace, *, more: bool) -> Derivation:
+        def open_at(one: Proviso) -> bool:
+            edge = self.edges.known_at(one, region)
+            case = None if edge is None else self.edges.solved_at(edge)
+            return one.strict if case is None else without(case) is False or why_no_answer(case) != why
+
+        return tuple(replace(one, strict=open_at(one)) for one in region)
+
+
+def with_cases(cases: Sequence[Solved], edges: Edges[Derivation], *, more: bool) -> Derivation:
     """The derivation of all cases; those to which their own checks object count only where there are no others."""
     good = [case for case in cases if case.found is not None and not case.objected]
     good = good or [case for case in cases if case.found is not None]
-    return CaseTeller(good, [case for case in cases if case not in good], space, more).derivation()
+    return CaseTeller(good, [case for case in cases if case not in good], edges.space, edges, {}, more).derivation()
 
 
 def needs_within(case: Solved) -> tuple[Proviso, ...]:

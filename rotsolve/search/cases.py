@@ -16,11 +16,12 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.search.letterspace import Glance, LetterSpace, Point, Proviso
+from rotsolve.search.letterspace import Glance, LetterSpace, Point, Proviso, numbers_of
 
 MOST = 12  # cases that are solved
 LOOKED_AT = 500_000  # nodes of conditions that are looked at for one more case
 Found = TypeVar("Found")
+Solving = Callable[[Mapping[str, Formula]], tuple[Found, bool]]
 
 
 class Needed(Struct, frozen=True):
@@ -51,28 +52,35 @@ class Case(Struct, Generic[Found], frozen=True):
         return self.provisos if self.objected else self.conditions
 
 
-def cases_of(space: LetterSpace, solve: Callable[[Point], tuple[Found, bool]]) -> tuple[list[Case[Found]], bool]:
+def cases_of(space: LetterSpace, solve: Solving[Found]) -> tuple[list[Case[Found]], bool]:
     """All cases that are found, the first at a point of no special kind, and whether there are more of them than are solved.
 
-    `solve` says what is found at a point, and whether it objects.
+    `solve` says what is found where letters are tried to be so, and whether it objects.
     """
     cases: list[Case[Found]] = []
     edges: list[Point] = []
     point: Point | None = space.first_point()
     sure = True
     while point is not None and len(cases) < MOST:
-        found, objected, fault = None, False, None
-        with witnessed() as witness:
-            try:
-                found, objected = solve(point)
-            except (Unsolvable, SceneError) as error:
-                fault = error
-        conditions = tuple(one for one in space.provisos(witness.supposed, point) if space.fails_somewhere(one, point))
-        needs = tuple(needs_noted(witness.needed, conditions, space, point))
-        cases.append(Case(point, conditions, needs, found, fault, objected))
+        cases.append(case_at(point, space, solve))
         edges += (place for one in cases[-1].bars for place in space.across(point, one.gap))
         point, sure = beyond(cases, edges, space)
     return cases, point is not None or not sure
+
+
+def case_at(point: Point, space: LetterSpace, solve: Solving[Found], put: Mapping[str, Formula] = {}) -> Case[Found]:
+    """What is found at a point, and the conditions for that; with letters that are `put` in by others."""
+    found, objected, fault = None, False, None
+    with witnessed() as witness:
+        try:
+            found, objected = solve({**numbers_of(point), **put})
+        except (Unsolvable, SceneError) as error:
+            fault = error
+    supposed = {value.substitute(put): sign for value, sign in witness.supposed.items()} if put else witness.supposed
+    needed = {value.substitute(put): told for value, told in witness.needed.items()} if put else witness.needed
+    conditions = tuple(one for one in space.provisos(supposed, point) if space.fails_somewhere(one, point))
+    needs = tuple(needs_noted(needed, conditions, space, point))
+    return Case(point, conditions, needs, found, fault, objected)
 
 
 def needs_noted(

@@ -284,12 +284,12 @@ find: {{a: ball.acceleration at start}}
 
 
 def test_the_way_in_which_a_body_slips_is_never_guessed() -> None:
-    """Letters stand for positive sizes: v + R ω says that it slips forward, v − R ω leaves both ways."""
+    """Letters stand for positive sizes: v + R ω says that it slips forward, v − R ω leaves both ways, and rolling between them."""
     one = solve(BOWLED.format(turn="-w")).answers["a"]
     assert (one.exact, one.conditions, one.otherwise) == ("−μ g", (), ())
     forward, *back = solve(BOWLED.format(turn="w")).answers["a"].branches
     assert (forward.exact, forward.conditions) == ("−μ g", ("v > R w",))
-    assert [(case.exact, case.conditions) for case in back] == [("μ g", ("v ≤ R w",))]
+    assert [(case.exact, case.conditions) for case in back] == [("μ g", ("v < R w",)), ("0", ("v = R w",))]
 
 
 def test_letters_without_a_value_are_positive_beside_numbers_of_any_sign() -> None:

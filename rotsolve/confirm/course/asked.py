@@ -30,6 +30,7 @@ MEANS = {  # what the mean of a quantity is the mean of, over time
 }
 CLOSE = 2e-6  # within which two quantities count as equal
 SIGNS: dict[str, Callable[[float, float], bool]] = {"<": lt, ">": gt, "≤": le, "≥": ge, "<=": le, ">=": ge, "≠": ne}
+BOUNDS = {"above": ">", "below": "<"}
 
 Said = Mapping[str, "float | str"]
 
@@ -196,7 +197,7 @@ class Asker:
             held = [abs(values[0] - best) <= CLOSE * max(abs(best), 1e-9) for values in sides]
         elif choice.bound is not None:
             bound = self.valued(choice.bound).number
-            held = [(values[0] > bound) == (choice.test == "above") for values in sides]
+            held = [related(values[0], BOUNDS[choice.test], bound) for values in sides]
         else:
             signs = [option.signs for option in choice.options]
             held = [

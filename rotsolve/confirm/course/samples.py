@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import islice
 from operator import is_
 
-from rotsolve.algebra.formula import Sum
+from rotsolve.algebra.formula import Formula, Sum, Symbol
 from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import related
@@ -19,6 +19,7 @@ from rotsolve.language.problem import Given, Problem
 SETS, DRAWS = 5, 15  # sets of numbers for letters, and how often one is drawn for them
 DIGITS = 3  # significant ones of a number that is drawn
 EDGE, ROOM = 0.01, 0.05  # by how much of what it compares a condition holds right inside its edge, and well inside
+CLOSED = ("=", "≥", "≤")  # conditions that hold on their edge
 EDGES = 8  # sets right inside the edges of cases
 STEPS, CLOSER = (
     8,
@@ -72,6 +73,40 @@ def near_edges(
                 ways = ((name, factor) for name in names for factor in (2.0, 0.5))
                 near = (near_edge(problem, condition, numbers, name, factor) for name, factor in ways)
                 yield from islice(filter(None, near), 1)
+
+
+def on_edges(
+    problem: Problem, answers: Sequence[Answer], points: Sequence[Mapping[str, Fraction]]
+) -> Iterator[Numbers]:
+    """Numbers with which a condition that holds on its edge too holds only there: the letter that it tells is what it is compared with."""
+    open_ = {given.name for given in letters_open(problem)}
+    starts = [*sets_of_numbers(problem), *(within_case(problem, answers, point) for point in points)]
+    done: list[Formula] = []
+    for case in (case for answer in answers for case in (answer, *answer.otherwise)):
+        for one in case.conditions:
+            letter, limit = one.left, one.right
+            if (
+                one.relation not in CLOSED
+                or not isinstance(letter, Symbol)
+                or letter.name not in open_
+                or limit in done
+            ):
+                continue
+            for start in starts:
+                size = number_at(limit, start)
+                numbers = with_givens(problem, {**start, letter.name: size})
+                if size > 0 and all(holds(condition, numbers) for condition in case.conditions) and len(done) < EDGES:
+                    done.append(limit)
+                    yield numbers
+                    break
+
+
+def number_at(value: Formula, numbers: Numbers) -> float:
+    """The number of a formula; 0 where it has none."""
+    try:
+        return float(value_of(value, numbers))
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return 0.0
 
 
 def near_edge(problem: Problem, condition: Equality, numbers: Numbers, name: str, factor: float) -> Numbers | None:

@@ -7,7 +7,7 @@ then has to make every line of the states hold.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, repeat
 
@@ -25,12 +25,13 @@ from rotsolve.confirm.course.samples import (
     holding,
     letters_open,
     near_edges,
+    on_edges,
     sets_of_numbers,
     with_givens,
     within_case,
 )
 from rotsolve.confirm.numbers import value_of
-from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, Words
+from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, in_a_row
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.language.problem import Find, Problem
 
@@ -38,7 +39,7 @@ SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and tha
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 OTHERWISE = "an assembly of all bodies' equations gives another value"
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
-DRAWN, OWN, EDGE = range(3)  # kinds of sets of numbers
+DRAWN, OWN, EDGE, ON = range(4)  # kinds of sets of numbers
 BUDGET = 3000  # instants of one body that a scene may cost
 Solved = Callable[[str], "Formula | float | None"] | None
 
@@ -81,17 +82,40 @@ def confirmations(
     tried, budget = 0, Budget(BUDGET)
     own = (with_givens(problem, within_case(problem, answers, point)) for point in points)
     drawn = zip(repeat(DRAWN), sets_of_numbers(problem))
-    for kind, numbers in chain(drawn, zip(repeat(OWN), own), zip(repeat(EDGE), near_edges(problem, answers, points))):
+    near = zip(repeat(EDGE), near_edges(problem, answers, points))
+    on = zip(repeat(ON), on_edges(problem, answers, points))
+    for kind, numbers in chain(drawn, zip(repeat(OWN), own), near, on):
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
         if budget.left < 0 or (kind == DRAWN and tried == SETS) or (kind == OWN and cases <= seen):
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, budget)}
         if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
             continue
-        verdicts = {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
+        if kind == ON:
+            found = {name: on_edge(item, numbers, problem) for name, item in found.items() if item.holds is not None}
+        verdicts |= {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
         if any(verdict.holds is not None for verdict in found.values()):
             tried, seen = tried + 1, seen | cases
     return tuple(verdicts.values())
+
+
+def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:
+    """The answers that an assembly gives too at one set of numbers for the letters that have none."""
+    known = with_givens(problem, numbers)
+    return tuple(item.name for item in at_numbers(answers, problem, known, solved, Budget(BUDGET)) if item.holds)
+
+
+def on_edge(verdict: AnswerConfirmation, numbers: Numbers, problem: Problem) -> AnswerConfirmation:
+    """What is said of numbers on an edge, where rounding may put the assembly beside it: what it contradicts is not confirmed."""
+    if verdict.holds:
+        return verdict
+    why = f"not so on an edge of its conditions, with {numbers_told(numbers, problem)} in SI units"
+    return AnswerConfirmation(verdict.name, None, why, astray=True)
+
+
+def numbers_told(numbers: Numbers, problem: Problem) -> str:
+    """m = 0.806, R = 1.01: the letters that have no number."""
+    return ", ".join(f"{given.name} = {numbers[given.name]:g}" for given in letters_open(problem))
 
 
 def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> AnswerConfirmation:
@@ -144,10 +168,10 @@ def judged(find: Find, said: Mapping[str, float | str], asker: Asker, numbers: N
     try:
         return compared(name, said, asker.answer(find, said))
     except Astray as reason:  # letters may have other numbers, with which it comes about
-        letters = [f"{given.name} = {numbers[given.name]:g}" for given in letters_open(asker.problem)]
+        letters = numbers_told(numbers, asker.problem)
         if not letters:
             return AnswerConfirmation(name, False, str(reason))
-        return AnswerConfirmation(name, None, f"not so with {', '.join(letters)} in SI units: {reason}", astray=True)
+        return AnswerConfirmation(name, None, f"not so with {letters} in SI units: {reason}", astray=True)
     except Broken as reason:
         return AnswerConfirmation(name, False if asks_for_letter(find) else None, str(reason))
     except NotConfirmed as reason:
@@ -224,14 +248,6 @@ def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> Ans
         answered, own = (tuple(map(abs, values)) for values in (answered, own))
     holds = all(abs(a - b) <= SAME * (size if a else max(size, ORDINARY)) for a, b in zip(answered, own, strict=True))
     return AnswerConfirmation(name, holds, "" if holds else OTHERWISE, answered, own)
-
-
-def in_a_row(letters: Iterable[Formula]) -> Words:
-    """a, T, N."""
-    words: list[str | Formula] = []
-    for letter in letters:
-        words += [", ", letter] if words else [letter]
-    return tuple(words)
 
 
 def withheld(derivation: Derivation, problem: Problem) -> Derivation:

@@ -1,0 +1,163 @@
+"""Closing: whether an answer holds on the edges of its region too: where it is the same beyond, or is what is found on the edge itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Answer, Derivation
+from rotsolve.search.cases import Case
+from rotsolve.search.edges import Edge, Edges
+from rotsolve.search.letterspace import Glance, LetterSpace, Proviso, numbers_of
+from rotsolve.search.provisos import Region
+
+NEARLY = 1e-12  # what two answers that are equal on an edge may differ by, beside their sizes or in SI units
+Solved = Case[Derivation]
+
+
+class Held(Struct, frozen=True):
+    """Answers, in which cases they were found, and where they hold."""
+
+    answers: tuple[Answer, ...]
+    own: Sequence[Solved]
+    region: Region
+
+    def needs(self, one: Proviso) -> bool:
+        """Whether a condition is not of a case, but of what its answers need."""
+        return any(one.same(need.proviso) for case in self.own if not case.objected for need in case.needs)
+
+
+class Closing:
+    """Of answers side by side, each in its region, to which the edges between them belong; of all answers, or of the one at a place."""
+
+    def __init__(self, edges: Edges[Derivation], place: int | None = None) -> None:
+        self.edges = edges
+        self.place = place
+        self.looked_at: list[Edge] = []  # edges over which no answer goes on
+
+    def closed(self, told: Sequence[Held]) -> list[Region]:
+        """The regions with those of their edges that belong to them."""
+        return [
+            tuple(one if held.needs(one) else replace(one, strict=self.open_at(one, held, told)) for one in held.region)
+            for held in told
+        ]
+
+    def open_at(self, one: Proviso, held: Held, told: Sequence[Held]) -> bool:
+        """Whether what is held does not hold on the edge of one of its conditions, or that edge is another's."""
+        edge = self.edges.edge(one, held.region, [case.point for case in held.own])
+        if edge is None:
+            return one.strict or any(answer.word for answer in held.answers)
+        beside = [
+            (other, against)
+            for other in told
+            for against in other.region
+            if other is not held and is_zero(against.gap + one.gap) and self.reaches(other, edge)
+        ]
+        if one.strict and not beside:
+            return True  # beyond there is no answer, nor on the edge: a state that is reached at no speed is not
+        stepping = any(answer.word for answer in held.answers)  # of options none goes over into another
+        for other, against in beside if not stepping or self.holds_at(edge, held) else ():
+            if self.agree(held.answers, other.answers, edge):
+                return one.strict and (not against.strict or told.index(other) < told.index(held))
+        return not self.holds_at(edge, held)
+
+    def holds_at(self, edge: Edge, held: Held) -> bool:
+        """Whether what is held is also what is found on an edge."""
+        if edge not in self.looked_at:
+            self.looked_at.append(edge)
+        return self.agree(held.answers, self.found_at(edge), edge)
+
+    def alone(self, told: Sequence[Held]) -> tuple[list[tuple[Edge, Solved, Answer]], list[Edge]]:
+        """What is found on edges, where that is what is held on neither side; and the edges on which no answer is known."""
+        found, bare = [], []
+        for edge in self.looked_at:
+            case, own = self.edges.case(edge), self.found_at(edge)
+            beside = (held for held in told if self.reaches(held, edge))
+            if own and any(self.agree(held.answers, own, edge) for held in beside):
+                continue
+            if case is not None and own and self.edges.confirmed(edge, own[0].name):
+                found.append((edge, case, own[0]))
+            else:
+                bare.append(edge)
+        return found, bare
+
+    def parted(self, answer: Answer, own: Sequence[Solved]) -> list[Solved]:
+        """Cases in which the same option holds, kept apart where another holds on the edge between them."""
+        if not answer.word:
+            return list(own)
+        apart: list[Proviso] = []
+        for case, other in combinations(own, 2):
+            for one in case.bars:
+                against = next((item for item in other.bars if is_zero(item.gap + one.gap)), None)
+                edge = None if against is None else self.edges.edge(one, (*case.bars, *other.bars), [case.point])
+                found = () if edge is None else self.found_at(edge)
+                if edge is not None and against is not None and found and not self.agree((answer,), found, edge):
+                    self.looked_at += [] if edge in self.looked_at else [edge]
+                    apart += [one, against]
+        return [replace(case, conditions=tuple(self.strictly(apart, case.conditions))) for case in own]
+
+    def strictly(self, apart: Sequence[Proviso], conditions: Sequence[Proviso]) -> Iterator[Proviso]:
+        """Conditions, those that are kept apart without their edges."""
+        return (replace(one, strict=one.strict or one in apart) for one in conditions)
+
+    def reaches(self, held: Held, edge: Edge) -> bool:
+        """Whether a region lies at an edge."""
+        rest = [one for one in held.region if not is_zero(one.gap - edge.gap) and not is_zero(one.gap + edge.gap)]
+        return not Glance(self.edges.space, edge.point).fails(rest)
+
+    def found_at(self, edge: Edge) -> tuple[Answer, ...]:
+        """The answers on an edge; none where there are none that hold."""
+        case = self.edges.case(edge)
+        if case is None or without(case):
+            return ()
+        assert case.found is not None
+        return case.found.answers if self.place is None else (case.found.answers[self.place],)
+
+    def agree(self, some: Sequence[Answer], others: Sequence[Answer], edge: Edge) -> bool:
+        """Whether answers are the same on an edge."""
+        if len(some) != len(others):
+            return False
+        return all(self.same_on(edge, one, other) for one, other in zip(some, others, strict=True))
+
+    def same_on(self, edge: Edge, one: Answer, other: Answer) -> bool:
+        """Whether two answers are: the same option, or the same number, with its direction if it has one."""
+        if one.word != other.word or not self.agree(one.components, other.components, edge):
+            return False
+        forms = (one.closed or one.formula, other.closed or other.formula)
+        if forms[0] is None or forms[1] is None:
+            return forms[0] is forms[1]
+        numbers = [self.number(form, edge) for form in forms if form is not None]
+        sizes = [number.float for number in numbers if number is not None]
+        if len(sizes) < len(forms) or abs(sizes[0] - sizes[1]) > NEARLY * max(1.0, *map(abs, sizes)):
+            return False
+        return abs(sizes[0]) <= NEARLY or (one.direction, one.positive) == (other.direction, other.positive)
+
+    def number(self, form: Formula, edge: Edge) -> Certified | None:
+        """The number of a formula at the point of an edge; None where it has none."""
+        values = {**self.edges.space.oracle.values, **numbers_of(edge.point), edge.letter: edge.limit}
+        try:
+            return evaluate(form, values)
+        except (Undefined, ValueError, ZeroDivisionError):
+            return None
+
+
+def without(case: Solved) -> bool:
+    """Whether there is no answer in a case that holds."""
+    return case.found is None or case.objected
+
+
+def answer_put(answer: Answer, edge: Edge, space: LetterSpace) -> Answer:
+    """An answer as it is on an edge."""
+
+    def put(form: Formula | None) -> Formula | None:
+        return None if form is None else simplify(edge.put(form), order=space.order, positive=space.positive)
+
+    parts = tuple(answer_put(part, edge, space) for part in answer.components)
+    return replace(answer, formula=put(answer.closed or answer.formula), closed=put(answer.closed), components=parts)

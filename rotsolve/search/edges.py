@@ -1,0 +1,141 @@
+"""Edges of cases: what is found where a condition is only just met, as a case of its own, in which one letter is what makes it so."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Generic
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.linear import solve_linear
+from rotsolve.algebra.exact.normal import degree, is_zero, simplify
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ZERO, Formula, call
+from rotsolve.core.derivation import Equality
+from rotsolve.search.cases import Case, Found, Solving, case_at
+from rotsolve.search.letterspace import LONG, Glance, LetterSpace, Point, Proviso, numbers_of
+from rotsolve.search.provisos import divides, letter_rank, shown
+
+MOST = 12  # edges on which a case is solved
+
+
+Confirming = Callable[
+    [Found, Mapping[str, float]], Collection[str]
+]  # the answers that an assembly gives too with these numbers
+
+
+class Edge(Struct, frozen=True):
+    """Where a gap is zero since a letter is `limit`, told as an `equality`; at a point of it that is of no special kind."""
+
+    gap: Formula
+    letter: str
+    limit: Formula
+    equality: Equality
+    point: Point
+
+    def put(self, value: Formula) -> Formula:
+        """A formula as it is there."""
+        return value.substitute({self.letter: self.limit})
+
+
+class Edges(Generic[Found]):
+    """The edges of the cases of some letters, each found and solved once."""
+
+    def __init__(self, space: LetterSpace, solve: Solving[Found], confirming: Confirming[Found]) -> None:
+        self.space = space
+        self.solve = solve
+        self.confirming = confirming
+        self.known: list[Edge] = []
+        self.seen: dict[int, Collection[str]] = {}  # the answers that are confirmed on them
+        self.cases: dict[int, Case[Found]] = {}  # by the place of their edge among those known
+
+    def edge(self, one: Proviso, rest: Sequence[Proviso], starts: Iterable[Point]) -> Edge | None:
+        """The edge of a condition within those of the rest; None where it is met nowhere, or no letter can be put in for it."""
+        known = self.known_at(one, rest)
+        if known is not None:
+            return known
+        rest = [other for other in rest if not same_edge(other.gap, one.gap)]
+        for edge in self.edges_near(one.gap, starts) if length(one.gap) < LONG else ():
+            if self.space.has(edge.point) and not Glance(self.space, edge.point).fails(rest):
+                self.known.append(edge)
+                return edge
+        return None
+
+    def known_at(self, one: Proviso, rest: Sequence[Proviso]) -> Edge | None:
+        """The edge of a condition within those of the rest, if it has been looked at."""
+        rest = [other for other in rest if not same_edge(other.gap, one.gap)]
+        found = (edge for edge in self.known if same_edge(edge.gap, one.gap))
+        return next((edge for edge in found if not Glance(self.space, edge.point).fails(rest)), None)
+
+    def edges_near(self, gap: Formula, starts: Iterable[Point]) -> Iterator[Edge]:
+        """The edge by each of its letters, at points with the other letters as they are near the starts."""
+        equality = replace(shown(Proviso(gap, strict=True), self.space), relation="=")
+        limits = dict(self.limits(gap))
+        for start in starts:
+            for point in (start, *self.space.elsewhere(start)):
+                for name, limit in limits.items():
+                    size = self.size(limit, point)
+                    if size is not None and size > 0:
+                        yield Edge(gap, name, limit, equality, {**point, name: size})
+
+    def limit(self, gap: Formula, name: str) -> Formula | None:
+        """What a letter is where a gap is zero, if it stands in it to the first power, or as a square alone."""
+        if degree(gap, name) == 1:
+            return solve_linear(gap, name, order=self.space.order, positive=self.space.positive)
+        slope = differentiate(gap, name)
+        if degree(gap, name) != 2 or not is_zero(slope.substitute({name: ZERO})):
+            return None
+        curve = differentiate(slope, name)
+        return simplify(
+            call("sqrt", -2 * gap.substitute({name: ZERO}) / curve),
+            order=self.space.order,
+            positive=self.space.positive,
+        )
+
+    def limits(self, gap: Formula) -> Iterator[tuple[str, Formula]]:
+        """What each letter is that stands in a gap to the first power, as a page would have it first."""
+        letters = sorted(gap.symbols() & self.space.letters.keys())
+        found = []
+        for name in letters:
+            limit = self.limit(gap, name)
+            if limit is not None:
+                found.append((divides(limit), letter_rank(self.space.letters[name]), length(limit), name, limit))
+        yield from ((name, limit) for *_, name, limit in sorted(found, key=lambda item: item[:4]))
+
+    def size(self, limit: Formula, point: Point) -> Fraction | None:
+        """The number of a limit at a point, nearly."""
+        try:
+            return Fraction(evaluate(limit, {**self.space.oracle.values, **numbers_of(point)}, digits=15).float)
+        except (Undefined, ValueError, ZeroDivisionError, OverflowError):
+            return None
+
+    def solved_at(self, edge: Edge) -> Case[Found] | None:
+        """What has been found there, if it has been asked for."""
+        return self.cases.get(self.known.index(edge))
+
+    def confirmed(self, edge: Edge, name: str) -> bool:
+        """Whether an answer that is that of the edge alone is confirmed there."""
+        place, case = self.known.index(edge), self.cases[self.known.index(edge)]
+        if place not in self.seen and case.found is not None:
+            numbers = {letter: float(size) for letter, size in edge.point.items()}
+            self.seen[place] = self.confirming(case.found, numbers)
+        return name in self.seen.get(place, ())
+
+    def case(self, edge: Edge) -> Case[Found] | None:
+        """What is found there; None where too many have been solved."""
+        place = self.known.index(edge)
+        if place not in self.cases:
+            if len(self.cases) == MOST:
+                return None
+            self.cases[place] = case_at(edge.point, self.space, self.solve, {edge.letter: edge.limit})
+        return self.cases[place]
+
+
+def same_edge(one: Formula, other: Formula) -> bool:
+    """Whether two gaps are zero at the same places since they are equal or opposite."""
+    return one == other or is_zero(one - other) or is_zero(one + other)

@@ -1,0 +1,182 @@
+"""Edges of cases in letters: what holds where a condition is only just met is told, as the same scene with the edge put in answers it."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from rotsolve.pipeline import solve
+from rotsolve.solution import AnswerView
+
+BLOCKS = """
+title: Two blocks
+given: {m: kg, M: kg, u: m/s, e: number}
+surfaces: {ice: level}
+bodies: {a: {mass: m, moves: right}, b: {mass: M, moves: WAY}}
+connections: {ba: {contact: [a, ice]}, bb: {contact: [b, ice]}}
+states: {s0: {a.velocity: u, at rest: b}, s1: {}}
+events: {hit: {collides: [NAMES], restitution: e, from: s0, to: s1}}
+find: {va: a.velocity at s1, way: CHOICE}
+"""
+DISCS = """
+title: Two discs on one axle, joined while they turn against each other
+given: {I: kg m^2, J: kg m^2, w: rad/s, p: rad/s}
+bodies: {a: {inertia: I}, b: {inertia: J}}
+connections: {ax: {axle: [a, b]}}
+states: {s0: {a.angular_velocity: w, b.angular_velocity: -p}, s1: {}}
+events: {go: {joins: [NAMES], from: s0, to: s1}}
+find: {w1: a.angular_velocity at s1, way: CHOICE}
+"""
+ROD = """
+title: A rod struck by a ball
+plane: horizontal
+given: {M: kg, L: m, m: kg, u: m/s, x: m, e: number}
+bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: up}}
+states: {s0: {rod.angle: 0, at rest: rod, ball.velocity: u}, s1: {}}
+events: {hit: {collides: [NAMES], restitution: e, from: s0, to: s1}}
+find: {vs: rod.start.velocity.y at s1, way: CHOICE}
+"""
+LIFT = """
+title: Two loads over a pulley
+given: {m: kg, M: kg, R: m}
+bodies: {a: {mass: m, moves: up}, b: {mass: M, moves: down}, p: {shape: disc, mass: 2 kg, radius: R}}
+connections: {ax: {axle: p}, rope: {string: [NAMES]}}
+states: {s: at rest}
+find: {acc: a.acceleration at s, way: CHOICE}
+"""
+SIGNS = "{which of: {minus: X < 0, nil: X = 0, plus: X > 0}}"
+KINDS = [
+    (BLOCKS.replace("WAY", "right"), ("a, b", "b, a"), "va", "m = e M"),
+    (BLOCKS.replace("WAY", "left"), ("a, b", "b, a"), "va", "m = e M"),
+    (DISCS, ("a, b", "b, a"), "w1", "I = J p/w"),
+    (ROD, ("ball, rod.at(x)", "rod.at(x), ball"), "vs", "x = ⅔ L"),
+    (LIFT, ("a, p, b", "b, p, a"), "acc", "M = m"),
+]
+SCENES = [(scene.replace("NAMES", names), asked, edge) for scene, orders, asked, edge in KINDS for names in orders]
+
+
+def told(answer: AnswerView) -> dict[tuple[str, ...], str]:
+    return {case.conditions: case.word for case in answer.branches}
+
+
+def relations(answer: AnswerView) -> dict[str, str]:
+    """The option by how the letter of the edge is compared there."""
+    found = {}
+    for conditions, word in told(answer).items():
+        assert len(conditions) == 1
+        found[re.sub(r"^\S+ (\S) .*$", r"\1", conditions[0])] = word
+    return found
+
+
+@pytest.mark.parametrize(("written", "asked", "edge"), SCENES)
+@pytest.mark.parametrize(
+    ("choice", "nil", "others"),
+    [
+        (SIGNS, "nil", {"minus", "plus"}),
+        ("{which of: {plus: X > 0, minus: X < 0}}", "none", {"minus", "plus"}),
+        ("{which of: {plus: X >= 0, minus: X < 0}}", "plus", {"minus", "plus"}),
+        ("{which of: {plus: X >= 0, minus: X <= 0}}", "plus, minus", {"minus", "plus"}),
+        ("{which of: {one: X, other: -X}, is: largest}", "one, other", {"one", "other"}),
+        ("{which of: {one: X, other: -X}, is: above 0}", "none", {"one", "other"}),
+        ("{which of: {nil: X = 0, huge: X > 10*X and}}", "nil", {"none"}),
+    ],
+)
+def test_each_option_holds_where_it_does(
+    written: str, asked: str, edge: str, choice: str, nil: str, others: set[str]
+) -> None:
+    """On both sides of an edge strictly, and on it what holds there, unless that is what holds on one of the sides."""
+    choice = choice.replace("X > 10*X and", "X*X < 0").replace("X", asked)
+    answer = solve(written.replace("CHOICE", choice)).answers["way"]
+    found = told(answer)
+    by_sign = relations(answer)
+    if nil in others:
+        assert set(by_sign) in ({">", "≤"}, {"<", "≥"})
+        assert by_sign["≥" if "≥" in by_sign else "≤"] == nil
+    else:
+        assert set(by_sign) == {"<", ">", "="} and by_sign["="] == nil
+        assert found[(edge,)] == nil
+    assert {word for sign, word in by_sign.items() if sign != "="} == others
+
+
+@pytest.mark.parametrize(("written", "asked", "edge"), SCENES)
+def test_with_numbers_on_the_edge_it_is_the_same(written: str, asked: str, edge: str) -> None:
+    sizes = {"m": "1 kg", "M": "2 kg", "e": "0.5", "I": "2 kg m^2", "J": "3 kg m^2", "w": "3 rad/s", "p": "2 rad/s"}
+    sizes |= {"L": "3 m", "x": "2 m", "u": "1 m/s", "R": "1 m"}
+    if "2 kg, radius" in written:
+        sizes["M"] = "1 kg"
+    text = written.replace("CHOICE", SIGNS.replace("X", asked))
+    given = re.search(r"given: \{(.*)\}", text)
+    assert given is not None
+    names = [item.split(":")[0].strip() for item in given[1].split(",")]
+    assert solve(text, settings={name: sizes[name] for name in names}).answers["way"].word == "nil"
+    assert told(solve(text).answers["way"])[(edge,)] == "nil"
+
+
+KICK = """
+title: A ball kicked above its centre
+given: {M: kg, R: m, h: m, J: N s, mu: number}
+surfaces: {cloth: level}
+bodies: {ball: {shape: sphere, mass: M, radius: R, moves: right, turns: clockwise, points: {P: [-sqrt(R^2-h^2), h]}}}
+connections: {base: {contact: [ball, cloth], friction: mu}}
+states: {still: {at rest: all}, go: {}, roll: {base: rolls}}
+events: {kick: {impulse: J, on: ball.P, direction: right, from: still, to: go}}
+find:
+  {v: ball.velocity at go, w: ball.angular_velocity at go, vr: ball.velocity at roll, t: time from go to roll, f: base.friction_force at go}
+"""
+PENDULUM = """
+title: A rod upright on a torsion wire
+given: {M: kg, L: m, kappa: N m/rad, m: kg}
+bodies: {rod: {shape: rod, mass: M, length: L}, knob: {mass: m}}
+connections: {pin: {hinge: rod.start}, top: {weld: [rod.end, knob]}, wire: {torsion: rod, stiffness: kappa, rest_angle: 90 deg}}
+states: {up: {rod.angle: 90 deg, balance: true}}
+find: {T: period of small swings of rod about up}
+"""
+STATIC = """
+title: A sledge with two coefficients
+given: {m: kg, P: N, mu: number, s: number}
+surfaces: {snow: level}
+bodies: {sledge: {mass: m, moves: right}}
+connections: {runners: {contact: [sledge, snow], friction: {static: s, kinetic: 0.1}}}
+actions: {rope: {force: P, on: sledge, direction: right}}
+states: {start: at rest}
+find: {a: sledge.acceleration at start}
+"""
+
+
+def test_a_step_is_strict_on_both_sides_and_what_goes_over_is_not() -> None:
+    found = solve(KICK)
+    assert {case.conditions for case in found.answers["f"].branches} == {("h > ⅖ R",), ("h < ⅖ R",)}
+    assert {case.conditions for case in found.answers["t"].branches} in (
+        {("h ≥ ⅖ R",), ("h < ⅖ R",)},
+        {("h > ⅖ R",), ("h ≤ ⅖ R",)},
+    )
+    said = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
+    assert any(line.startswith("if h = ⅖ R no answer is given for ") for line in said)
+
+
+def test_where_an_answer_divides_by_zero_it_does_not_hold() -> None:
+    found = solve(PENDULUM)
+    assert [case.conditions for case in found.answers["T"].branches] == [("κ > g L (½ M + m)",)]
+    said = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
+    assert any("κ < g L (½ M + m) there is no answer" in line for line in said)
+    assert any("κ = g L (½ M + m) no answer is given" in line for line in said)
+
+
+def test_a_jump_of_friction_belongs_to_what_sticks() -> None:
+    """At P = s m g exactly it still sticks: the edge is that of the side whose answer is found on it."""
+    found = solve(STATIC).answers["a"]
+    by_form = {case.exact: case.conditions for case in found.branches}
+    assert by_form["0"] == ("P ≤ m s g",) or by_form["0"] == ("P ≤ s m g",)
+    assert all("P > " in conditions[0] for form, conditions in by_form.items() if form != "0")
+
+
+def test_what_is_not_reached_on_the_edge_is_not_told_there() -> None:
+    """Two equal loads stay where they are: at M = m the lower state is never reached, though v = 0 solves the balance of energy."""
+    scene = LIFT.replace("states: {s: at rest}", "states: {s: at rest, low: {b.displacement: R}}").replace(
+        "NAMES", "a, p, b"
+    )
+    found = solve(re.sub("find: .*", "find: {v: b.velocity at low}", scene))
+    assert [case.conditions for case in found.answers["v"].branches] == [("M > m",)]
+    said = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
+    assert any(line.startswith("if M ≤ m there is no answer") for line in said)
