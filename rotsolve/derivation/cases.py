@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words, in_a_row
-from rotsolve.derivation.closing import Closing, Held, Solved, answer_put, without
+from rotsolve.derivation.closing import Closing, Held, Solved, answer_put, unanswered_in
 from rotsolve.search.cases import Needed
 from rotsolve.search.edges import Edge, Edges
 from rotsolve.search.letterspace import LetterSpace, Proviso
@@ -76,7 +76,7 @@ class CaseTeller(Struct, frozen=True):
         regions = zip(closing.closed(held), held, strict=True)
         told = [replace(item.answers[0], conditions=self.equalities(region)) for region, item in regions]
         alone, bare = closing.alone(held)
-        told += self.on_edges(alone)
+        told += self.told_on_edges(alone)
         known = {edge.equality for edge, *_ in alone}
         for edge in bare:
             other = "other " if edge.equality in known else ""
@@ -84,7 +84,7 @@ class CaseTeller(Struct, frozen=True):
             lacking += [] if told[0].symbol in lacking else [told[0].symbol]
         return replace(told[0], otherwise=tuple(told[1:]))
 
-    def on_edges(self, alone: Sequence[tuple[Edge, Solved, Answer]]) -> list[Answer]:
+    def told_on_edges(self, alone: Sequence[tuple[Edge, Solved, Answer]]) -> list[Answer]:
         """What holds on edges alone, with the conditions under which it does."""
         groups: list[tuple[Edge, Answer, list[Region]]] = []
         for edge, case, answer in alone:
@@ -152,7 +152,7 @@ class CaseTeller(Struct, frozen=True):
                 found[(f"if {line} there is no answer: ", *need.failing)] = None
         for (equality, other), (edge, lacking) in self.bare.items():
             solved = self.edges.solved_at(edge)
-            said = why_no_answer(solved) if solved is not None and without(solved) else ()
+            said = why_no_answer(solved) if solved is not None and unanswered_in(solved) else ()
             if said not in alike:
                 line = f"if {in_a_line((equality,))} no {other}answer is given for "
                 found[(line, *in_a_row(lacking), *((": ", *said) if said else ()))] = None
@@ -166,7 +166,7 @@ class CaseTeller(Struct, frozen=True):
         def open_at(one: Proviso) -> bool:
             edge = self.edges.known_at(one, region)
             case = None if edge is None else self.edges.solved_at(edge)
-            return one.strict if case is None else without(case) is False or why_no_answer(case) != why
+            return one.strict if case is None else unanswered_in(case) is False or why_no_answer(case) != why
 
         return tuple(replace(one, strict=open_at(one)) for one in region)
 

@@ -115,7 +115,7 @@ class Closing:
     def found_at(self, edge: Edge) -> tuple[Answer, ...]:
         """The answers on an edge; none where there are none that hold."""
         case = self.edges.case(edge)
-        if case is None or without(case):
+        if case is None or unanswered_in(case):
             return ()
         assert case.found is not None
         return case.found.answers if self.place is None else (case.found.answers[self.place],)
@@ -148,7 +148,7 @@ class Closing:
             return None
 
 
-def without(case: Solved) -> bool:
+def unanswered_in(case: Solved) -> bool:
     """Whether there is no answer in a case that holds."""
     return case.found is None or case.objected
 

@@ -93,7 +93,7 @@ def on_edges(
             ):
                 continue
             for start in starts:
-                size = number_at(limit, start)
+                size = size_of_limit(limit, start)
                 numbers = with_givens(problem, {**start, letter.name: size})
                 if size > 0 and all(holds(condition, numbers) for condition in case.conditions) and len(done) < EDGES:
                     done.append(limit)
@@ -101,7 +101,7 @@ def on_edges(
                     break
 
 
-def number_at(value: Formula, numbers: Numbers) -> float:
+def size_of_limit(value: Formula, numbers: Numbers) -> float:
     """The number of a formula; 0 where it has none."""
     try:
         return float(value_of(value, numbers))
