@@ -137,7 +137,8 @@ class Closing:
         sizes = [number.float for number in numbers if number is not None]
         if len(sizes) < len(forms) or abs(sizes[0] - sizes[1]) > NEARLY * max(1.0, *map(abs, sizes)):
             return False
-        return abs(sizes[0]) <= NEARLY or (one.direction, one.positive) == (other.direction, other.positive)
+        senses = [(answer.direction, answer.positive) for answer in (one, other)]
+        return abs(sizes[0]) <= NEARLY or senses[0] == senses[1]
 
     def number(self, form: Formula, edge: Edge) -> Certified | None:
         """The number of a formula at the point of an edge; None where it has none."""
