@@ -81,7 +81,8 @@ class Endings(Struct, dict=True):
             if found is not None and self.nowhere(found[0]):
                 why = f"{spoken(found[0].body)} stays where it turns back"
                 raise never_reached(timeline.intervals[-1], self.configuration, why)
-            if self.stuck and timeline.state(interval.end).opened:
+            away = found is not None and found[1] != NEVER  # where it would turn back lies behind it
+            if timeline.state(interval.end).opened and (self.stuck or away):
                 raise never_reached(
                     interval, self.configuration, "it sets out the other way, and nothing brings it back so far"
                 )

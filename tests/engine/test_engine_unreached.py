@@ -88,3 +88,23 @@ find: {{v: one.velocity at start}}
         assert "`end` is never reached" in str(error)
     else:
         assert found.answers["v"].float == 0.0
+
+
+@pytest.mark.parametrize("moves", ["right", "left"])
+@pytest.mark.parametrize(("share", "reached"), [("0.3", False), ("0.45", False), ("0.55", True), ("0.8", True)])
+def test_a_rope_runs_off_on_the_side_on_which_more_of_it_hangs(moves: str, share: str, reached: bool) -> None:
+    """v² = 2 g b (L − b)/L at the end where it hangs longer; nothing brings it back to the other."""
+    text = f"""
+title: A rope over a peg
+given: {{m: 1 kg, L: 2 m, b: {share}*L}}
+bodies: {{rope: {{shape: rope, mass: m, length: L, moves: {moves}}}}}
+connections: {{over: {{drapes: [rope, ground]}}}}
+states: {{start: {{over.length: b, at rest: all}}, off: {{over.length: L}}}}
+find: {{v: rope.velocity at off}}
+"""
+    if not reached:
+        with pytest.raises(Unsolvable, match="never reached"):
+            solve(text)
+        return
+    hangs = 2 * float(share)
+    assert solve(text).answers["v"].float == pytest.approx((9.8 * hangs * (2 - hangs)) ** 0.5)
