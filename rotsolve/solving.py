@@ -8,12 +8,12 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, Unsolvable
-from rotsolve.core.symbols import POSITION
+from rotsolve.core.symbols import POSITION, RATE
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Problem, TimeValue
+from rotsolve.language.problem import EXTREMES, Problem, TimeValue
 from rotsolve.motion.block import left_out
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
@@ -75,6 +75,17 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
 def turnable(search: Search) -> bool:
     """Whether a motion goes by its place, so that it may turn back on its way."""
     return any(travel.pace == POSITION for over in search.scene.passages.values() for travel in over.travels)
+
+
+def nears(search: Search) -> bool:
+    """Whether a state may be one that is only approached: forces go by a speed, a quantity is largest there, or something decays."""
+    if any(found.formula is not None and found.formula.holds("log") for found in search.solver.solved.values()):
+        return True
+    lines = (line for state in search.scene.configuration.problem.states for line in state.conditions)
+    travels = (travel for over in search.scene.passages.values() for travel in over.travels)
+    return any(line.word in EXTREMES for line in lines) or any(
+        travel.pace == RATE and travel.leads for travel in travels
+    )
 
 
 def doubtful(found: Found | Unsolvable) -> bool:
@@ -246,6 +257,11 @@ def check_consistent(search: Search) -> KnownBalls:
             raise refusal
     configuration = search.scene.configuration
     problem = configuration.problem
+    if nears(search):
+        from rotsolve.search.reached import not_reached
+
+        for refusal in not_reached(search):
+            raise refusal
     if any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds):
         from rotsolve.search.within import out_of_bounds
 

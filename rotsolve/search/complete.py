@@ -13,7 +13,7 @@ from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.astray import LetsGo, MeetAgain
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Budget, OverBudget
-from rotsolve.confirm.course.samples import SETS, sets_of_numbers
+from rotsolve.confirm.course.samples import sets_of_numbers, sets_wanted
 from rotsolve.confirm.course.verdict import SAME
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Fault, Unsolvable
@@ -66,7 +66,7 @@ def released_before(course: Course, find: Find) -> str:
 
 def courses(problem: Problem) -> Iterator[tuple[Course, Course]]:
     """The scene followed by the assembly, and once more with what nothing tells otherwise; of letters with several sets of numbers."""
-    for numbers in islice(sets_of_numbers(problem), SETS):
+    for numbers in islice(sets_of_numbers(problem), sets_wanted(problem)):
         yield Course(problem, numbers, Budget(INSTANTS)), Course(problem, numbers, Budget(INSTANTS), stir=STIR)
 
 

@@ -17,7 +17,7 @@ from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
 from rotsolve.core.equation import SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.core.symbols import CONSTANT, POSITION, RATE, at_any_time, has_quantities, is_key
+from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 
@@ -144,12 +144,14 @@ def first_broken(search: Search, numbers: KnownBalls) -> Equation | None:
 
 
 def integrated_equations(search: Search) -> list[Equation]:
-    """The separated equations carried out with the acceleration that Newton's laws give at any speed, where they have a closed form."""
+    """What sums an acceleration over a phase, carried out with the one that Newton's laws give at any speed or time, where it has a
+    closed form."""
     found = []
     for name, passage in search.scene.passages.items():
         for travel in passage.travels:
             rate = travel.acceleration
-            if not (travel.leads and travel.pace == RATE and isinstance(rate, Symbol)):
+            varies = travel.pace == TIME or (travel.leads and travel.pace == RATE)
+            if not varies or not isinstance(rate, Symbol):
                 continue
             value = search.aside(rate.name)
             for equation in search.scene.equations if value is not None else ():

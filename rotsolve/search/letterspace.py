@@ -21,7 +21,7 @@ from rotsolve.algebra.certified.sign import SignOracle, sign_within
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Number, Quotient, Symbol, negate
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Number, Quotient, Symbol, negate
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.letters import Given
@@ -307,6 +307,9 @@ class LetterSpace:
         top, bottom = problem.field.cancel(problem.ratio())
         parts = [part for poly in (top, bottom) for part, power in problem.field.factor(poly)[1] if power % 2]
         for part in map(problem.shaper.poly, parts):
+            if (beyond := beyond_one(part)) is not None:
+                yield from self.factors(beyond, self.side(beyond, point), point)
+                continue
             side = self.side(part, point) if self.sure(part) is None else 0
             if side:
                 yield Proviso(part if side > 0 else simplify(negate(part)), sign > 0)
@@ -376,6 +379,11 @@ class LetterSpace:
             for name in names:
                 yield {**point, name: point[name] * 2**power}
                 yield {**point, name: point[name] / 2**power}
+
+
+def beyond_one(value: Formula) -> Formula | None:
+    """u − 1 for a logarithm ln u, which has its sign; None of anything else."""
+    return value.arguments[0] - ONE if isinstance(value, Call) and value.function == "log" else None
 
 
 def coefficients(value: Formula, name: str) -> list[Formula]:

@@ -54,11 +54,18 @@ def turned_on_way(passage: Passage, settled: Settled, search: Search) -> tuple[T
         if way is None or not way.sets_out:
             continue
         ahead = search.numbers.side(way.end - way.start)
-        if ahead != way.sets_out:
+        timed = not has_quantities(passage.times[1])  # up to a told time it is followed to and fro
+        if ahead != way.sets_out or (not timed and goes_back(way, settled, search)):
             return travel, BACK
         if stopped(way, search) or falls_short(way, search):
             return travel, NEVER
     return None
+
+
+def goes_back(way: Way, settled: Settled, search: Search) -> bool:
+    """Whether a coordinate goes the other way at the end of its phase than it set out."""
+    speed = settled(way.travel.after)
+    return speed is not None and search.numbers.side(speed) == -way.sets_out
 
 
 def way_of(travel: Travel, settled: Settled, search: Search) -> Way | None:

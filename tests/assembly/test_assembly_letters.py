@@ -131,7 +131,6 @@ find: {s: box.displacement from start to fast}
 
 def test_what_is_only_come_near_to_is_not_reached() -> None:
     """Drag lets it go no farther than m u/c; the push never makes it faster than F T/(2m), and then drives it away."""
-    assert any("ever less near" in why for why in reasons(solve(DRAGGED)))
     with pytest.raises(Unsolvable, match=r"ever less near|never reached|is not reached"):
         solve(DRAGGED.replace("m: kg, c: kg/s, u: m/s, d: m", "m: 1 kg, c: 1 kg/s, u: 2 m/s, d: 3 m"))
     assert solve(PUSHED.replace("SPEED", "0.75 m/s")).answers["s"].float is not None

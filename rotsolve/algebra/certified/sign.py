@@ -148,9 +148,9 @@ class SignOracle(Struct, frozen=True):
 
 
 def real_where(value: Formula) -> Iterator[Formula]:
-    """What must not be negative for a formula to be real: what stands under roots, and how far sines and cosines are from 1."""
+    """What must not be negative for a formula to be real: what stands under roots and in logarithms, how far sines are from 1."""
     for node in value.walk(Call):
-        if isinstance(node, Call) and node.function == "sqrt":
+        if isinstance(node, Call) and node.function in ("sqrt", "log"):
             yield node.arguments[0]
         elif isinstance(node, Call) and node.function in ("asin", "acos"):
             yield ONE - node.arguments[0]

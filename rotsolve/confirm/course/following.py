@@ -50,6 +50,7 @@ class Course:
         self.names = [state.name for state in self.states]
         self._nodes: dict[str, Node | NotConfirmed] = {}
         self._untimed: set[str] = set()  # what was reached by its energy, without steps in time
+        self._lost: dict[str, NotConfirmed] = {}  # of these what steps in time do not reach
         self._phases: dict[str, FollowedPhase] = {}  # by the state at which each begins
         self._blows: dict[str, Blow] = {}  # by the state to which each leads
         self._models: dict[str, Model] = {}
@@ -122,10 +123,16 @@ class Course:
         for number, state in enumerate(self.states[: self.names.index(name) + 1]):
             if state.name not in self._untimed:
                 continue
+            if state.name in self._lost:
+                raise self._lost[state.name]
             from rotsolve.confirm.course.phase import followed
 
             before = self.names[number - 1]
-            self._phases[before] = phase = followed(self.node(before), state)
+            try:
+                self._phases[before] = phase = followed(self.node(before), state)
+            except NotConfirmed as reason:
+                self._lost[state.name] = reason
+                raise
             self._untimed.discard(state.name)
             self._nodes[state.name] = Node(self.model(state.name), phase.end.placed, self.budget)
             for later in self.names[number + 1 :]:

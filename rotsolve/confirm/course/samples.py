@@ -16,7 +16,8 @@ from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.language.problem import Given, Problem
 
-SETS, DRAWS = 5, 15  # sets of numbers for letters, and how often one is drawn for them
+SETS, FEW = 5, 2  # sets of numbers for letters, and for those only that stand for what nothing is told of
+DRAWS = 15  # how often a set is drawn for them
 DIGITS = 3  # significant ones of a number that is drawn
 EDGE, ROOM = 0.01, 0.05  # by how much of what it compares a condition holds right inside its edge, and well inside
 CLOSED = ("=", "≥", "≤")  # conditions that hold on their edge
@@ -46,6 +47,12 @@ Numbers = Mapping[str, float]
 def letters_open(problem: Problem) -> list[Given]:
     """The letters that have no number and are not asked for."""
     return [given for given in problem.givens if given.value is None and not given.asked]
+
+
+def sets_wanted(problem: Problem) -> int:
+    """How many sets speak for all: several where a letter of the scene is open, two where it is only a mass that plays no part."""
+    open_ = letters_open(problem)
+    return SETS if any(not given.automatic for given in open_) else FEW if open_ else 1
 
 
 def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:

@@ -20,13 +20,13 @@ from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Astray, Budget
 from rotsolve.confirm.course.reading import Reckoned
 from rotsolve.confirm.course.samples import (
-    SETS,
     Numbers,
     holding,
     letters_open,
     near_edges,
     on_edges,
     sets_of_numbers,
+    sets_wanted,
     with_givens,
     within_case,
 )
@@ -38,6 +38,7 @@ from rotsolve.language.problem import Find, Problem
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 OTHERWISE = "an assembly of all bodies' equations gives another value"
+NO_NUMBER = "it has no real value there, and has one by an assembly of all bodies' equations"
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
 DRAWN, OWN, EDGE, ON = range(4)  # kinds of sets of numbers
 BUDGET = 3000  # instants of one body that a scene may cost
@@ -79,14 +80,14 @@ def confirmations(
     """
     verdicts: dict[str, AnswerConfirmation] = {}
     seen = set[int]()  # the cases that have been tried
-    tried, budget = 0, Budget(BUDGET)
+    tried, wanted, budget = 0, sets_wanted(problem), Budget(BUDGET)
     own = (with_givens(problem, within_case(problem, answers, point)) for point in points)
     drawn = zip(repeat(DRAWN), sets_of_numbers(problem))
     near = zip(repeat(EDGE), near_edges(problem, answers, points))
     on = zip(repeat(ON), on_edges(problem, answers, points))
     for kind, numbers in chain(drawn, zip(repeat(OWN), own), near, on):
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
-        if budget.left < 0 or (kind == DRAWN and tried == SETS) or (kind == OWN and cases <= seen):
+        if budget.left < 0 or (kind == DRAWN and tried == wanted) or (kind == OWN and cases <= seen):
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, budget)}
         if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
@@ -148,7 +149,7 @@ def at_numbers(
             yield AnswerConfirmation(several.name, None, "no numbers were found for its case")
             continue
         if not said:
-            yield AnswerConfirmation(answer.name, None, "it has no number")
+            yield judged(finds[answer.name][0], said, asker, numbers)
             continue
         verdict = judged(finds[answer.name][0], said, asker, numbers)
         if (
@@ -166,18 +167,26 @@ def judged(find: Find, said: Mapping[str, float | str], asker: Asker, numbers: N
     """One answer held against what the assembly has."""
     name = find.group
     try:
-        return compared(name, said, asker.answer(find, said))
+        found = asker.answer(find, said)
+        if said:
+            return compared(name, said, found)
+        return not_so(name, NO_NUMBER, asker.problem, numbers)
     except Astray as reason:  # letters may have other numbers, with which it comes about
-        letters = numbers_told(numbers, asker.problem)
-        if not letters:
-            return AnswerConfirmation(name, False, str(reason))
-        return AnswerConfirmation(name, None, f"not so with {letters} in SI units: {reason}", astray=True)
+        return not_so(name, str(reason), asker.problem, numbers)
     except Broken as reason:
         return AnswerConfirmation(name, False if asks_for_letter(find) else None, str(reason))
     except NotConfirmed as reason:
         return AnswerConfirmation(name, None, str(reason))
     except (ArithmeticError, ValueError) as error:
         return AnswerConfirmation(name, None, f"the assembly has no number ({error})")
+
+
+def not_so(name: str, why: str, problem: Problem, numbers: Numbers) -> AnswerConfirmation:
+    """An answer that is wrong with these numbers; letters may have others, with which it holds."""
+    letters = numbers_told(numbers, problem)
+    if not letters:
+        return AnswerConfirmation(name, False, why)
+    return AnswerConfirmation(name, None, f"not so with {letters} in SI units: {why}", astray=True)
 
 
 def asks_for_letter(find: Find) -> bool:

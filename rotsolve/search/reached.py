@@ -1,0 +1,107 @@
+"""Reached: whether a state is one to which a motion comes at all, where its laws only tell what would hold there.
+
+A speed to which the forces lead, as drag does, is only approached: what lies beyond it is not reached. And a quantity that is largest
+somewhere has grown on the way there. Of letters both are conditions of the case.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.core.equation import NEWTON
+from rotsolve.core.facts import signed
+from rotsolve.core.faults import NeverReached
+from rotsolve.core.passage import Passage, Travel
+from rotsolve.core.symbols import RATE, has_quantities, is_key, key_of
+from rotsolve.core.writing import spoken
+from rotsolve.language.problem import EXTREMES, Path, State
+from rotsolve.motion.timeline import Interval
+from rotsolve.paths.reader import PathReader
+from rotsolve.search.endings import never_reached
+from rotsolve.search.search import Search
+
+GROWS = {"largest": 1, "smallest": -1}
+CHANGES = ("displacement", "rotation", "turns")
+
+
+def not_reached(search: Search) -> Iterator[NeverReached]:
+    """The states to which the motion never comes, the first first."""
+    configuration, aside = search.scene.configuration, search.apart(careful=True)
+    for name, found in search.solver.solved.items():
+        if found.formula is not None and has_no_number(found.formula, search):
+            yield never_reached(interval_of(name, search), configuration, "it would take a time that is no real number")
+    for interval in configuration.timeline.intervals:
+        passage = search.scene.passages.get(interval.name)
+        if passage is None:
+            continue
+        end = configuration.timeline.state(interval.end)
+        why = only_approached(passage, aside, limit=any(line.word in EXTREMES for line in end.conditions))
+        why = why or not_grown(interval, passage, end, aside)
+        if why:
+            yield never_reached(interval, configuration, why)
+
+
+def has_no_number(value: Formula, search: Search) -> bool:
+    """Whether what a logarithm is taken of is not positive, as of a time that nothing takes."""
+    insides = (node.arguments[0] for node in value.walk("log") if isinstance(node, Call) and node.function == "log")
+    return value.holds("log") and any(search.numbers.side(inside) in (0, -1) for inside in insides)
+
+
+def interval_of(letter: str, search: Search) -> Interval:
+    """The phase of which a letter of the laws speaks, or that leads to its state; the last one where it tells none."""
+    timeline = search.scene.configuration.timeline
+    when = key_of(letter).when if is_key(letter) else ""
+    before = timeline.before(when) if when in timeline.order else None
+    return timeline.interval(when) or before or timeline.intervals[-1]
+
+
+def only_approached(passage: Passage, search: Search, *, limit: bool) -> str:
+    """Why a speed of a phase lies beyond the one to which the forces lead, where they vanish; at that `limit` itself a state may end."""
+    for travel in passage.travels:
+        pushes = pushes_at_ends(travel, search) if travel.leads and travel.pace == RATE else None
+        way = search.numbers.side(pushes[0]) if pushes is not None else None
+        if pushes is None or not way:
+            continue
+        onward = search.numbers.side(signed(pushes[1], way))
+        if onward == -1 or (onward == 0 and not limit):
+            what = "velocity" if travel.kind == "line" else "angular velocity"
+            return f"the {what} of {spoken(travel.body)} would have to go beyond the one to which its forces lead"
+    return ""
+
+
+def pushes_at_ends(travel: Travel, search: Search) -> tuple[Formula, Formula] | None:
+    """The acceleration at both ends of a phase, where the forces go by the speed alone; None where the laws do not tell it."""
+    rate = travel.acceleration
+    push = search.beside_by((NEWTON,)).settled(rate) if isinstance(rate, Symbol) else rate
+    if push is None or not isinstance(travel.moving, Symbol):
+        return None
+    speeds = [search.settled(speed) for speed in (travel.before, travel.after)]
+    first, last = (None if speed is None else push.substitute({travel.moving.name: speed}) for speed in speeds)
+    return None if first is None or last is None or has_quantities(first) or has_quantities(last) else (first, last)
+
+
+def not_grown(interval: Interval, passage: Passage, end: State, search: Search) -> str:
+    """Why a quantity is not largest (or smallest) at the end of a phase: it has not grown on the way."""
+    for line in end.conditions:
+        if line.word not in GROWS or line.path is None:
+            continue
+        gained = gain(line.path, interval, passage, search)
+        if gained is not None and search.numbers.side(gained) == -GROWS[line.word]:
+            there = "smallest" if line.word == "largest" else "largest"
+            return f"the {spoken(line.path.quantity)} of {spoken(line.path.owner)} is {there} there, not {line.word}"
+    return ""
+
+
+def gain(path: Path, interval: Interval, passage: Passage, search: Search) -> Formula | None:
+    """By how much a quantity grows in a phase, with the answers put in; None where that is not told."""
+    if path.quantity in CHANGES:
+        kind = "line" if path.quantity == "displacement" else "turn"
+        ways = [travel.change for travel in passage.travels if travel.body == path.owner and travel.kind == kind]
+        gained = ways[0] if len(ways) == 1 and not path.component else None
+    else:
+        ends = (PathReader(search.scene.instant(state), dict).meaning(path) for state in (interval.end, interval.start))
+        last, first = (end.formula for end in ends)
+        gained = last - first
+    value = None if gained is None else search.settled(gained)
+    return None if value is None or has_quantities(value) else value
