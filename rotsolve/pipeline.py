@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import partial
@@ -18,7 +18,7 @@ from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.core.derivation import Check, Derivation, Refusal
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Contradicted, Fault, NeverReached, SceneError, Unsolvable
-from rotsolve.language.problem import Problem, before
+from rotsolve.language.problem import Find, Problem, before
 from rotsolve.motion.block import asked_block
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from rotsolve.core.derivation import AnswerConfirmation
 
 DIGITS, MOST_DIGITS = 4, 1000
+SolveFor = Callable[[tuple[Find, ...]], Solution]  # solves for some of a problem's questions
 
 
 def solve(
@@ -102,29 +103,37 @@ def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str 
 
 def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
     """Solve all questions that have an answer; why the others have none is told beside them."""
+    return in_parts(problem, lambda finds: solved_as_far(replace(problem, finds=finds), law, digits, at))
+
+
+def in_parts(problem: Problem, solve: SolveFor) -> Solution:
+    """The questions of a problem that `solve` answers, together; why it answers others not is told beside them."""
     try:
-        return solved_as_far(problem, law, digits, at)
+        return solve(problem.finds)
     except Unsolvable as error:
         if len(problem.finds) < 2 or (isinstance(error, Contradicted) and not isinstance(error, NeverReached)):
             raise
-        solution, refused = solved_without(error, problem, law, digits, at)
+        solution, refused = solved_without(error, problem, solve)
     told = tuple(Refusal(name, error.fault) for name, error in refused.items())
     finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
     return replace(solution, problem=problem, derivation=replace(solution.derivation, refused=told, finds=finds))
 
 
-def solved_without(
-    error: Unsolvable, problem: Problem, law: str | None, digits: int, at: str | None
-) -> tuple[Solution, Mapping[str, Unsolvable]]:
+def solved_without(error: Unsolvable, problem: Problem, solve: SolveFor) -> tuple[Solution, Mapping[str, Unsolvable]]:
     """The solution without the questions that have no answer, and these with their reasons: those that an error names, if it does."""
     known = refused_by(error, problem)
     for refused in (known,) if isinstance(error, NeverReached) else (known, None):
-        refused = told_apart(problem, law, at) if refused is None else refused
+        refused = told_apart(problem, solve) if refused is None else refused
         kept = tuple(find for find in problem.finds if find.name not in refused)
         if not kept or len(kept) == len(problem.finds):
             continue
-        with suppress(Unsolvable):
-            return solved_as_far(replace(problem, finds=kept), law, digits, at), refused
+        try:
+            return solve(kept), refused
+        except NeverReached as sooner:
+            solution, more = solved_without(sooner, replace(problem, finds=kept), solve)
+            return solution, {**refused, **more}
+        except Unsolvable:
+            continue
     raise error
 
 
@@ -136,13 +145,13 @@ def refused_by(error: Unsolvable, problem: Problem) -> Mapping[str, Unsolvable]:
     return error.refused if isinstance(error, Unanswered) else {}
 
 
-def told_apart(problem: Problem, law: str | None, at: str | None) -> dict[str, Unsolvable]:
+def told_apart(problem: Problem, solve: SolveFor) -> dict[str, Unsolvable]:
     """The questions of a scene that have no answer, by name, each with its reason: what is found with all it needs, and nothing else."""
     refused: dict[str, Unsolvable] = {}
     for find in problem.finds:
         for finds in needed_for(find, problem):
             try:
-                solved_as_far(replace(problem, finds=finds), law, DIGITS, at)
+                solve(finds)
             except Unsolvable as error:
                 refused.setdefault(find.name, error)
             else:
@@ -223,8 +232,8 @@ def solved_by_cases(
     solutions: list[Solution] = []
 
     def solve(trial: Mapping[str, Formula]) -> tuple[Derivation, bool]:
-        own = Configuration(at_point(configuration.problem, trial))
-        solutions.append(solved(problem, own, law, digits, at))
+        own = at_point(configuration.problem, trial)
+        solutions.append(in_parts(own, partial(solved_of_case, own, problem, law, digits, at)))
         derivation = solutions[-1].derivation
         return derivation, any(check.holds is False for check in derivation.checks)
 
@@ -239,14 +248,30 @@ def solved_by_cases(
         raise cases[0].fault
     refuse_idle(solutions, problem)
     if len(cases) == 1 and not (cases[0].conditions or cases[0].needs or space.assumed or space.limited):
-        return solutions[0]
+        return replace(solutions[0], problem=problem)
     from rotsolve.derivation.cases import with_cases
     from rotsolve.search.edges import Edges
 
     cases = [replace(case, fault=fairly_refused(case.fault, case.point, problem, law)) for case in cases]
     points = tuple(case.point for case in cases if case.found is not None and not case.objected)
     trace = replace(solutions[0].trace, points=points)
-    return replace(solutions[0], derivation=with_cases(cases, Edges(space, solve, confirming), more=more), trace=trace)
+    derivation = with_cases(cases, Edges(space, solve, confirming), more=more)
+    return replace(solutions[0], problem=problem, derivation=derivation, trace=trace)
+
+
+def solved_of_case(
+    own: Problem, problem: Problem, law: str | None, digits: int, at: str | None, finds: tuple[Find, ...]
+) -> Solution:
+    """Some questions of a case of letters; those about states before one that is never reached in it without that, beside others."""
+    asked = replace(own, finds=finds)
+    while True:
+        try:
+            return solved(problem, Configuration(asked), law, digits, at)
+        except NeverReached as error:
+            early = before(error.state, asked) if finds != own.finds else None
+            if early is None or early.finds != finds:
+                raise
+            asked = early
 
 
 def fairly_refused(

@@ -96,7 +96,8 @@ def lasts(grip: Grip, found: Dynamics, at: Placed) -> bool:
     if grip.static is None or grip.normal is None or mode == OPEN:
         return True
     if mode == STICKS:
-        limit = grip.static * abs(found.reactions.get(grip.normal, 0.0))
+        told = grip.normal not in found.open_reactions  # of a push that nothing settles no friction is certain
+        limit = grip.static * abs(found.reactions.get(grip.normal, 0.0)) if told else 0.0
         return abs(found.reactions.get(grip.row.key, 0.0)) <= limit * (1 + 1e-9) + 1e-12
     after = slip_speed(grip, [old + change for old, change in zip(at.speed, found.rates, strict=True)])
     return after >= -1e-12 if mode == FORWARD else after <= 1e-12

@@ -139,6 +139,7 @@ TWISTS = Law("twists", "angular impulse = change of angular momentum, {body}{abo
 COMMON_AXIS = Law("angular momentum about an axis", "{words}", ANGULAR_MOMENTUM, 3)
 ANGLES_TURNED = Law("angles turned", "angular momentum summed over the time", ANGULAR_MOMENTUM, 5)
 RATE = Law("rate of angular momentum", "angular momentum about {point}: its rate is the torque", ANGULAR_MOMENTUM, 5)
+UNPRESSED = Law("unpressed", "{owner} can not pull, and nothing presses", cost=2)
 RESTITUTION = Law("restitution", "coefficient of restitution")
 
 # motion

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import partial
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import equal, simplify
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words, in_a_row
 from rotsolve.derivation.closing import Closing, Held, Solved, answer_put, unanswered_in
+from rotsolve.language.problem import Problem
 from rotsolve.search.cases import Needed
 from rotsolve.search.edges import Edge, Edges
 from rotsolve.search.letterspace import LetterSpace, Proviso
@@ -34,40 +35,43 @@ class CaseTeller(Struct, frozen=True):
 
     def derivation(self) -> Derivation:
         """The derivation of the first case, with the others behind it: what differs between them says when it holds."""
-        main = self.good[0].found
+        full = [case for case in self.good if not any(says_more(other, case) for other in self.good)]
+        main = full[0].found
         assert main is not None
-        answers = tuple(self.piecewise(place) for place in range(len(main.answers)))
-        told = self.headings()
+        named = dict.fromkeys(answer.name for case in self.good for answer in answers_of(case))
+        answers = tuple(self.piecewise(name) for name in in_order(named, self.space.problem))
+        told = self.headings(full)
         sections = main.sections
         if len(told) > 1:
             sections = tuple(section for key, case in told.items() for section in headed(key, case))
-        checks = (*main.checks, *self.failing())
+        refused = tuple(item for item in main.refused if item.name not in named)
+        checks = (*main.checks, *self.failing(set(named)))
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
-        return replace(main, answers=answers, sections=sections, checks=checks, conventions=said)
+        return replace(main, answers=answers, sections=sections, checks=checks, conventions=said, refused=refused)
 
-    def headings(self) -> dict[tuple[Equality, ...], Solved]:
+    def headings(self, full: Sequence[Solved]) -> dict[tuple[Equality, ...], Solved]:
         """Of cases with the same answers the first, by where they hold."""
         told: list[Held] = []
-        for case in self.good:
-            own = [other for other in self.good if same_forms(case, other)]
+        for case in full:
+            own = [other for other in full if same_forms(case, other)]
             if own[0] is case:
-                assert case.found is not None
-                told.append(Held(case.found.answers, own, self.apart(own)[0]))
+                told.append(Held(answers_of(case), own, self.apart(own)[0]))
         regions = Closing(self.edges).closed(told) if len(told) > 1 else []
         return {self.equalities(region): held.own[0] for region, held in zip(regions, told, strict=bool(regions))}
 
-    def piecewise(self, place: int) -> Answer:
+    def piecewise(self, name: str) -> Answer:
         """An answer with the conditions under which it holds, and what it is in other cases, on their edges too."""
         groups: list[tuple[Answer, list[Solved]]] = []
         for case in self.good:
-            assert case.found is not None
-            answer = case.found.answers[place]
+            answer = next((answer for answer in answers_of(case) if answer.name == name), None)
+            if answer is None:
+                continue
             group = next((own for other, own in groups if same_form(answer, other)), None)
             if group is None:
                 groups.append((answer, [case]))
             else:
                 group.append(case)
-        closing = Closing(self.edges, place)
+        closing = Closing(self.edges, name)
         held = [
             Held((answer,), own, region)
             for answer, own in groups
@@ -128,12 +132,28 @@ class CaseTeller(Struct, frozen=True):
                     cases.append(case)
         return found
 
+    def lacking(self, named: Collection[str]) -> list[tuple[list[str], str, list[Solved]]]:
+        """The questions that have no answer in some of the cases, those together that have none for one reason in the same ones."""
+        refused: dict[tuple[str, str], list[Solved]] = {}
+        for case in self.good:
+            for item in case.found.refused if case.found is not None else ():
+                if item.name in named:
+                    refused.setdefault((item.name, item.fault.message), []).append(case)
+        found: list[tuple[list[str], str, list[Solved]]] = []
+        for (name, why), cases in refused.items():
+            like = next((names for names, reason, own in found if reason == why and own == cases), None)
+            if like is None:
+                found.append(([name], why, cases))
+            else:
+                like.append(name)
+        return found
+
     def equalities(self, provisos: Sequence[Proviso]) -> tuple[Equality, ...]:
         """Conditions as a page tells them."""
         return tuple(dict.fromkeys(shown(one, self.space) for one in provisos))
 
-    def failing(self) -> tuple[Check, ...]:
-        """Where there is no answer, and why."""
+    def failing(self, named: Collection[str]) -> tuple[Check, ...]:
+        """Where there is no answer, or none for one of those that are named, and why."""
         found: dict[Words, None] = {}
         alike: dict[Words, list[Solved]] = {}
         for case in self.bad:
@@ -143,6 +163,11 @@ class CaseTeller(Struct, frozen=True):
         for why, cases in alike.items():
             for region in map(partial(self.closed_without, why), self.regions(cases)):
                 found[(f"if {in_a_line(self.equalities(region))} there is no answer: ", *why)] = None
+        for names, reason, cases in self.lacking(named):
+            letters = [part for name in names for part in (", ", Symbol(name))][1:]
+            for region in self.regions(cases):
+                line = in_a_line(self.equalities(region))
+                found[(f"if {line} there is no answer for ", *letters, f": {reason}")] = None
         for need, cases in self.needing():
             broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
             for region in self.regions(cases):
@@ -190,7 +215,9 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
 
 def same_form(one: Answer, other: Answer) -> bool:
     """Whether two cases answer a question alike."""
-    words = [(answer.word, answer.direction, answer.positive, len(answer.components)) for answer in (one, other)]
+    words = [
+        (answer.name, answer.word, answer.direction, answer.positive, len(answer.components)) for answer in (one, other)
+    ]
     if words[0] != words[1] or not all(map(same_form, one.components, other.components)):
         return False
     forms = (one.closed or one.formula, other.closed or other.formula)
@@ -201,8 +228,26 @@ def same_form(one: Answer, other: Answer) -> bool:
 
 def same_forms(one: Solved, other: Solved) -> bool:
     """Whether two cases have the same answers."""
-    assert one.found is not None and other.found is not None
-    return all(map(same_form, one.found.answers, other.found.answers))
+    return len(answers_of(one)) == len(answers_of(other)) and all(map(same_form, answers_of(one), answers_of(other)))
+
+
+def says_more(one: Solved, other: Solved) -> bool:
+    """Whether a case has all the answers of another, and more."""
+    known = {answer.name: answer for answer in answers_of(one)}
+    return len(known) > len(answers_of(other)) and all(
+        answer.name in known and same_form(answer, known[answer.name]) for answer in answers_of(other)
+    )
+
+
+def answers_of(case: Solved) -> tuple[Answer, ...]:
+    """The answers of a case."""
+    return case.found.answers if case.found is not None else ()
+
+
+def in_order(names: Iterable[str], problem: Problem) -> list[str]:
+    """Names of answers as they are asked for."""
+    order = {find.group: place for place, find in reversed(list(enumerate(problem.finds)))}
+    return sorted(names, key=lambda name: order.get(name, len(order)))
 
 
 def headed(key: tuple[Equality, ...], case: Solved) -> tuple[Section, ...]:

@@ -35,11 +35,11 @@ class Held(Struct, frozen=True):
 
 
 class Closing:
-    """Of answers side by side, each in its region, to which the edges between them belong; of all answers, or of the one at a place."""
+    """Of answers side by side, each in its region, to which the edges between them belong; of all answers, or of one by its name."""
 
-    def __init__(self, edges: Edges[Derivation], place: int | None = None) -> None:
+    def __init__(self, edges: Edges[Derivation], name: str = "") -> None:
         self.edges = edges
-        self.place = place
+        self.name = name
         self.looked_at: list[Edge] = []  # edges over which no answer goes on
 
     def closed(self, told: Sequence[Held]) -> list[Region]:
@@ -118,7 +118,7 @@ class Closing:
         if case is None or unanswered_in(case):
             return ()
         assert case.found is not None
-        return case.found.answers if self.place is None else (case.found.answers[self.place],)
+        return tuple(answer for answer in case.found.answers if self.name in ("", answer.name))
 
     def agree(self, some: Sequence[Answer], others: Sequence[Answer], edge: Edge) -> bool:
         """Whether answers are the same on an edge."""

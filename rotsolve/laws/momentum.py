@@ -5,12 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Integral, total
+from rotsolve.algebra.formula import ZERO, Formula, Integral, negate, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import ANGLES_TURNED, BLOWS, COMMON_AXIS, MOMENTUM, RESTITUTION, TWISTS, Equation, Law
+from rotsolve.core.equation import (
+    ANGLES_TURNED,
+    BLOWS,
+    COMMON_AXIS,
+    MOMENTUM,
+    RESTITUTION,
+    TWISTS,
+    UNPRESSED,
+    Equation,
+    Law,
+)
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, signed
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
-from rotsolve.core.symbols import TIME, at_any_time, has_quantities, is_key, key_of
+from rotsolve.core.symbols import TIME, at_any_time, has_quantities, is_key, is_quantity, key_of
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.laws.newton import about
@@ -265,6 +275,24 @@ def linear_momentum(encounter: Encounter, section: str, names: tuple[str, ...]) 
         if flat(before) or flat(after) or flat(outside):
             label = "momentum is conserved" if not flat(outside) else "impulse = change of momentum"
             yield MOMENTUM.equation(*moved([*before, *outside], after), section, names, words=label)
+
+
+def nothing_pressed(at: ThroughEvent) -> Iterator[Equation]:
+    """Jₙ = 0 of each of several surfaces that push bodies one way through an event, where nothing else does along it: none can pull."""
+    members = at.encounter.meetings
+    for axis in dict.fromkeys(axis for item in members for axis in item.body.axes):
+        if any(velocity.along(axis) != ZERO for item in members for velocity in (item.before, item.after)):
+            continue
+        by_owner: dict[str, list[Force]] = {}
+        for blow in (blow for item in members for blow in item.blows if blow.vector.along(axis) != ZERO):
+            by_owner.setdefault(blow.owner, []).append(blow)
+        outside = [own for own in by_owner.values() if not is_zero(total([blow.vector.along(axis) for blow in own]))]
+        pushes = [own[0].vector.along(axis) for own in outside if len(own) == 1 and own[0].role.presses]
+        letters = [push if is_quantity(push) else negate(push) for push in pushes]
+        one_way = pushes == letters or not any(map(is_quantity, pushes))
+        if len(pushes) > 1 and len(pushes) == len(outside) and one_way and all(map(is_quantity, letters)):
+            for letter, own in zip(letters, outside, strict=True):
+                yield UNPRESSED.equation(letter, ZERO, at.section, owner=spoken(own[0].owner))
 
 
 def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:

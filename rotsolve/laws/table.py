@@ -57,6 +57,7 @@ from rotsolve.core.equation import (
     TURN_AT_ANY_TIME,
     TURN_BY_MEAN,
     TWISTS,
+    UNPRESSED,
     WORK,
     WORK_AND_ENERGY,
     Equation,
@@ -179,6 +180,7 @@ LAWS = (
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),
     Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:group_through_event"),
     Principle((BLOWS, TWISTS), (EVENT,), "momentum:bodies_through_event"),
+    Principle((UNPRESSED,), (EVENT,), "momentum:nothing_pressed"),
     Principle((RESTITUTION,), (EVENT,), "momentum:restitution"),
     Principle((RULE,), (EVENT,), "rules:rules_through_event"),
 )

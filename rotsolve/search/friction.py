@@ -32,6 +32,7 @@ from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
 TRIALS = 27  # ways in which contacts may stick and slip that are tried
+ROUNDS = 3  # in which the senses are found in which an event leaves several slipping
 
 
 class SlippingContact(Struct, frozen=True):
@@ -87,8 +88,9 @@ class Trials:
     def decide_from(self, state: str, rubbing: Sequence[Rub], at_rest: Collection[str]) -> None:
         """What moves at the start of a phase goes on; then groups at rest, each as a trial tells."""
         known = {**dict(self.configuration.timeline.state(state).senses), **dict.fromkeys(at_rest, 0)}
+        senses = self.senses_at_start([rub for rub in rubbing if rub.name not in known])
         for rub in rubbing:
-            moving = known[rub.name] if rub.name in known else self.sense_at_start(rub)
+            moving = known[rub.name] if rub.name in known else senses[rub.key]
             if moving or smooth(rub, self.configuration.signs):
                 self.modes[rub.key] = rub.mode(moving or 1)
         resting = [rub for rub in rubbing if rub.key not in self.modes]
@@ -148,7 +150,19 @@ class Trials:
 
     # what moves already
 
-    def sense_at_start(self, rub: Rub) -> int:
+    def senses_at_start(self, open_: Sequence[Rub]) -> dict[str, int]:
+        """The senses in which all slide or turn at the start of their phase, each with the others as they are found to; all are taken to
+        slip at first, so that no rule of sticking settles how an event leaves them."""
+        senses = {rub.key: 1 for rub in open_ if rub.item is not None}
+        for _ in range(ROUNDS):
+            others = {rub.key: rub.mode(senses[rub.key] or 1) for rub in open_ if rub.key in senses}
+            found = {rub.key: self.sense_at_start(rub, others) for rub in open_}
+            if all(found[key] == sense for key, sense in senses.items()):
+                break
+            senses = {key: found[key] for key in senses}
+        return found
+
+    def sense_at_start(self, rub: Rub, others: Mapping[str, str]) -> int:
         """The sense in which it slides or turns at the start of its phase; 0 where it is not known to move."""
         speed = rub.rate(self.scene.instant(rub.state))
         if speed is None:
@@ -156,7 +170,7 @@ class Trials:
         if not has_quantities(speed):
             return self.sense_of(rub, speed)
         first = rub.state == self.configuration.timeline.states[0].name
-        return self.sense_tied(rub, speed) if rub.contact is not None and first else self.sense_left(rub, speed)
+        return self.sense_tied(rub, speed) if rub.contact is not None and first else self.sense_left(rub, speed, others)
 
     def sense_tied(self, rub: Rub, speed: Formula) -> int:
         """The sense in which a contact slips at first where what the scene tells of the motion of others tells it, by strings and joints
@@ -165,14 +179,14 @@ class Trials:
         found = self.search({**self.modes, **freed}, ()).settled(speed)
         return 0 if found is None or has_quantities(found) else self.sense_of(rub, found)
 
-    def sense_left(self, rub: Rub, speed: Formula) -> int:
-        """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it.
+    def sense_left(self, rub: Rub, speed: Formula, others: Mapping[str, str]) -> int:
+        """The sense in which an event or an earlier phase leaves it moving, itself taken to slip one way or the other.
 
         What an event would leave moving against either sense of its friction sticks through it.
         """
         told: list[int] = []
         for sense in (1, -1):
-            found = self.search({**self.modes, rub.key: rub.mode(sense)}, families_for(None)).settled(speed)
+            found = self.search({**self.modes, **others, rub.key: rub.mode(sense)}, families_for(None)).settled(speed)
             if found is not None and not has_quantities(found):
                 told.append(self.sense_of(rub, found))
                 if told[-1] == sense:

@@ -17,7 +17,6 @@ from rotsolve.core.symbols import RATE, has_quantities, is_key, key_of
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import EXTREMES, Path, State
 from rotsolve.motion.timeline import Interval
-from rotsolve.paths.reader import PathReader
 from rotsolve.search.endings import never_reached
 from rotsolve.search.search import Search
 
@@ -100,8 +99,8 @@ def gain(path: Path, interval: Interval, passage: Passage, search: Search) -> Fo
         ways = [travel.change for travel in passage.travels if travel.body == path.owner and travel.kind == kind]
         gained = ways[0] if len(ways) == 1 and not path.component else None
     else:
-        ends = (PathReader(search.scene.instant(state), dict).meaning(path) for state in (interval.end, interval.start))
-        last, first = (end.formula for end in ends)
+        readers = (search.scene.reader(state) for state in (interval.end, interval.start))
+        last, first = (reader.meaning(path).formula for reader in readers)
         gained = last - first
     value = None if gained is None else search.settled(gained)
     return None if value is None or has_quantities(value) else value
