@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, Unsolvable
-from rotsolve.core.symbols import POSITION, RATE
+from rotsolve.core.symbols import CONSTANT, POSITION, TIME
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
@@ -78,13 +78,13 @@ def turnable(search: Search) -> bool:
 
 
 def nears(search: Search) -> bool:
-    """Whether a state may be one that is only approached: forces go by a speed, a quantity is largest there, or something decays."""
+    """Whether a state may be one to which nothing comes: forces vary with the motion, a quantity is largest there, something decays."""
     if any(found.formula is not None and found.formula.holds("log") for found in search.solver.solved.values()):
         return True
     lines = (line for state in search.scene.configuration.problem.states for line in state.conditions)
     travels = (travel for over in search.scene.passages.values() for travel in over.travels)
     return any(line.word in EXTREMES for line in lines) or any(
-        travel.pace == RATE and travel.leads for travel in travels
+        travel.pace not in (CONSTANT, TIME) for travel in travels
     )
 
 

@@ -96,7 +96,13 @@ QUANTITIES: dict[str, QuantityKind] = {
         ),
         kind("tension", "force", "T", (LINK,), "pull of a string or belt, at one of its ends where a pulley is heavy"),
         kind("normal_force", "force", "N", (LINK,), "push of a surface across itself"),
-        kind("friction_force", "force", "f", (LINK,), "friction along the surface, on the last-named body"),
+        kind(
+            "friction_force",
+            "force",
+            "f",
+            (LINK,),
+            "friction along the surface, on the body that its contact names first",
+        ),
         kind("friction", "number", "mu", (LINK,), "coefficient of friction of a contact"),
         kind(
             "torque",

@@ -1,7 +1,8 @@
 """Reached: whether a state is one to which a motion comes at all, where its laws only tell what would hold there.
 
-A speed to which the forces lead, as drag does, is only approached: what lies beyond it is not reached. And a quantity that is largest
-somewhere has grown on the way there. Of letters both are conditions of the case.
+A speed to which the forces lead, as drag does, is only approached: what lies beyond it is not reached. A quantity that is largest
+somewhere has grown on the way there. And what gets to a place has a real speed there, whether it is asked for or not. Of letters all
+these are conditions of the case.
 """
 
 from __future__ import annotations
@@ -13,10 +14,11 @@ from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import signed
 from rotsolve.core.faults import NeverReached
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.core.symbols import RATE, has_quantities, is_key, key_of
+from rotsolve.core.symbols import CONSTANT, RATE, RATES, TIME, has_quantities, is_key, key_of
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import EXTREMES, Path, State
+from rotsolve.language.problem import Path, State
 from rotsolve.motion.timeline import Interval
+from rotsolve.search.answers import NoAnswer
 from rotsolve.search.endings import never_reached
 from rotsolve.search.search import Search
 
@@ -35,8 +37,8 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         if passage is None:
             continue
         end = configuration.timeline.state(interval.end)
-        why = only_approached(passage, aside, limit=any(line.word in EXTREMES for line in end.conditions))
-        why = why or not_grown(interval, passage, end, aside)
+        why = only_approached(passage, aside) or not_grown(interval, passage, end, aside)
+        why = why or impossible(interval, passage, aside)
         if why:
             yield never_reached(interval, configuration, why)
 
@@ -55,15 +57,12 @@ def interval_of(letter: str, search: Search) -> Interval:
     return timeline.interval(when) or before or timeline.intervals[-1]
 
 
-def only_approached(passage: Passage, search: Search, *, limit: bool) -> str:
-    """Why a speed of a phase lies beyond the one to which the forces lead, where they vanish; at that `limit` itself a state may end."""
+def only_approached(passage: Passage, search: Search) -> str:
+    """Why a speed of a phase lies beyond the one to which the forces lead, where they vanish; at that it ends in the limit."""
     for travel in passage.travels:
         pushes = pushes_at_ends(travel, search) if travel.leads and travel.pace == RATE else None
         way = search.numbers.side(pushes[0]) if pushes is not None else None
-        if pushes is None or not way:
-            continue
-        onward = search.numbers.side(signed(pushes[1], way))
-        if onward == -1 or (onward == 0 and not limit):
+        if pushes is not None and way and search.numbers.side(signed(pushes[1], way)) == -1:
             what = "velocity" if travel.kind == "line" else "angular velocity"
             return f"the {what} of {spoken(travel.body)} would have to go beyond the one to which its forces lead"
     return ""
@@ -78,6 +77,29 @@ def pushes_at_ends(travel: Travel, search: Search) -> tuple[Formula, Formula] | 
     speeds = [search.settled(speed) for speed in (travel.before, travel.after)]
     first, last = (None if speed is None else push.substitute({travel.moving.name: speed}) for speed in speeds)
     return None if first is None or last is None or has_quantities(first) or has_quantities(last) else (first, last)
+
+
+def impossible(interval: Interval, passage: Passage, search: Search) -> str:
+    """Why nothing can be so at the end of a phase: a speed there, or the place where it turns back, has no real value."""
+    if all(travel.pace in (CONSTANT, TIME) for travel in passage.travels):
+        return ""
+    for name in unsettled(interval, passage, search):
+        try:
+            search.value_of(name)
+        except NoAnswer as error:
+            if error.equation is not None:
+                return f"with what it has at `{interval.start}`, {spoken(key_of(name).owner)} does not get so far"
+    return ""
+
+
+def unsettled(interval: Interval, passage: Passage, search: Search) -> Iterator[str]:
+    """The rates at the end of a phase, and the places along which its forces vary, of which nothing is known so far."""
+    quantities = search.scene.registry.quantities
+    names = [name for name, item in quantities.items() if item.kind in RATES and item.when == interval.end]
+    names += [travel.end.name for travel in passage.travels if travel.leads and isinstance(travel.end, Symbol)]
+    for name in names:
+        if is_key(name) and name not in search.solver.solved and has_quantities(search.solver.with_found(Symbol(name))):
+            yield name
 
 
 def not_grown(interval: Interval, passage: Passage, end: State, search: Search) -> str:

@@ -11,10 +11,11 @@ from typing import Any
 import pytest
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import formula
-from rotsolve.confirm.course.verdict import confirmed
+from rotsolve.algebra.formula import Symbol, formula, sqrt
+from rotsolve.confirm.course.verdict import confirmations, confirmed
 from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
+from rotsolve.derivation.results import Results
 from rotsolve.elements.actions import AppliedForce
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.strings import String
@@ -205,3 +206,41 @@ find: {{theta: plate.angle at hangs}}
 """)
     assert solution.answers["theta"].float == pytest.approx(-math.pi / 2)
     assert [item.holds for item in solution.derivation.confirmed] == [True]
+
+
+SLIDES = """title: A crate slides to the right, or to the left
+given: {m: 2 kg, u: 3 m/s, mu: 0.4}
+surfaces: {floor: level}
+bodies: {crate: {mass: m, moves: WAY}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+states: {start: {crate.velocity: u}}
+find: {f: base.friction_force at start}
+"""
+
+
+@pytest.mark.parametrize("way", ["right", "left"])
+def test_friction_that_is_told_to_point_the_other_way_is_withheld(way: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of friction the size is an answer, and its direction a word beside it: both are held against the assembly."""
+    text = SLIDES.replace("WAY", way)
+    assert all(item.holds for item in solve(text).derivation.confirmed)
+    told = Results._direction
+    other = {"left": "right", "right": "left"}
+    monkeypatch.setattr(Results, "_direction", lambda *given: other[told(*given)])
+    with pytest.raises(Unsolvable, match="point the other way"):
+        solve(text)
+
+
+def test_a_formula_without_a_real_value_where_there_is_one_is_told() -> None:
+    """√(m − M) for the acceleration of a crate that is pulled: for M > m nothing on the page would say that it is none."""
+    solution = solve("""title: A pulled crate
+given: {m: kg, M: kg, F: N}
+surfaces: {ice: level}
+bodies: {crate: {mass: m + M, moves: right}}
+connections: {base: {contact: [crate, ice]}}
+actions: {pull: {force: F, on: crate, direction: right}}
+find: {a: crate.acceleration}
+""")
+    spoilt = [replace(answer, formula=sqrt(Symbol("m") - Symbol("M"))) for answer in solution.derivation.answers]
+    (verdict,) = confirmations(spoilt, solution.problem, None, lambda numbers: True)
+    print(verdict)
+    assert verdict.holds is False or "no real value" in verdict.why

@@ -136,3 +136,74 @@ find: {{{question} at after, y: wheel.angular_acceleration at after}}
 """
     with pytest.raises(Unsolvable, match="leaves the surface"):
         solve(scene)
+
+
+KNOCKED = """
+title: Two crates on one rough floor
+given: {{m: {m} kg, M: {M} kg, u: {u} m/s, w: {w} m/s, mu: 0.3, e: 0.8}}
+surfaces: {{floor: level}}
+bodies: {{{bodies}}}
+connections: {{c1: {{contact: [one, floor], friction: mu}}, c2: {{contact: [two, floor], friction: mu}}}}
+states: {{before: {{one.velocity: u, two.velocity: w}}, after: {{}}, end: {{time: 1 ms}}}}
+events: {{hit: {{collides: [one, two], restitution: e, from: before, to: after}}}}
+find: {{f: c1.friction_force.x at after, h: c2.friction_force.x at after, a: one.acceleration at after}}
+"""
+
+
+@pytest.mark.parametrize("order", [("one", "two"), ("two", "one")])
+@pytest.mark.parametrize(
+    ("m", "M", "u", "w"), [(3, 0.5, 2, 0), (0.5, 3, 2, 0), (1, 2, 3, -1), (2, 1, 1, -3), (2, 3, 4, 1)]
+)
+def test_friction_after_a_blow_is_against_the_way_in_which_each_then_goes(
+    m: float, M: float, u: float, w: float, order: tuple[str, str]
+) -> None:
+    """v = (m u + M w ∓ e … (u − w))/(m + M): none is held by the floor through the blow, which is finite in friction."""
+    masses = {"one": "m", "two": "M"}
+    bodies = ", ".join(f"{name}: {{mass: {masses[name]}, moves: right}}" for name in order)
+    text = KNOCKED.format(m=m, M=M, u=u, w=w, bodies=bodies).replace(".friction_force.x", ".friction_force")
+    derivation = solve(text).derivation
+    middle, apart = (m * u + M * w) / (m + M), 0.8 * (u - w)
+    speeds = {"f": middle - M * apart / (m + M), "h": middle + m * apart / (m + M)}
+    found = {answer.name: answer for answer in derivation.answers}
+    assert {name: found[name].direction for name in speeds} == {
+        name: "left" if speed > 0 else "right" for name, speed in speeds.items()
+    }
+    assert found["a"].value is not None
+    assert found["a"].value.float == pytest.approx(-0.3 * 9.8 if speeds["f"] > 0 else 0.3 * 9.8)
+
+
+@pytest.mark.parametrize(("J", "ahead"), [(2.0, True), (8.0, False)])
+def test_a_kick_against_a_plank_leaves_what_lies_on_it_as_it_was(J: float, ahead: bool) -> None:
+    """The plank alone takes the blow, M u − J; the block on it slips, forwards on the plank either way."""
+    derivation = solve(f"""
+title: Kick against a plank with a block on it
+given: {{m: 2 kg, M: 3 kg, J: {J} N s, u: 2 m/s, mu: 0.5, k: 0.1}}
+surfaces: {{floor: level}}
+bodies: {{plank: {{mass: M, moves: right}}, block: {{mass: m, moves: right}}}}
+connections: {{below: {{contact: [plank, floor], friction: k}}, grip: {{contact: [block, plank], friction: mu}}}}
+states: {{before: {{plank.velocity: u, block.velocity: u}}, after: {{}}}}
+events: {{kick: {{impulse: J, on: plank, direction: left, from: before, to: after}}}}
+find: {{f: below.friction_force at after, q: grip.friction_force at after, v: block.velocity at after, V: plank.velocity at after}}
+""").derivation
+    found = {answer.name: answer for answer in derivation.answers}
+    assert (found["f"].direction, found["q"].direction) == ("left" if ahead else "right", "left")
+    numbers = {name: answer.value.float for name, answer in found.items() if answer.value is not None}
+    assert (numbers["v"], numbers["V"]) == pytest.approx((2.0, 2.0 - J / 3))
+    assert all(item.holds for item in derivation.confirmed)
+
+
+@pytest.mark.parametrize("joined", ["[one, two]", "[two, one]"])
+def test_what_runs_into_a_crate_on_a_rough_floor_takes_it_along(joined: str) -> None:
+    """Neither floor presses any more through the blow, so that none of its friction stops them: V = m u/(m + M)."""
+    solution = solve(f"""
+title: One crate runs into another and sticks
+given: {{m: 2 kg, M: 3 kg, u: 5 m/s, mu: 0.4}}
+surfaces: {{floor: level}}
+bodies: {{one: {{mass: m, moves: right}}, two: {{mass: M, moves: right}}}}
+connections: {{c1: {{contact: [one, floor], friction: mu}}, c2: {{contact: [two, floor], friction: mu}}}}
+states: {{before: {{one.velocity: u, two.velocity: 0}}, after: {{}}}}
+events: {{hit: {{joins: {joined}, from: before, to: after}}}}
+find: {{V: two.velocity at after}}
+""")
+    assert solution.answers["V"].float == pytest.approx(2.0)
+    assert all(item.holds for item in solution.derivation.confirmed)

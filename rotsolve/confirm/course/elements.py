@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.reading import (
     NATURAL,
@@ -87,10 +89,14 @@ def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 
 def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
-    """Its size."""
+    """Its size, and which way it points on the body that the contact names first."""
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
     normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
-    return number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0, sized=True)
+    found = number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0, sized=True)
+    first = [ref.owner for ref in element(at, path.owner).touches() if ref.owner in at.model.seats][:1]
+    rubbing = [load for owner, kind, load in at.loads if owner == path.owner and kind == "friction"]
+    way = on_body(at, first[0], rubbing)[0] if first and rubbing else None
+    return replace(found, way=way)
 
 
 def force(at: Node, path: Path, term: Term | None) -> Reckoned:

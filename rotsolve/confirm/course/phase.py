@@ -33,7 +33,8 @@ STOPPED = 1e-6  # the same of what has just been found to stop
 NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
 LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and how much longer it would have to go on so
 FAR = 1e6  # seconds after which nothing is waited for any more
-SAMPLES = (0.25, 0.5, 0.75, 1.0)
+SAMPLES = (0.03, 0.25, 0.5, 0.75, 0.97, 1.0)  # the outer ones tell that it turns near an end
+GOLDEN, SECTIONS = (math.sqrt(5) - 1) / 2, 24
 LOBATTO = (
     (0.0, 16 / 45),
     (math.sqrt(3 / 7), 49 / 90),
@@ -329,7 +330,11 @@ class NextState:
         parts = (0.0, *SAMPLES)
         values = [gauge.value(instant(self.first, lap, part)) for part in parts]
         small = 1e-9 * gauge.size
-        found = []
+        found: list[float] = []
+        for place in range(1, len(values) - 1):  # it may come to it and go back between
+            a, b, c = values[place - 1 : place + 2]
+            if a * b > 0 < b * c and abs(b) <= min(abs(a), abs(c)):
+                found += self.touched(gauge, lap, parts[place - 1], parts[place + 1])
         for low, high, a, b in zip(parts, parts[1:], values, values[1:], strict=False):
             if abs(a) <= small and low == 0.0:
                 continue
@@ -337,7 +342,19 @@ class NextState:
                 found.append(self.zero(gauge.value, lap, low, high))
             elif abs(b) <= small < abs(a):
                 found.append(high)
-        return found
+        return sorted(found)
+
+    def touched(self, gauge: Gauge, lap: Lap, low: float, high: float) -> list[float]:
+        """Where a gauge first changes its sign between places between which it comes nearest to zero, by golden sections; else none."""
+        begun = gauge.value(instant(self.first, lap, low))
+        way, start = (1.0 if begun > 0 else -1.0), low
+        for _ in range(SECTIONS):
+            inner, outer = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+            one, two = (way * gauge.value(instant(self.first, lap, part)) for part in (inner, outer))
+            if min(one, two) < 0.0:
+                return [self.zero(gauge.value, lap, start, inner if one < 0.0 else outer)]
+            low, high = (low, outer) if one < two else (inner, high)
+        return []
 
     def confirm_lines(self, at: Node) -> None:
         """All lines hold at the instant that is told by its time."""

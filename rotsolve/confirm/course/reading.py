@@ -29,6 +29,7 @@ class Reckoned(Struct, frozen=True):
     word: str = ""
     sized: bool = False  # whether its sign says nothing: only the size is compared
     period: float = 0.0  # numbers so far apart are the same: a place round a circle tells no turns
+    way: Way | None = None  # where it points that is told by its size and a word
 
     @property
     def number(self) -> float:

@@ -37,6 +37,8 @@ from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
+POINTS = {"right": (1.0, 0.0), "left": (-1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}  # by the word of an answer
+OTHER_WAY = "an assembly of all bodies' equations has it point the other way"
 OTHERWISE = "an assembly of all bodies' equations gives another value"
 NO_NUMBER = "it has no real value there, and has one by an assembly of all bodies' equations"
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
@@ -151,23 +153,27 @@ def at_numbers(
         if not said:
             yield judged(finds[answer.name][0], said, asker, numbers)
             continue
-        verdict = judged(finds[answer.name][0], said, asker, numbers)
+        verdict = judged(finds[answer.name][0], said, asker, numbers, answer.direction)
         if (
-            verdict.holds is False and verdict.found and problem.states[1:]
+            verdict.holds is False and (verdict.found or verdict.why == OTHER_WAY) and problem.states[1:]
         ):  # the forces of the last state may be those of the phase before it
             ended = Asker(problem, Course(problem, known, budget, ending=True))
-            other = judged(finds[answer.name][0], said, ended, numbers)
+            other = judged(finds[answer.name][0], said, ended, numbers, answer.direction)
             verdict = other if other.holds else verdict
-        if verdict.holds is False and verdict.why == OTHERWISE and (slips := asker.course.slips()):
+        if verdict.holds is False and verdict.why in (OTHERWISE, OTHER_WAY) and (slips := asker.course.slips()):
             verdict = replace(verdict, why=slips)
         yield verdict
 
 
-def judged(find: Find, said: Mapping[str, float | str], asker: Asker, numbers: Numbers) -> AnswerConfirmation:
-    """One answer held against what the assembly has."""
+def judged(
+    find: Find, said: Mapping[str, float | str], asker: Asker, numbers: Numbers, direction: str = ""
+) -> AnswerConfirmation:
+    """One answer, with its direction in words, held against what the assembly has."""
     name = find.group
     try:
         found = asker.answer(find, said)
+        if said and found.way is not None and not points(direction, found.way):
+            return AnswerConfirmation(name, False, OTHER_WAY)
         if said:
             return compared(name, said, found)
         return not_so(name, NO_NUMBER, asker.problem, numbers)
@@ -257,6 +263,13 @@ def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> Ans
         answered, own = (tuple(map(abs, values)) for values in (answered, own))
     holds = all(abs(a - b) <= SAME * (size if a else max(size, ORDINARY)) for a, b in zip(answered, own, strict=True))
     return AnswerConfirmation(name, holds, "" if holds else OTHERWISE, answered, own)
+
+
+def points(direction: str, way: tuple[float, float]) -> bool:
+    """Whether a vector may point as a word says; of those at an angle to it, nothing is said."""
+    told = POINTS.get(direction)
+    along = None if told is None else told[0] * way[0] + told[1] * way[1]
+    return along is None or along >= -SAME * max(math.hypot(*way), ORDINARY)
 
 
 def withheld(derivation: Derivation, problem: Problem) -> Derivation:
