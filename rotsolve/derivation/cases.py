@@ -214,7 +214,9 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
 
 
 def same_form(one: Answer, other: Answer) -> bool:
-    """Whether two cases answer a question alike."""
+    """Whether two cases answer a question alike; a choice with the values that it was made by."""
+    if one.word and one.remark != other.remark:
+        return False
     words = [
         (answer.name, answer.word, answer.direction, answer.positive, len(answer.components)) for answer in (one, other)
     ]

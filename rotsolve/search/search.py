@@ -38,6 +38,7 @@ HELPS_TRIED, FEW_HELPS = (
     8,
     2,
 )  # lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
+INDEPENDENT = 2  # of the equations of steady acceleration about one motion
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 STONES = {
     kind: rank
@@ -319,10 +320,14 @@ class Search(Struct, dict=True):
         return True
 
     def _hardest(self, plan: Plan) -> int:
-        """The equation of a plan to do without: one with roots or bars round unknowns first, else the dearest."""
-
+        """The equation of a plan to do without: one of several that say the same, one with roots or bars round unknowns, the dearest."""
         pool = self.planner.pool
-        return max(plan.equations, key=lambda index: (has_calls(pool[index]), pool[index].cost))
+        steady: dict[tuple[object, ...], list[int]] = {}
+        for index in plan.equations:
+            if pool[index].law.steady:
+                steady.setdefault((pool[index].law.steady, pool[index].section, pool[index].bodies), []).append(index)
+        repeated = [index for same in steady.values() if len(same) > INDEPENDENT for index in same]
+        return max(repeated or plan.equations, key=lambda index: (has_calls(pool[index]), pool[index].cost))
 
     @staged("plan")
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:

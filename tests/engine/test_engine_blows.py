@@ -207,3 +207,28 @@ find: {{V: two.velocity at after}}
 """)
     assert solution.answers["V"].float == pytest.approx(2.0)
     assert all(item.holds for item in solution.derivation.confirmed)
+
+
+@pytest.mark.parametrize("way", ["right", "left"])
+@pytest.mark.parametrize(("shape", "c"), [("sphere", 0.4), ("cylinder", 0.5), ("spherical shell", 2 / 3)])
+@pytest.mark.parametrize(("J", "height"), [(1.0, 0.0), (-1.0, 0.0), (3.0, 1.0), (-3.0, 1.0), (2.0, -1.0)])
+def test_what_is_kicked_while_it_rolls_rolls_again(shape: str, c: float, J: float, height: float, way: str) -> None:
+    """By the angular momentum about the floor, which no friction changes: (1 + c) m v = (1 + c) m u + J (1 + h/R)."""
+    m, R, u, mu, g = 2.0, 0.1, 3.0, 0.2, 9.8
+    spot = {0.0: "center", 1.0: "top", -1.0: "bottom"}[height]
+    kick = way if J > 0 else {"right": "left", "left": "right"}[way]
+    found = solve(f"""
+title: Kick against what rolls
+given: {{m: {m} kg, R: {R} m, u: {u} m/s, J: {abs(J)} N s, mu: {mu}}}
+surfaces: {{floor: level}}
+bodies: {{wheel: {{shape: {shape}, mass: m, radius: R, moves: {way}, turns: {"clockwise" if way == "right" else "counterclockwise"}}}}}
+connections: {{base: {{contact: [wheel, floor], friction: mu}}}}
+states: {{before: {{base: rolls, wheel.velocity: u}}, after: {{}}, end: {{base: rolls}}}}
+events: {{kick: {{impulse: J, on: wheel.{spot}, direction: {kick}, from: before, to: after}}}}
+find: {{v: wheel.velocity at end, t: time from after to end, x: wheel.displacement from after to end}}
+""")
+    start, end = u + J / m, u + J * (1 + height) / (m * (1 + c))
+    t = abs(end - start) / (mu * g)
+    told = {name: answer.float for name, answer in found.answers.items()}
+    assert told == pytest.approx({"v": end, "t": t, "x": (start + end) / 2 * t})
+    assert all(item.holds for item in found.derivation.confirmed)

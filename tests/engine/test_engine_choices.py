@@ -6,6 +6,8 @@ import re
 
 import pytest
 
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.confirm.course.samples import holds, with_givens
 from rotsolve.core.faults import SceneError
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
@@ -114,3 +116,23 @@ def test_zero_is_of_every_kind_or_of_that_of_its_unit(label: str, zero: str, com
 def test_what_is_of_another_kind_is_refused_whatever_the_label(label: str, compared: str, kinds: str) -> None:
     with pytest.raises(SceneError, match=re.escape(kinds)):
         chosen(f"{{which of: {{{label}: {compared}, other: a < 0 m/s^2}}}}")
+
+
+def test_in_letters_the_values_beside_a_choice_are_those_of_its_own_case() -> None:
+    """A ball is faster than a block that slides, and than one that rests: what is told of the block differs."""
+    solution = solve("""
+title: Ball and block on a slope
+given: {beta: rad, mu: number}
+surfaces: {ramp: {slope: beta, down: right}}
+bodies: {ball: {shape: sphere, moves: down}, block: {mass: 1 kg, moves: down}}
+connections: {one: {rolls: [ball, ramp]}, two: {contact: [block, ramp], friction: mu}}
+find: {fast: {which of: {ball: ball.acceleration, block: block.acceleration}, is: largest}}
+""")
+    (found,) = solution.derivation.answers
+    cases = (found, *found.otherwise)
+    for mu, word, moves in ((0.1, "block", True), (0.4, "ball", True), (0.8, "ball", False)):
+        numbers = with_givens(solution.problem, {"beta": 0.6, "mu": mu})
+        (own,) = [case for case in cases if all(holds(one, numbers) for one in case.conditions)]
+        assert own.word == word
+        told = "".join(part if isinstance(part, str) else to_text(part) for part in own.remark)
+        assert ("0 m/s²" in told) != moves, told

@@ -6,13 +6,14 @@ from collections.abc import Container, Iterator
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
-from rotsolve.core.facts import Rule
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.facts import REACHES, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector
+from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.touch import Friction, Touch, is_level
-from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -112,3 +113,7 @@ class Unrolls(Touch, frozen=True):
         """As of a wheel that rolls, with v = r ω at any moment; for accelerations there is no such rule, since r changes."""
         for fact in super().friction_facts(instant, name, arm, surface, normal):
             yield replace(fact, acceleration=None, linear=False) if isinstance(fact, Rule) else fact
+        radii = [rim_radius(body, None) for body in (instant.configuration.bodies[name], instant.body(name))]
+        if radii[0] is not None and radii[1] is not None and radii[0] != radii[1]:
+            otherwise = f"{spoken(name)} would have to roll itself up"
+            yield Requirement(self.name, REACHES, radii[0] - radii[1], ZERO, f"{spoken(name)} unrolls", otherwise)
