@@ -240,7 +240,7 @@ connections: {base: {contact: [crate, ice]}}
 actions: {pull: {force: F, on: crate, direction: right}}
 find: {a: crate.acceleration}
 """)
-    spoilt = [replace(answer, formula=sqrt(Symbol("m") - Symbol("M"))) for answer in solution.derivation.answers]
+    root = sqrt(Symbol("m") - Symbol("M"))
+    spoilt = [replace(answer, formula=root, closed=root) for answer in solution.derivation.answers]
     (verdict,) = confirmations(spoilt, solution.problem, None, lambda numbers: True)
-    print(verdict)
     assert verdict.holds is False or "no real value" in verdict.why

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.instant import gathered, slip_speed
-from rotsolve.confirm.lines import placed_value, rate_of
+from rotsolve.confirm.lines import from_axis, placed_value, rate_of
 from rotsolve.confirm.model import Model
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 
@@ -40,10 +40,10 @@ def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
             continue
         elif line.word is not None:
             found.append(word_gauge(line, model))
-        elif line.path is not None and line.value is not None and line.path.quantity not in OWN:
-            found.append(value_gauge(line.path, model.value(line.value), model, first))
         elif line.path is not None and line.path.quantity in OWN and line.path.owner in model.seats:
-            raise NotConfirmed(f"`{line.path.owner}` changes on the way")
+            found.append(riding_gauge(line, model))
+        elif line.path is not None and line.value is not None:
+            found.append(value_gauge(line.path, model.value(line.value), model, first))
     return found
 
 
@@ -61,6 +61,21 @@ def resting_gauge(line: Condition, model: Model) -> Gauge:
         return sum(a * b for a, b in zip(speed, ahead, strict=False)) / size
 
     return Gauge(value, 1.0, "at rest", passing=True)
+
+
+def riding_gauge(line: Condition, model: Model) -> Gauge:
+    """How far from the axis a body is that slides freely along what carries it; what else changes of a body is not followed."""
+    path = line.path
+    rides = [ride for item in model.acting.connections if (ride := item.ride()) is not None and ride.free]
+    if path is None or line.value is None or path.owner not in [ride.rider.owner for ride in rides]:
+        raise NotConfirmed(f"`{path.owner if path is not None else line.owner}` changes on the way")
+    owner, far = path.owner, model.value(line.value)
+
+    def gap(at: Node) -> float:
+        away = from_axis(owner, at.pose, at.model)
+        return (away.value if away is not None else 0.0) - far
+
+    return Gauge(gap, far, f"{owner}.radius")
 
 
 def word_gauge(line: Condition, model: Model) -> Gauge:
