@@ -103,10 +103,10 @@ def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str 
 
 def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
     """Solve all questions that have an answer; why the others have none is told beside them."""
-    return in_parts(problem, lambda finds: solved_as_far(replace(problem, finds=finds), law, digits, at))
+    return each_where_answered(problem, lambda finds: solved_as_far(replace(problem, finds=finds), law, digits, at))
 
 
-def in_parts(problem: Problem, solve: SolveFor) -> Solution:
+def each_where_answered(problem: Problem, solve: SolveFor) -> Solution:
     """The questions of a problem that `solve` answers, together; why it answers others not is told beside them."""
     try:
         return solve(problem.finds)
@@ -233,7 +233,7 @@ def solved_by_cases(
 
     def solve(trial: Mapping[str, Formula]) -> tuple[Derivation, bool]:
         own = at_point(configuration.problem, trial)
-        solutions.append(in_parts(own, partial(solved_of_case, own, problem, law, digits, at)))
+        solutions.append(each_where_answered(own, partial(solved_of_case, own, problem, law, digits, at)))
         derivation = solutions[-1].derivation
         return derivation, any(check.holds is False for check in derivation.checks)
 

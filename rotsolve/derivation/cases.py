@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from functools import partial
+from itertools import zip_longest
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -38,7 +39,7 @@ class CaseTeller(Struct, frozen=True):
         full = [case for case in self.good if not any(says_more(other, case) for other in self.good)]
         main = full[0].found
         assert main is not None
-        named = dict.fromkeys(answer.name for case in self.good for answer in answers_of(case))
+        named = dict.fromkeys(answer.name for case in self.good for answer in told_in(case))
         answers = tuple(self.piecewise(name) for name in in_order(named, self.space.problem))
         told = self.headings(full)
         sections = main.sections
@@ -55,7 +56,7 @@ class CaseTeller(Struct, frozen=True):
         for case in full:
             own = [other for other in full if same_forms(case, other)]
             if own[0] is case:
-                told.append(Held(answers_of(case), own, self.apart(own)[0]))
+                told.append(Held(told_in(case), own, self.apart(own)[0]))
         regions = Closing(self.edges).closed(told) if len(told) > 1 else []
         return {self.equalities(region): held.own[0] for region, held in zip(regions, told, strict=bool(regions))}
 
@@ -63,7 +64,7 @@ class CaseTeller(Struct, frozen=True):
         """An answer with the conditions under which it holds, and what it is in other cases, on their edges too."""
         groups: list[tuple[Answer, list[Solved]]] = []
         for case in self.good:
-            answer = next((answer for answer in answers_of(case) if answer.name == name), None)
+            answer = next((answer for answer in told_in(case) if answer.name == name), None)
             if answer is None:
                 continue
             group = next((own for other, own in groups if same_form(answer, other)), None)
@@ -77,8 +78,12 @@ class CaseTeller(Struct, frozen=True):
             for answer, own in groups
             for region in self.apart(closing.parted(answer, own), needing=True)
         ]
-        regions = zip(closing.closed(held), held, strict=True)
-        told = [replace(item.answers[0], conditions=self.equalities(region)) for region, item in regions]
+        regions = list(zip(closing.closed(held), held, strict=True))
+        told = [
+            replace(answer, conditions=self.equalities(region))
+            for answer, _ in groups
+            for region in united([own for own, item in regions if item.answers[0] is answer], self.space)
+        ]
         alone, bare = closing.alone(held)
         told += self.told_on_edges(alone)
         known = {edge.equality for edge, *_ in alone}
@@ -215,7 +220,8 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
 
 def same_form(one: Answer, other: Answer) -> bool:
     """Whether two cases answer a question alike; a choice with the values that it was made by."""
-    if one.word and one.remark != other.remark:
+    weighed = list(zip_longest(one.weighed, other.weighed))
+    if not all(first is not None and last is not None and equal(first, last) for first, last in weighed):
         return False
     words = [
         (answer.name, answer.word, answer.direction, answer.positive, len(answer.components)) for answer in (one, other)
@@ -230,18 +236,18 @@ def same_form(one: Answer, other: Answer) -> bool:
 
 def same_forms(one: Solved, other: Solved) -> bool:
     """Whether two cases have the same answers."""
-    return len(answers_of(one)) == len(answers_of(other)) and all(map(same_form, answers_of(one), answers_of(other)))
+    return len(told_in(one)) == len(told_in(other)) and all(map(same_form, told_in(one), told_in(other)))
 
 
 def says_more(one: Solved, other: Solved) -> bool:
     """Whether a case has all the answers of another, and more."""
-    known = {answer.name: answer for answer in answers_of(one)}
-    return len(known) > len(answers_of(other)) and all(
-        answer.name in known and same_form(answer, known[answer.name]) for answer in answers_of(other)
+    known = {answer.name: answer for answer in told_in(one)}
+    return len(known) > len(told_in(other)) and all(
+        answer.name in known and same_form(answer, known[answer.name]) for answer in told_in(other)
     )
 
 
-def answers_of(case: Solved) -> tuple[Answer, ...]:
+def told_in(case: Solved) -> tuple[Answer, ...]:
     """The answers of a case."""
     return case.found.answers if case.found is not None else ()
 

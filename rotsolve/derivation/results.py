@@ -190,7 +190,10 @@ class Results(Struct, frozen=True):
     def label(self, chosen: Chosen) -> Answer:
         """The answer to a choice: the label, with the comparisons as its reason."""
         name = chosen.find.name
-        return Answer(name, Symbol(name), None, None, None, None, word=chosen.word, remark=self.reason(chosen))
+        sides = [self.answer(side) for side in chosen.sides]
+        weighed = tuple(form for side in sides if (form := side.closed or side.formula) is not None)
+        word, reason = chosen.word, self.reason(chosen)
+        return Answer(name, Symbol(name), None, None, None, None, word=word, remark=reason, weighed=weighed)
 
     def reason(self, chosen: Chosen) -> Words:
         """c: 4 rad > 3.142 rad; a: 3 rad ≤ 3.142 rad: what was chosen first."""

@@ -107,14 +107,14 @@ def not_grown(interval: Interval, passage: Passage, end: State, search: Search) 
     for line in end.conditions:
         if line.word not in GROWS or line.path is None:
             continue
-        gained = gain(line.path, interval, passage, search)
+        gained = growth_of(line.path, interval, passage, search)
         if gained is not None and search.numbers.side(gained) == -GROWS[line.word]:
             there = "smallest" if line.word == "largest" else "largest"
             return f"the {spoken(line.path.quantity)} of {spoken(line.path.owner)} is {there} there, not {line.word}"
     return ""
 
 
-def gain(path: Path, interval: Interval, passage: Passage, search: Search) -> Formula | None:
+def growth_of(path: Path, interval: Interval, passage: Passage, search: Search) -> Formula | None:
     """By how much a quantity grows in a phase, with the answers put in; None where that is not told."""
     if path.quantity in CHANGES:
         kind = "line" if path.quantity == "displacement" else "turn"
