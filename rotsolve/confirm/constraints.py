@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, part_of, radius_of
 from rotsolve.confirm.jet import Jet, arctangent, distance
-from rotsolve.confirm.pose import Pair, Pose, along, turned
+from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import TURNING
@@ -142,10 +142,33 @@ def together(owner: str, refs: tuple[PointRef, ...], pose: Pose, model: Known, *
     )
     turn = pose.turn(second.owner) - pose.turn(first.owner)
     apart = None if offset else model.told_apart(first.owner, second.owner)
-    points = not (offset and model.bodily(refs))
-    yield held(owner, "x", x - u, pose, hard=points)
-    yield held(owner, "y", y - w, pose, hard=points)
-    yield held(owner, "torque", turn - (apart or 0.0), pose, hard=not offset)
+    points, gap = not (offset and model.bodily(refs)), (x - u, y - w)
+    way = led_apart(first.owner, second.owner, model)
+    twist = held(owner, "torque", turn - (apart or 0.0), pose, hard=not offset)
+    if way is not None:
+        yield held(owner, "along", along(gap, way), pose, hard=points)
+        yield replace(held(owner, "across", along(gap, turned(way)), pose, hard=points), loose=True)
+        yield replace(twist, loose=True)
+        return
+    yield held(owner, "x", gap[0], pose, hard=points)
+    yield held(owner, "y", gap[1], pose, hard=points)
+    yield twist
+
+
+def led_apart(first: str, second: str, model: Known) -> Way | None:
+    """The way along which two joined bodies go that lie on flat surfaces, each on one of its own, none that is one with them turning.
+
+    Each is carried by what it lies on, which keeps it from turning too: only what acts along the way goes from one to the other.
+    """
+    group = model.joined_to(first)
+    lying = [item for item in model.acting.connections if isinstance(item, Touch) and item.lying() in group]
+    if not {first, second} <= {item.lying() for item in lying} or any(map(model.turns, group)):
+        return None
+    surfaces = [surface_of(item, model) if rests(item, model) else None for item in lying]
+    if any(surface is None or isinstance(surface, Curved) for surface in surfaces):
+        return None
+    (x, y), *others = (turned(normal(surface, model)) for surface in surfaces if surface is not None)
+    return (x, y) if all(abs(x * w - y * u) < 1e-9 for u, w in others) else None
 
 
 def met_at(owner: str, ref: PointRef, pose: Pose, model: Known) -> Pair:

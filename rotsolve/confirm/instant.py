@@ -246,8 +246,29 @@ def moment(
         )
         first = first or found
         if all(grip.name in letting or fits(grip, found) for grip in grips):
+            check_settled(model, found)
+            idle = {grip.name: STICKS for grip in grips if grip.name not in letting and stays(grip, found)}
+            if idle:  # others hold it as well: how they share what this takes is open
+                stuck = balanced(model, at, rows, grips, loads, found.modes | idle)
+                return replace(found, open_reactions=found.open_reactions | stuck.open_reactions)
             return found
     raise NotConfirmed("no way to stick and slip fits")
+
+
+def check_settled(model: Known, found: Dynamics) -> None:
+    """NotConfirmed where nothing tells with what push something slips that slows all down: another push would leave other accelerations."""
+    slipping = [grip for grip in found.grips if found.modes.get(grip.name) in (FORWARD, BACK)]
+    for key in {grip.normal for grip in slipping if grip.normal in found.open_reactions}:
+        if key is None:
+            continue
+        size = found.reactions[key] + max(map(abs, found.reactions.values())) + 1.0
+        push = {index: size * part for index, part in found.columns[key].items()}
+        rows = [row for row in found.rows.values() if row.key != key]
+        columns = [found.columns[row.key] for row in rows]
+        other = assembled(model, found.placed, rows, columns, {**found.loads, "another push": push}, found.modes)
+        scale = max(map(abs, (*found.rates, *other.rates)), default=0.0)
+        if any(abs(one - two) > 1e-9 * scale for one, two in zip(found.rates, other.rates, strict=True)):
+            raise NotConfirmed(f"the equations of rigid bodies leave open how hard `{key[0]}` pushes what slips")
 
 
 def slip_speed(grip: Grip, speed: Sequence[float]) -> float:
@@ -276,9 +297,22 @@ def fits(grip: Grip, found: Dynamics) -> bool:
         return abs(found.reactions[grip.row.key]) <= limit * (1 + slack) + 1e-12
     if abs(slip_speed(grip, found.placed.speed)) > STILL:
         return True
-    rate = sum([part * found.rates[index] for index, part in grip.row.slope.items()]) - (grip.row.bend or 0.0)
-    scale = max([abs(part * found.rates[index]) for index, part in grip.row.slope.items()], default=0.0)
+    rate, scale = slip_rate(grip, found)
     return rate >= -slack * scale if mode == FORWARD else rate <= slack * scale
+
+
+def slip_rate(grip: Grip, found: Dynamics) -> tuple[float, float]:
+    """How fast the slip grows, and what that is small against."""
+    parts = [part * found.rates[index] for index, part in grip.row.slope.items()]
+    return sum(parts) - (grip.row.bend or 0.0), max(map(abs, parts), default=0.0)
+
+
+def stays(grip: Grip, found: Dynamics) -> bool:
+    """Whether what is taken to begin to slip does not get anywhere."""
+    if found.modes[grip.name] not in (FORWARD, BACK) or abs(slip_speed(grip, found.placed.speed)) > STILL:
+        return False
+    rate, scale = slip_rate(grip, found)
+    return abs(rate) <= 1e-9 * scale + 1e-12
 
 
 def balanced(

@@ -294,6 +294,9 @@ class BodyFacts(Struct, frozen=True):
     changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
     slanted: bool = False  # it travels along a slope
     sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
+    footings: tuple[
+        tuple[str, ...], ...
+    ] = ()  # of joined bodies on a line: those that are carried apart from each other
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:

@@ -21,7 +21,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
 from rotsolve.motion.timeline import Interval
-from rotsolve.motion.travels import angle_turned, displacement
+from rotsolve.motion.travels import angle_turned, way_gone
 from rotsolve.paths.meaning import NotYet
 from rotsolve.paths.reader import PathReader
 
@@ -347,7 +347,7 @@ class Statements(Struct):
         instant = self.fixed.instant(state)
         if path.quantity == "displacement":
             parts = self.configuration.timeline.since(state)
-            return total([displacement(instant.host(path.owner), part, instant) for part in parts])
+            return total([way_gone(path.owner, part, instant) for part in parts])
         if path.quantity == "rotation":
             return total([angle_turned(path.owner, part, instant) for part in self.configuration.timeline.since(state)])
         return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
-from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, signed, square
+from rotsolve.core.equation import CARRIED, CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
+from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, Role, signed, square
 from rotsolve.core.vectors.heading import Heading, Vector
 from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
 from rotsolve.laws.table import AtMoment
@@ -34,7 +34,7 @@ def component_equation(body: BodyFacts, axis: Heading, section: str) -> Equation
         and not any(force.role.presses for force in body.forces)
     ):
         return None  # whatever holds it on its line takes what acts across
-    forces = [force.vector.along(axis) for force in body.forces]
+    forces = [force.vector.along(axis) for force in from_outside(body)]
     acceleration = body.centre_acceleration.along(axis)
     response = multiply(body.mass, acceleration) if body.mass != ZERO else ZERO
     if isinstance(body.mass, Sum):
@@ -43,6 +43,27 @@ def component_equation(body: BodyFacts, axis: Heading, section: str) -> Equation
         return None
     left, right = law(forces, response)
     return SECOND_LAW.equation(left, right, section, (body.name,), component=axis_words(body, axis))
+
+
+def from_outside(body: BodyFacts) -> Sequence[Force]:
+    """The forces on a body without those by which parts of it that are joined press and rub on each other."""
+    between: dict[tuple[str, Role], list[Force]] = {}
+    for force in body.forces if body.footings else ():
+        between.setdefault((force.owner, force.role), []).append(force)
+    inner = [pair for pair in between.values() if len(pair) == 2 and not tidy(pair[0].vector + pair[1].vector).parts]
+    return [force for force in body.forces if not any(force in pair for pair in inner)] if inner else body.forces
+
+
+def carried_apart(at: AtMoment) -> Iterator[Equation]:
+    """Σ F = 0 across the way of each of several joined bodies that lie on surfaces of their own, with all that it bears."""
+    for body in at.facts.bodies:
+        for group in body.footings if not body.changing else ():
+            axis = next(axis for axis in body.axes if axis != body.motion.heading)
+            forces = [force.vector.along(axis) for force in body.forces if force.part in group]
+            left, right = law(forces, ZERO)
+            if (left, right) != (ZERO, ZERO):
+                whole, component = " with ".join(map(spoken, group)), axis_words(body, axis)
+                yield CARRIED.equation(left, right, at.section, group, whole=whole, component=component)
 
 
 def axis_words(body: BodyFacts, axis: Heading) -> str:

@@ -25,6 +25,7 @@ from rotsolve.core.equation import (
     ANGLES_TURNED,
     BLOWS,
     BY_PLACE,
+    CARRIED,
     COMMON_AXIS,
     CONSERVATION,
     COORDINATE,
@@ -154,6 +155,7 @@ STEADY_ACCELERATION = (
 LAWS = (
     Principle((INERTIA,), (STATE, MIDST, NEAR), "newton:moments_of_inertia"),
     Principle((SECOND_LAW,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:second_law"),
+    Principle((CARRIED,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:carried_apart"),
     Principle((ROTATION,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:law_of_rotation"),
     Principle((TORQUES,), (STATE,), "newton:balance_of_torques"),
     Principle((INERTIA, SECOND_LAW, ROTATION, CUT_TORQUES), (STATE,), "newton:laws_of_pieces"),

@@ -64,9 +64,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
     def seats(self, state: str) -> dict[str, Member]:
         """Where the bodies sit that another stands for: by a weld, by an event up to this state, or since they ride on it."""
         pairs = [ridden(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
-        joined = [item.joined() for item in self.connections(state)] + [item.joined() for item in self.events(state)]
-        gone = self._absent[state]
-        pairs += [(pair[0], pair[1]) for pair in joined if pair and not gone & {ref.owner for ref in pair}]
+        pairs += self.joints(state)
         if not pairs:
             return {}
         held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points())
@@ -76,6 +74,13 @@ class Configuration(Arrangement, frozen=True, dict=True):
             lambda ref: self._met_at(ref, state),
             lambda first, second: self._bend(first, second, state),
         )
+
+    @remembered
+    def joints(self, state: str) -> list[tuple[PointRef, PointRef]]:
+        """The points at which two bodies are joined: by a weld, or by an event up to this state."""
+        joined = [item.joined() for item in (*self.connections(state), *self.events(state))]
+        gone = self._absent[state]
+        return [(pair[0], pair[1]) for pair in joined if pair and not gone & {ref.owner for ref in pair}]
 
     def _carried_along(self, name: str, state: str) -> tuple[bool, bool]:
         """Whether a body lies on a surface along which it travels, and whether it hangs from a string."""

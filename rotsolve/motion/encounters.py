@@ -22,7 +22,7 @@ from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.language.bodies import PointRef
 from rotsolve.motion.freebody import free_bodies, moment_of_inertia
 from rotsolve.motion.rigid import tidy
-from rotsolve.motion.rubs import STICKS
+from rotsolve.motion.rubs import STICKS, within
 
 if TYPE_CHECKING:
     from rotsolve.language.elements import Event
@@ -54,7 +54,11 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
         facts = free_bodies(first)
     involved = [body for body in facts.bodies if body.name in group]
     places = common_places(involved, points, event, first)
-    lasting = {item.name for item in last.configuration.connections(last.state)}
+    lasting = {  # what parts of one body do to each other is in the blow by which they are joined
+        item.name
+        for item in last.configuration.connections(last.state)
+        if not within(item, last.configuration, last.state)
+    }
     axes = any(body.motion.kind == "axis" for body in involved)
     meetings = []
     for body in involved:

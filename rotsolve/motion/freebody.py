@@ -29,6 +29,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Body, PointRef
+from rotsolve.motion.footing import footings, on_parts
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rigid import Frame, mass_of, moment_about, sweep
 
@@ -46,7 +47,7 @@ def facts_at(instant: Instant) -> Facts:
     configuration = instant.configuration
     stated = [fact for item in configuration.connections(instant.state) for fact in item.facts(instant)]
     stated += [fact for item in configuration.actions(instant.state) for fact in item.facts(instant)]
-    forces = [fact for fact in stated if isinstance(fact, Force)]
+    forces = on_parts([fact for fact in stated if isinstance(fact, Force)], instant)
     couples = [fact for fact in stated if isinstance(fact, Couple)]
     bodies = []
     for body in configuration.present(instant.state):
@@ -124,6 +125,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         slanted=slanted(body.name, instant),
         sliding=sliding(body.name, instant),
         sweep=sweep(body, own.pieces, own.reference, motion.orientation, motion.whirl, instant.configuration.order),
+        footings=footings(body.name, motion, forces, instant) if len(carried) > 1 else (),
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.remembered import remembered
@@ -125,7 +125,7 @@ class Instant(Standing, frozen=True, dict=True):
         letter = self.variable(word, host)
         if word in ("rotation", "angular_velocity"):
             return self.as_counted(letter, name)
-        return letter if self.line_of(name) == self.line(host) else negate(letter)
+        return self.as_travelled(letter, name)
 
     def variable(self, word: str, name: str) -> Formula:
         """Place or rate of a body, along its declared sense; even at a moment of a motion only thought of, the real rate."""

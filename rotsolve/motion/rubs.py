@@ -69,9 +69,16 @@ def rubs(configuration: Configuration) -> tuple[Rub, ...]:
     return tuple(found.values())
 
 
+def within(item: Connection, configuration: Configuration, state: str) -> bool:
+    """Whether what an element touches are several parts of one body, which do not slip on each other."""
+    touched = {ref.owner for ref in item.touches()}
+    inside = len(touched) > 1 and touched <= configuration.bodies.keys()
+    return inside and len({configuration.host(name, state) for name in touched}) == 1
+
+
 def rubs_at(configuration: Configuration, state: str) -> Iterator[Rub]:
     for item in configuration.acting(state):
-        if isinstance(item, Connection) and item.rubs():
+        if isinstance(item, Connection) and item.rubs() and not within(item, configuration, state):
             yield Rub(item.name, configuration.host(item.slider().owner, state), state, item)
         for ref in item.brakes():
             yield Rub(item.name, configuration.host(ref.owner, state), state)

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.formula import ZERO, Formula, add
+from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.core.drive import TRAVELLING, Drive
 from rotsolve.core.facts import signed
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import PLANE, QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
@@ -336,6 +337,14 @@ class Standing(Struct, frozen=True, dict=True):
         ahead = (line[0] - WORDS[moves]).cos()
         forward = self.configuration.certain_sign(ahead, question, self.body(name).span)
         return line if forward > 0 else (line[0].turned(180), opposite(line[1])) if forward else None
+
+    def as_travelled(self, way: Formula, name: str) -> Formula:
+        """What all that is joined to a body travels, counted along that body's own positive sense."""
+        line, own = self.line(self.host(name)), self.line_of(name)
+        if own is None and line is not None:
+            message = f"`{name}` moves across the way that it `moves`"
+            raise Unsolvable(message, span=self.body(name).span, help="ask for its velocity by `x` and `y`")
+        return way if own == line else negate(way)
 
     def orbit(self, name: str) -> Orbit | None:
         return self.configuration.orbit(name, self.state)

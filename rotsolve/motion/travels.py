@@ -217,6 +217,11 @@ def so_far(word: str, name: str, middle: Instant, component: str = "") -> Formul
     return middle.ask(word, name, words=words, component=component, letter="phi" if word == "rotation" else "s")
 
 
+def way_gone(owner: str, interval: Interval, instant: Instant) -> Formula:
+    """Displacement of a body, which may be part of another, along its own positive sense in a phase."""
+    return instant.as_travelled(displacement(instant.host(owner), interval, instant), owner)
+
+
 def angle_turned(owner: str, interval: Interval, instant: Instant) -> Formula:
     """Angle through which a body turns in a phase, or the last body of a connection against its first."""
     item = next((item for item in instant.configuration.connections(interval.start) if item.name == owner), None)

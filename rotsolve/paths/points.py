@@ -180,6 +180,7 @@ def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> F
     axis = path.component if path.component in ("x", "y") and instant.motion(name).kind == "plane" else ""
     if path.component and not axis:
         raise NotYet(f"`{path_text(path)}` is not solved yet", help="ask for the displacement along its line")
-    if interval is None:
-        return so_far("displacement", name, instant, axis)
-    return displacement(name, interval, instant, axis)
+    gone = (
+        so_far("displacement", name, instant, axis) if interval is None else displacement(name, interval, instant, axis)
+    )
+    return gone if axis else instant.as_travelled(gone, path.owner)

@@ -212,7 +212,9 @@ def reversed_parts(
     if beside.side(times[1] - times[0]) != 1:
         raise NotYet(f"how long `{interval.name}` lasts is not told by these laws", help="give numbers to the letters")
     speed = beside.settled(rate_along(word, name, middle), RATE[word])
-    change = rotation(name, interval, first) if word == "rotation" else way(path, name, interval, first)
+    change = (
+        rotation(name, interval, first) if word == "rotation" else way(replace(path, owner=name), name, interval, first)
+    )
     turns = beside.zeros(speed, times[0], times[1])
     marks: list[Formula] = [ZERO]
     laws: list[Equation] = []

@@ -82,6 +82,7 @@ def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 
 def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
+    at.told(path.owner, "normal")
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
     if not sizes:
         return number(math.hypot(*on_body(at, last_body(at, path.owner), loads(at, path.owner, "press"))[0]))
@@ -90,6 +91,7 @@ def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Its size, and which way it points on the body that the contact names first."""
+    at.told(path.owner, "friction", "normal")
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
     normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
     found = number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0, sized=True)

@@ -104,7 +104,8 @@ class Node:
         for (owner, kind), size in rows.reactions.items():
             if (owner, kind) not in rows.open_reactions:
                 found.append((owner, kind, size))
-        return found + [(owner, kind, size) for owner, kind, size, _ in self.drags]
+        drags = [(owner, kind, size) for owner, kind, size, _ in self.drags]
+        return found + [drag for drag in drags if drag[:2] not in rows.open_reactions]
 
     @cached_property
     def drags(self) -> list[tuple[str, str, float, Slope]]:
@@ -139,9 +140,9 @@ class Node:
                 found.append((owner, kind, load))
         return found
 
-    def told(self, owner: str) -> None:
-        """NotConfirmed where the equations leave a reaction of an element open."""
-        if any(name == owner for name, _ in self.moment.open_reactions):
+    def told(self, owner: str, *kinds: str) -> None:
+        """NotConfirmed where the equations leave a reaction of an element open, of some kinds where they are named."""
+        if any(name == owner and (not kinds or kind in kinds) for name, kind in self.moment.open_reactions):
             raise NotConfirmed(f"the equations of rigid bodies leave the forces of `{owner}` open")
 
     def acts(self, owner: str) -> bool:

@@ -397,11 +397,11 @@ class Touch(Connection, frozen=True):
 
     def both(self, force: Force, instant: Moment, noun: str, way: str, of: str) -> Iterator[Force]:
         """A force on the body, and that by which it acts back on the body that carries it."""
-        yield force
+        yield replace(force, part=self.lying())
         carrier = self.carrier(instant.configuration)
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
-            yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place)
+            yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place, part=carrier)
 
 
 def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
