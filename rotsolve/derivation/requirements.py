@@ -91,7 +91,8 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
     """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
     scene = search.scene
     for state in scene.configuration.timeline.states:
-        yield state.name, scene.facts(state.name).requirements
+        needs = scene.facts(state.name).requirements
+        yield state.name, tuple(need for need in needs if not (need.kind.grips and passing(state.name, search)))
     for name, encounter in scene.encounters.items():
         yield name, encounter.requirements
     for swing in scene.swings.values():
@@ -101,6 +102,16 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
         from rotsolve.derivation.parted import partings
 
         yield from partings(search)
+
+
+def passing(state: str, search: Search) -> bool:
+    """Whether a blow ends a state as soon as it is: what would not hold for long does not matter, where nothing is asked of it."""
+    timeline = search.scene.configuration.timeline
+    before, after = timeline.before(state), timeline.after(state)
+    if after is None or after.event is None or (before is not None and before.event is None):
+        return False
+    terms = [term for answered in search.answered for term in answered.asked.find.terms]
+    return not any(term.at == state or (term.at is None and term.start is None) for term in terms)
 
 
 def let_go(search: Search) -> Iterator[Unsolvable]:

@@ -197,6 +197,7 @@ class LetterSpace:
         sign = self.within_limits(value) if sign is None else sign
         sign = self.of_angles(value) if sign is None else sign
         sign = self.of_coefficients(value) if sign is None else sign
+        sign = self.of_square(value) if sign is None else sign
         return self.of_root(value) if sign is None else sign
 
     def of_root(self, value: Formula) -> int | None:
@@ -253,6 +254,16 @@ class LetterSpace:
                 if parts:
                     return next(iter(found), 0)
         return None if open_ or value.symbols() & self.letters.keys() else self.oracle.by_numbers(value)
+
+    def of_square(self, value: Formula) -> int | None:
+        """The sign of a x² + b x + c, that of a where b² − 4 a c is surely negative."""
+        for name in sorted(value.symbols() & self.letters.keys()):
+            parts = coefficients(value, name)  # of which the last is 2 a
+            if len(parts) == 3 and (sign := self.sure(parts[2])):
+                least = simplify(parts[1] ** 2 - 2 * parts[2] * parts[0], positive=self.positive)
+                if length(least) < LONG and self.sure(least) == -1:
+                    return sign
+        return None
 
     def within_limits(self, value: Formula) -> int | None:
         """The sign that a formula has within one of the limits: y + δ stands there for an x that is at least y."""
