@@ -115,12 +115,17 @@ def together(one: Region, other: Region, space: LetterSpace) -> Region | None:
         for against in other:
             if not proviso.opposes(against):
                 continue
-            own = tuple(item for item in one if item is not proviso)
-            rest = tuple(item for item in other if item is not against)
+            own = beside(proviso, one, space)
+            rest = beside(against, other, space)
             covered = all(follows(item, (*own, proviso), space) for item in rest)
             if covered and all(follows(item, (*rest, against), space) for item in own):
                 return each_once(own, rest)
     return None
+
+
+def beside(proviso: Proviso, region: Region, space: LetterSpace) -> Region:
+    """What else a region asks for than a condition and what follows from it."""
+    return tuple(item for item in region if item is not proviso and not follows_from(item, proviso, space))
 
 
 def shown(proviso: Proviso, space: LetterSpace) -> Equality:
