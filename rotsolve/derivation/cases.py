@@ -115,9 +115,7 @@ class CaseTeller(Struct, frozen=True):
         needs = [needs_within(case) if needing and not case.objected else () for case in own]
         if all(alike_provisos(one, needs[0]) for one in needs):
             return [needed((*region, *needs[0]), self.space) for region in self.regions(own)]
-        told = [
-            needed((*self.regions([case])[0], *extra), self.space) for case, extra in zip(own, needs, strict=True)
-        ]
+        told = [needed((*self.regions([case])[0], *extra), self.space) for case, extra in zip(own, needs, strict=True)]
         return [needed(region, self.space) for region in united(told, self.space)]
 
     def regions(self, cases: Sequence[Solved]) -> list[Region]:

@@ -88,7 +88,8 @@ def needs_noted(
 ) -> Iterator[Needed]:
     """What the answers need beside conditions that are known."""
     for value, (sign, failing) in needed.items():
-        for one in space.factors(value, sign, point):
+        wholes = (value,) if sign < 0 else space.both_ways(value)  # |f| ≤ μ N of a friction of either sign
+        for one in (one for whole in wholes for one in space.factors(whole, sign, point)):
             if not any(is_zero(one.gap - other.gap) for other in known):
                 yield Needed(one, cast("Words", failing))
 

@@ -51,7 +51,7 @@ RANGES: dict[str, tuple[Formula, Formula]] = {
     "asin": (-PI / 2, PI / 2),
     "atan": (-PI / 2, PI / 2),
 }
-ROOT = "#root"  # what stands for a root in a formula
+ROOT, BARS = "#root", "#size"  # what stands for a root, and for what is between bars, in a formula
 Point = Mapping[str, Fraction]
 
 
@@ -324,6 +324,17 @@ class LetterSpace:
             side = self.side(part, point) if self.sure(part) is None else 0
             if side:
                 yield Proviso(part if side > 0 else simplify(negate(part)), sign > 0)
+
+    def both_ways(self, value: Formula) -> tuple[Formula, ...]:
+        """What together is not negative where a − b |x| is not: a − b x and a + b x; of anything else itself."""
+        bars = {node for node in value.walk("abs") if isinstance(node, Call) and node.function == "abs"}
+        if len(bars) != 1:
+            return (value,)
+        size, inside = Symbol(BARS), next(iter(bars)).arguments[0]
+        whole = value.transform(lambda node: size if node in bars else node, "abs")
+        if degree(whole, BARS) != 1 or self.sure(simplify(differentiate(whole, BARS))) != -1:
+            return (value,)
+        return tuple(whole.substitute({BARS: way}) for way in (inside, negate(inside)))
 
     def without_bars(self, value: Formula, point: Point) -> Formula:
         """The formula with x or −x for |x|, as it is at a point."""
