@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -24,6 +25,7 @@ from rotsolve.elements.shapes import shape_of
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.confirm.sharing import Line, Shared
 
 CLOSE, TRIES, STILL = 1e-12, 50, 1e-9
 ROUNDING = 1e-13  # share of the forces on a body below which what is left of them is rounding: what rests stays at rest
@@ -55,7 +57,7 @@ class Placed(Struct, frozen=True):
         return Pose(model.seats, self.q, self.speed, self.time, self.offsets, self.origin)
 
 
-class Dynamics(Struct, frozen=True):
+class Dynamics(Struct, frozen=True, dict=True):
     """Accelerations and reactions at an instant; those that the equations leave open are named."""
 
     placed: Placed
@@ -69,6 +71,28 @@ class Dynamics(Struct, frozen=True):
     open_reactions: frozenset[tuple[str, str]]
     clash: float
     grips: Sequence[Grip] = ()
+    laws: Sequence[Mapping[int, float]] = ()  # the left sides of the equations in the reactions, and what has no mass
+
+    @cached_property
+    def shared(self) -> dict[tuple[str, str], Shared]:
+        """Of several that stick where nothing tells how they share what that takes: how far all of them are from giving way."""
+        names = list(self.reactions)
+        place = {key: number for number, key in enumerate(names)}
+        lines: dict[tuple[str, str], Line] = {}
+        for grip in self.grips:
+            own = {grip.row.key, grip.normal} & self.open_reactions
+            if own and grip.static is not None and self.modes.get(grip.name, STICKS) == STICKS:
+                push = {place[grip.normal]: grip.static} if grip.normal in place else {}
+                limit = 0.0 if grip.normal is not None else grip.static
+                for way, sign in ((FORWARD, 1.0), (BACK, -1.0)):
+                    lines[way, grip.name] = limit, {**push, place[grip.row.key]: sign}
+        if not lines:
+            return {}
+        pushing = [key for key in self.open_reactions if self.rows[key].push]
+        lines |= {(f"push {kind}", owner): (0.0, {place[owner, kind]: 1.0}) for owner, kind in pushing}
+        from rotsolve.confirm.sharing import rooms
+
+        return rooms(lines, list(self.reactions.values()), self.laws, {place[key] for key in self.open_reactions})
 
     @property
     def room(self) -> dict[tuple[str, str], float]:
@@ -80,6 +104,8 @@ class Dynamics(Struct, frozen=True):
             push = self.reactions.get(grip.normal, 0.0) if grip.normal is not None else 1.0
             limit, friction = grip.static * abs(push), self.reactions[grip.row.key]
             found[FORWARD, grip.name], found[BACK, grip.name] = limit + friction, limit - friction
+            for key in ((FORWARD, grip.name), (BACK, grip.name)):
+                found[key] = self.shared[key].room if key in self.shared else found[key]
         pushes = [(key, value) for key, value in self.reactions.items() if self.rows[key].push]
         return found | {(f"push {kind}", owner): value for (owner, kind), value in pushes}
 
@@ -247,10 +273,6 @@ def moment(
         first = first or found
         if all(grip.name in letting or fits(grip, found) for grip in grips):
             check_settled(model, found)
-            idle = {grip.name: STICKS for grip in grips if grip.name not in letting and stays(grip, found)}
-            if idle:  # others hold it as well: how they share what this takes is open
-                stuck = balanced(model, at, rows, grips, loads, found.modes | idle)
-                return replace(found, open_reactions=found.open_reactions | stuck.open_reactions)
             return found
     raise NotConfirmed("no way to stick and slip fits")
 
@@ -291,28 +313,18 @@ def fits(grip: Grip, found: Dynamics) -> bool:
     mode, slack = found.modes[grip.name], 1e-9
     if mode == OPEN or grip.static is None:
         return True
+    if mode == STICKS and (FORWARD, grip.name) in found.shared:
+        size = max(map(abs, found.reactions.values()), default=0.0)
+        return all(found.shared[way, grip.name].room >= -slack * size for way in (FORWARD, BACK))
     if mode == STICKS:
         push = found.reactions.get(grip.normal, 0.0) if grip.normal is not None else 1.0
         limit = grip.static * abs(push)
         return abs(found.reactions[grip.row.key]) <= limit * (1 + slack) + 1e-12
     if abs(slip_speed(grip, found.placed.speed)) > STILL:
         return True
-    rate, scale = slip_rate(grip, found)
+    rate = sum([part * found.rates[index] for index, part in grip.row.slope.items()]) - (grip.row.bend or 0.0)
+    scale = max([abs(part * found.rates[index]) for index, part in grip.row.slope.items()], default=0.0)
     return rate >= -slack * scale if mode == FORWARD else rate <= slack * scale
-
-
-def slip_rate(grip: Grip, found: Dynamics) -> tuple[float, float]:
-    """How fast the slip grows, and what that is small against."""
-    parts = [part * found.rates[index] for index, part in grip.row.slope.items()]
-    return sum(parts) - (grip.row.bend or 0.0), max(map(abs, parts), default=0.0)
-
-
-def stays(grip: Grip, found: Dynamics) -> bool:
-    """Whether what is taken to begin to slip does not get anywhere."""
-    if found.modes[grip.name] not in (FORWARD, BACK) or abs(slip_speed(grip, found.placed.speed)) > STILL:
-        return False
-    rate, scale = slip_rate(grip, found)
-    return abs(rate) <= 1e-9 * scale + 1e-12
 
 
 def balanced(
@@ -389,6 +401,7 @@ def assembled(
         open_rates=frozenset(index for index, place in light.items() if place in answer.open),
         open_reactions=frozenset(key for number, key in enumerate(keys) if number in answer.open),
         clash=answer.clash if answer.clash > 1e-9 and math.isfinite(answer.clash) else 0.0,
+        laws=[left for left, _ in equations],
     )
 
 

@@ -168,8 +168,14 @@ class NextState:
                 self.check_coming()
             if way is not None:
                 held = modes.get(way[1]) == STICKS
-                self.node = giving_way(stilled(self.node, way[1]), {way[1]: way[0]} if held else {})
+                self.node = giving_way(stilled(self.node, way[1]), self.let_go(way) if held else {})
         raise NotConfirmed(f"`{self.state.name}` is not reached")
+
+    def let_go(self, way: tuple[str, str]) -> dict[str, str]:
+        """What gives way at once, and how: with it all that holds only as long as it does."""
+        shared = self.node.moment.shared
+        together = shared[way].together if way in shared else {way}
+        return {name: mode for mode, name in together if mode in (FORWARD, BACK)}
 
     def recurs(self, lap: Lap) -> bool:
         """Whether all is as it was after the first lap: the first gauge, all rates and accelerations; then it goes on so for ever."""
