@@ -1,4 +1,4 @@
-"""Friction that holds for a moment only, or either way: what a blow ends at once is not held to it, and |f| ≤ μ N is both f ≤ μ N and −f ≤ μ N."""
+"""Friction that holds for a moment only, or either way: a blow ends the one at once; |f| ≤ μ N is f ≤ μ N and −f ≤ μ N."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def dying(m: float, mu: float, F: float, c: float, T: float) -> float:
     if stops >= T:
         return ((F - most) * T - c * T**2 / 2) / m
     back = max(stops, (F + most) / c)
-    return 0.0 if T <= back else ((F + most) * (T - back) - c * (T**2 - back**2) / 2) / m
+    return 0.0 if back >= T else ((F + most) * (T - back) - c * (T**2 - back**2) / 2) / m
 
 
 @pytest.mark.parametrize("way", ["right", "left"])
@@ -120,9 +120,9 @@ def test_a_block_on_a_plank_that_is_kicked_slides_whatever_held_it_before(way: s
     for _ in range(100):
         known = {name: chance.choice((0.25, 0.5, 1, 2, 3)) for name in ("m", "M", "J", "u", "mu", "k")}
         m, M, J, u, mu, k = (known[name] for name in ("m", "M", "J", "u", "mu", "k"))
-        if J == M * u:
+        if M * u == J:
             continue  # it stands still at that moment
-        floor = k * (m + M) * (1 if J > M * u else -1)
+        floor = k * (m + M) * (1 if M * u < J else -1)
         expected = [u - J / M, G * (mu * m + floor) / M, -mu * G]
         assert [at(solution, name, known) for name in ("V", "ap", "ab")] == pytest.approx(expected), known
 
