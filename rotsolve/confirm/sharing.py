@@ -23,7 +23,7 @@ class Shared(Struct, frozen=True):
     together: frozenset[Key]
 
 
-class Bound(Struct, frozen=True):
+class LimitSum(Struct, frozen=True):
     """constant + Σ factors · ways − weight · room ≥ 0, a sum of some limits."""
 
     constant: float
@@ -39,22 +39,23 @@ def rooms(
     ways = free_ways(laws, open_)
     bounds = []
     for key, (constant, parts) in lines.items():
-        told = constant + sum([part * values[index] for index, part in parts.items()])
+        own = constant + sum([part * values[index] for index, part in parts.items()])
         factors = tuple(sum([part * way[index] for index, part in parts.items()]) for way in ways)
-        bounds.append(Bound(told, factors, 1.0, frozenset({key})))
+        bounds.append(LimitSum(own, factors, 1.0, frozenset({key})))
     size = max([abs(value) for value in values], default=0.0) + 1.0
     for number in range(len(ways)):
         bounds = without_way(bounds, number)
     found: dict[Key, Shared] = {}
     for key in lines:
-        own = [bound for bound in bounds if key in bound.of]
-        least = min(own, key=lambda bound: bound.constant / bound.weight, default=None)
-        found[key] = Shared(size, frozenset({key})) if least is None else shared(least)
+        least = min(
+            (bound for bound in bounds if key in bound.of),
+            key=lambda bound: bound.constant / bound.weight,
+            default=None,
+        )
+        found[key] = (
+            Shared(size, frozenset({key})) if least is None else Shared(least.constant / least.weight, least.of)
+        )
     return found
-
-
-def shared(bound: Bound) -> Shared:
-    return Shared(bound.constant / bound.weight, bound.of)
 
 
 def free_ways(laws: Sequence[Mapping[int, float]], open_: Collection[int]) -> list[list[float]]:
@@ -72,7 +73,7 @@ def free_ways(laws: Sequence[Mapping[int, float]], open_: Collection[int]) -> li
     return ways
 
 
-def without_way(bounds: Sequence[Bound], number: int) -> list[Bound]:
+def without_way(bounds: Sequence[LimitSum], number: int) -> list[LimitSum]:
     """What follows for all choices of one way (Fourier and Motzkin): each bound that it helps with each that it harms."""
     signs = [0 if abs(bound.factors[number]) <= SMALL else 1 if bound.factors[number] > 0 else -1 for bound in bounds]
     found = [bound for bound, sign in zip(bounds, signs, strict=True) if not sign]
@@ -83,5 +84,5 @@ def without_way(bounds: Sequence[Bound], number: int) -> list[Bound]:
             a, b = -other.factors[number], one.factors[number]
             factors = tuple(a * x + b * y for x, y in zip(one.factors, other.factors, strict=True))
             weight = a * one.weight + b * other.weight
-            found.append(Bound(a * one.constant + b * other.constant, factors, weight, one.of | other.of))
+            found.append(LimitSum(a * one.constant + b * other.constant, factors, weight, one.of | other.of))
     return found

@@ -22,7 +22,7 @@ from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.language.bodies import PointRef
 from rotsolve.motion.freebody import free_bodies, moment_of_inertia
 from rotsolve.motion.rigid import tidy
-from rotsolve.motion.rubs import STICKS, within
+from rotsolve.motion.rubs import STICKS, in_one_body
 
 if TYPE_CHECKING:
     from rotsolve.language.elements import Event
@@ -57,7 +57,7 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     lasting = {  # what parts of one body do to each other is in the blow by which they are joined
         item.name
         for item in last.configuration.connections(last.state)
-        if not within(item, last.configuration, last.state)
+        if not in_one_body(item, last.configuration, last.state)
     }
     axes = any(body.motion.kind == "axis" for body in involved)
     meetings = []

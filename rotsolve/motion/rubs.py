@@ -69,7 +69,7 @@ def rubs(configuration: Configuration) -> tuple[Rub, ...]:
     return tuple(found.values())
 
 
-def within(item: Connection, configuration: Configuration, state: str) -> bool:
+def in_one_body(item: Connection, configuration: Configuration, state: str) -> bool:
     """Whether what an element touches are several parts of one body, which do not slip on each other."""
     touched = {ref.owner for ref in item.touches()}
     inside = len(touched) > 1 and touched <= configuration.bodies.keys()
@@ -78,7 +78,7 @@ def within(item: Connection, configuration: Configuration, state: str) -> bool:
 
 def rubs_at(configuration: Configuration, state: str) -> Iterator[Rub]:
     for item in configuration.acting(state):
-        if isinstance(item, Connection) and item.rubs() and not within(item, configuration, state):
+        if isinstance(item, Connection) and item.rubs() and not in_one_body(item, configuration, state):
             yield Rub(item.name, configuration.host(item.slider().owner, state), state, item)
         for ref in item.brakes():
             yield Rub(item.name, configuration.host(ref.owner, state), state)

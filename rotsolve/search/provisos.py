@@ -115,15 +115,15 @@ def together(one: Region, other: Region, space: LetterSpace) -> Region | None:
         for against in other:
             if not proviso.opposes(against):
                 continue
-            own = beside(proviso, one, space)
-            rest = beside(against, other, space)
+            own = else_asked(proviso, one, space)
+            rest = else_asked(against, other, space)
             covered = all(follows(item, (*own, proviso), space) for item in rest)
             if covered and all(follows(item, (*rest, against), space) for item in own):
                 return each_once(own, rest)
     return None
 
 
-def beside(proviso: Proviso, region: Region, space: LetterSpace) -> Region:
+def else_asked(proviso: Proviso, region: Region, space: LetterSpace) -> Region:
     """What else a region asks for than a condition and what follows from it."""
     return tuple(item for item in region if item is not proviso and not follows_from(item, proviso, space))
 
