@@ -153,7 +153,7 @@ class Trials:
     def senses_at_start(self, open_: Sequence[Rub]) -> dict[str, int]:
         """The senses in which all slide or turn at the start of their phase, each with the others as they are found to; all are taken to
         slip at first, so that no rule of sticking settles how an event leaves them."""
-        senses = {rub.key: 1 for rub in open_ if rub.item is not None}
+        senses = {rub.key: self.sense_before(rub) for rub in open_ if rub.item is not None}
         for _ in range(ROUNDS):
             others = {rub.key: rub.mode(senses[rub.key] or 1) for rub in open_ if rub.key in senses}
             found = {rub.key: self.sense_at_start(rub, others) for rub in open_}
@@ -185,7 +185,8 @@ class Trials:
         What an event would leave moving against either sense of its friction sticks through it.
         """
         told: list[int] = []
-        for sense in (1, -1):
+        first = self.sense_before(rub)
+        for sense in (first, -first):
             found = self.search({**self.modes, **others, rub.key: rub.mode(sense)}, families_for(None)).settled(speed)
             if found is not None and not has_quantities(found):
                 told.append(self.sense_of(rub, found))
@@ -195,6 +196,14 @@ class Trials:
         if told == [-1, 1] and rub.contact is not None and before is not None and before.event is not None:
             self.modes[rub_key(rub.name, before.name)] = STICKS
         return 0
+
+    def sense_before(self, rub: Rub) -> int:
+        """The sense in which it slips on the way to a state, in which it does not turn back; the positive one where nothing leads there."""
+        before = self.configuration.timeline.before(rub.state)
+        if before is None or before.event is not None:
+            return 1
+        mode = self.modes.get(rub_key(rub.name, self.configuration.phase_start(before.start)))
+        return -1 if mode == rub.mode(-1) else 1
 
     def sense_of(self, rub: Rub, speed: Formula) -> int:
         """The sign of a speed, 0 where no precision tells it from 0; letters without a number stand for positive sizes."""

@@ -132,3 +132,43 @@ def test_what_is_asked_at_the_moment_itself_is_held_to_it() -> None:
     text = KICKED.format(way="right", away="left", row="sledge, wheel, load")
     text = text.replace("V: sledge.velocity at hit, v: sledge.velocity at end", "a: sledge.acceleration at still")
     assert "slips" in solve(text).to("text")
+
+
+THROUGH = """
+title: Past a place on a rough floor, against what counts as positive
+given: {{m: 2 kg, M: 3 kg, k: 0.2, x: 1 m}}
+surfaces: {{floor: level}}
+bodies: {{one: {{mass: m, moves: {ways[0]}}}, two: {{mass: M, moves: {ways[1]}}}}}
+connections:
+  c1: {{contact: [one, floor], friction: k}}
+  c2: {{contact: [two, floor], friction: k}}
+  tie: {{{tie}}}
+states: {{start: {{{told}.velocity: {speed} m/s}}, later: {{{told}.displacement: {sign}x}}, end: {{{told}.velocity: {least} m/s}}}}
+find:
+  v: one.velocity at later
+  w: two.velocity at later
+  d: one.displacement from start to end
+  e: two.displacement from start to end
+"""
+
+
+SENSES = [("right", "right"), ("left", "left"), ("right", "left"), ("left", "right")]
+TIES = [("weld: [one, two]", ways) for ways in SENSES] + [("weld: [two, one]", ways) for ways in SENSES]
+TIES += [("string: [one, two]", ways) for ways in SENSES[:2]]  # neighbours on a string travel the same way
+
+
+@pytest.mark.parametrize(("tie", "ways"), TIES)
+@pytest.mark.parametrize("told", ["one", "two"])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_what_slides_on_slides_the_same_way(tie: str, ways: tuple[str, str], told: str, sign: int) -> None:
+    """v² = 9 − 2 k g x; the way to 1 m/s is 8/(2 k g); each along its own sense."""
+    minus = "-" if sign < 0 else ""
+    text = THROUGH.format(ways=ways, tie=tie, told=told, sign=minus, speed=3 * sign, least=sign)
+    found = {name: answer.float for name, answer in solve(text).answers.items()}
+    speed, way = sign * (9 - 2 * 0.2 * G) ** 0.5, sign * 8 / (0.4 * G)
+    own = {
+        name: 1 if word == ways[("one", "two").index(told)] else -1
+        for name, word in zip(("one", "two"), ways, strict=True)
+    }
+    expected = {"v": own["one"] * speed, "w": own["two"] * speed, "d": own["one"] * way, "e": own["two"] * way}
+    assert found == pytest.approx(expected)
