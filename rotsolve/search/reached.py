@@ -60,23 +60,29 @@ def interval_of(letter: str, search: Search) -> Interval:
 def only_approached(passage: Passage, search: Search) -> str:
     """Why a speed of a phase lies beyond the one to which the forces lead, where they vanish; at that it ends in the limit."""
     for travel in passage.travels:
-        pushes = pushes_at_ends(travel, search) if travel.leads and travel.pace == RATE else None
-        way = search.numbers.side(pushes[0]) if pushes is not None else None
-        if pushes is not None and way and search.numbers.side(signed(pushes[1], way)) == -1:
-            what = "velocity" if travel.kind == "line" else "angular velocity"
-            return f"the {what} of {spoken(travel.body)} would have to go beyond the one to which its forces lead"
+        found = pushes_at_ends(travel, search) if travel.leads and travel.pace == RATE else None
+        if found is None:
+            continue
+        (first, last), gained = found
+        what = f"the {'velocity' if travel.kind == 'line' else 'angular velocity'} of {spoken(travel.body)}"
+        way = search.numbers.side(first)
+        if way and search.numbers.side(signed(last, way)) == -1:
+            return f"{what} would have to go beyond the one to which its forces lead"
+        if way == 0 and search.numbers.side(gained):
+            return f"{what} does not change: nothing drives it at `{passage.start.state}`"
     return ""
 
 
-def pushes_at_ends(travel: Travel, search: Search) -> tuple[Formula, Formula] | None:
-    """The acceleration at both ends of a phase, where the forces go by the speed alone; None where the laws do not tell it."""
+def pushes_at_ends(travel: Travel, search: Search) -> tuple[tuple[Formula, Formula], Formula] | None:
+    """The acceleration at both ends of a phase, where the forces go by the speed alone, and by how much that grows; None where the laws
+    do not tell it."""
     rate = travel.acceleration
     push = search.beside_by((NEWTON,)).settled(rate) if isinstance(rate, Symbol) else rate
-    if push is None or not isinstance(travel.moving, Symbol):
+    first, last = (search.settled(speed) for speed in (travel.before, travel.after))
+    if push is None or first is None or last is None or not isinstance(travel.moving, Symbol):
         return None
-    speeds = [search.settled(speed) for speed in (travel.before, travel.after)]
-    first, last = (None if speed is None else push.substitute({travel.moving.name: speed}) for speed in speeds)
-    return None if first is None or last is None or has_quantities(first) or has_quantities(last) else (first, last)
+    ends = push.substitute({travel.moving.name: first}), push.substitute({travel.moving.name: last})
+    return None if any(map(has_quantities, ends)) else (ends, last - first)
 
 
 def impossible(interval: Interval, passage: Passage, search: Search) -> str:
