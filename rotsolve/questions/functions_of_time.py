@@ -293,6 +293,11 @@ def extreme(term: Term, start: str, end: str, scene: SceneEquations, beside: Bes
     for interval in scene.configuration.timeline.between(start, end):
         if interval.event is None:
             found += extreme_values(term, interval, scene, beside)
+    if not found:
+        message = (
+            f"between `{start}` and `{end}` no time passes in which `{term.path.quantity}` could be {term.modifier}"
+        )
+        raise NotYet(message, help=f"leave `{term.modifier}` out: it has one value at `{end}`")
     sense = 1 if term.modifier == "largest" else -1
 
     def order(one: ExtremeValue, other: ExtremeValue) -> int:

@@ -143,3 +143,24 @@ def test_a_question_without_an_answer_says_why_with_those_that_it_names() -> Non
     solution = solve(HINGED.format(find="y: x where al is smallest, m: bar.mass, z: x where m is largest", **LETTERS))
     assert same(solution, "y", "L/2")
     assert "is no function of `x`" in solution.derivation.refused[0].fault.message
+
+
+@pytest.mark.parametrize("word", ["largest", "smallest"])
+@pytest.mark.parametrize("given", ["M: kg, L: m, m: kg, u: m/s", "M: 3 kg, L: 1 m, m: 2 kg, u: 3 m/s"])
+def test_what_is_largest_where_no_time_passes_is_refused_and_the_place_answered(given: str, word: str) -> None:
+    """An event alone leads from state to state: the letter has its value, and what is asked there has one value without the word."""
+    scene = f"""
+title: Putty that sticks to a rod
+given: {{{given}, x: unknown}}
+plane: horizontal
+bodies: {{r: {{shape: rod, mass: M, length: L}}, q: {{mass: m, moves: up}}}}
+connections: {{h: {{hinge: r.start}}}}
+states: {{s0: {{r.angle: 0, at rest: r, q.velocity: u}}, s1: {{}}}}
+events: {{hit: {{joins: [q, r.at(x)], from: s0, to: s1}}}}
+find: {{x: x where r.angular_velocity is largest at s1, w: {word} r.angular_velocity at s1}}
+"""
+    solution = solve(scene)
+    assert list(solution.answers) == ["x"]
+    (why,) = (str(refused) for refused in solution.refused.values())
+    assert f"no time passes in which `angular_velocity` could be {word}" in why
+    assert list(solve(scene.replace(f"w: {word} ", "w: ")).answers) == ["x", "w"]
