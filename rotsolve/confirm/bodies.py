@@ -165,7 +165,10 @@ def radius_of(body: Body, point: str | None, value: Value) -> float | None:
     if part is not None:
         return radius_of(part.body, None, value)
     found = radii.get(point) if point else None
-    found = found or shape.outer or body.radius or (body.radii[-1][1] if body.radii else None)
+    found = found or shape.outer or body.radius
+    found = found or (
+        body.radii[-1][1] if body.radii else None
+    )  # of several only whether there is one: what touches a rim names it
     return None if found is None else value(found)
 
 

@@ -57,6 +57,11 @@ class AppliedForce(Action, frozen=True):
         place = PointRef(on.owner, "center") if rim else on
         return (name,) if configuration.swings_round(place, state) else ()
 
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        """Where the pull leaves a rim, or goes square to the arm: of a body that turns, also without a direction."""
+        square = self.direction in SQUARE[1:] or (self.direction is None and self.on and self.on.owner in scene.held)
+        return self.touches() if self.over or self.under or square else ()
+
     def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:
             return
@@ -129,6 +134,9 @@ class Press(Action, frozen=True):
     press: Formula | None = amount("force that presses", "force", "F", "nonnegative", varies=True, required=True)
     on: PointRef | None = key("point", "the rim", required=True, example="wheel.rim")
     friction: Formula | None = amount("coefficient of friction", "number", "mu", "nonnegative", required=True)
+
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        return self.touches()
 
     def check(self, scene: Surroundings) -> None:
         for ref in self.touches():

@@ -153,6 +153,10 @@ class ActingElement(Element, frozen=True):
         """How its forces and rules vary while bodies move (see core.symbols)."""
         return "constant"
 
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        """The points for which it takes the rim, where they name none."""
+        return ()
+
     def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
         """Bodies on which it pulls in a direction that stays, at a point that goes round as they turn."""
         return ()
@@ -248,6 +252,9 @@ class Connection(ActingElement, frozen=True):
     def turned(self) -> tuple[str, ...]:
         """The bodies that it turns by their rims, so that they have a radius."""
         return tuple(ref.owner for ref in self.touches()) if self.rimmed else ()
+
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        return self.touches() if self.rimmed else ()
 
     def ropes(self) -> tuple[PointRef, ...]:
         """The bodies that it holds although they bend freely."""

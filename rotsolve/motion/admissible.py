@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import NOWHERE, Vector
-from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Problem
@@ -26,6 +26,7 @@ def check(problem: Problem) -> None:
     check_sequence(problem)
     check_bodies_named(problem, scene.bodies)
     check_pairs(problem, scene.bodies)
+    check_rims(problem, scene)
     check_ropes(problem, scene.bodies)
     check_stacks(problem, scene.bodies)
     for item in (*problem.connections, *problem.actions):
@@ -118,6 +119,19 @@ def check_pairs(problem: Problem, bodies: Mapping[str, Body]) -> None:
         if one & other & bodies.keys():
             raise Unsolvable(f"`{first.owner}` and `{second.owner}` are joined already", span=second.span)
         whole.update(dict.fromkeys(one | other, one | other))
+
+
+def check_rims(problem: Problem, scene: Configuration) -> None:
+    """What touches a rim tells which, of a body that has several."""
+    for item in (*problem.connections, *problem.actions):
+        for ref in item.on_rims(scene):
+            names = rivals(scene.bodies[ref.owner], ref.point) if ref.owner in scene.bodies else ()
+            if names:
+                whole = ref.owner if ref.point is None else f"{ref.owner}.{ref.point}"
+                help = f"name it: `{whole}.{names[0]}`" if ref.point is None else f"give `{ref.point}` one `radius`"
+                listed = ", ".join(f"`{name}`" for name in names)
+                message = f"`{whole}` has the rims {listed}: on which one is `{item.name}`?"
+                raise Unsolvable(message, span=ref.span, help=help)
 
 
 def check_distinct(points: tuple[PointRef, ...], bodies: Mapping[str, Body]) -> None:

@@ -12,7 +12,7 @@ from rotsolve.core.facts import Couple, Force, signed, square
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
 from rotsolve.laws.newton import torque_about
@@ -133,6 +133,11 @@ class OfBodies(AtInstant, frozen=True):
     def radius(self, path: Path, term: Term | None) -> Formula:
         """Radius of a round body; of a particle, its distance from the axis."""
         body = self.instant.body(path.owner)
+        if rivals(body, None):
+            listed = ", ".join(f"`{name}`" for name in rivals(body, None))
+            raise NotYet(
+                f"`{path.owner}` has the rims {listed}: the radius of which one?", help="ask for its letter in `radii`"
+            )
         radius = rim_radius(body, None) or getattr(body.shape, "radius", None)
         if radius is None or radius == ZERO:
             raise NotYet(f"`{path.owner}` has no radius")

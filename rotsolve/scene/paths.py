@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BODY, POINT, QUANTITIES, SYSTEM, QuantityKind
 from rotsolve.core.symbols import PLACES, RATES
-from rotsolve.elements.shapes import WHEEL
+from rotsolve.elements.shapes import WHEEL, rivals
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.language.words import an, hint, quoted
@@ -117,7 +117,19 @@ def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> Poin
     if match["call"] or point not in scope.points[name]:
         names = [*scope.points[name], *(["at(x)"] if rod else [])]
         return scope.fault(span, f"`{name}` has no point {quoted(point)}", hint(point, names, "points"), "point")
+    if rivals(body, point):
+        return scope.fault(span, *which_rim(body, point), "point")
     return PointRef(name, point, None, None, node.span)
+
+
+def which_rim(body: Body, point: str) -> tuple[str, str]:
+    """What is wrong with a point of a body of several rims, and the help."""
+    names = rivals(body, point)
+    listed = ", ".join(f"`{name}`" for name in names)
+    return (
+        f"`{body.name}` has the rims {listed}: of which one is this the `{point}`?",
+        f"name it: `{body.name}.{names[0]}`",
+    )
 
 
 def place_along(scope: Scope, span: Span, name: str, written: Text) -> Formula | None:
@@ -212,7 +224,10 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
             return None
         point, rest = "at", rest[1:]
     elif is_point(scope, owner, rest):
-        point, rest = str(rest[0]), rest[1:]
+        point = str(rest[0])
+        if rivals(body, point):
+            return scope.fault(word_place(node, rest[0]), *which_rim(body, point), "point")
+        rest = rest[1:]
     allowed = [entry.word for entry in QUANTITIES.values() if (POINT if point else BODY) in entry.owners]
     if not rest:
         help = f"name a quantity: {', '.join(allowed)}"

@@ -53,6 +53,9 @@ class Drapes(Connection, frozen=True):
     )
     wound: bool = key("flag", "the rest of the rope is wound on the wheel and does not hang", default=False)
 
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        return self.drapes[1:2]
+
     def ropes(self) -> tuple[PointRef, ...]:
         return self.drapes[:1]
 

@@ -15,7 +15,7 @@ from rotsolve.core.writing import balance
 from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
-from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment
+from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
 TWO_THIRDS = Number(Fraction(2, 3))
@@ -80,6 +80,10 @@ class Clutch(Rubbing, frozen=True):
             return self
         return replace(self, friction_torque=letters.make("tau", self.name, "torque"))
 
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        """Plates rub on each other as far out as the smaller one reaches."""
+        return self.clutch[:1] if self.friction_torque is None else ()
+
     def between(self) -> tuple[PointRef, ...]:
         return self.clutch
 
@@ -123,6 +127,9 @@ class Rims(Rubbing, frozen=True):
     wheels: tuple[PointRef, ...] = ()
     press: Formula = ZERO
     friction: Friction = field(default_factory=Friction)
+
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        return self.wheels
 
     def rubs(self) -> bool:
         return self.friction.kind == "coefficient"

@@ -320,6 +320,9 @@ class String(Connection, frozen=True):
                 help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
                 raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
 
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        return self.string
+
     def turned(self) -> tuple[str, ...]:
         return tuple(ref.owner for ref in self.string[1:-1] if not ref.point)
 

@@ -61,6 +61,9 @@ class Touch(Connection, frozen=True):
         """The body's point and the surface, or the surfaces that join smoothly: what stands under the key of its word."""
         return self.touches()
 
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        return self.pair()[:1]
+
     def grip(self) -> Friction:
         """Rough enough for whatever it takes, where nothing else is said."""
         return Friction("any")

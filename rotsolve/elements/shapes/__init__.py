@@ -56,8 +56,17 @@ def round_part(body: Body, point: str | None) -> Part | None:
     return part if part is not None and rim_radius(part.body, None) is not None else None
 
 
+def rivals(body: Body, point: str | None) -> tuple[str, ...]:
+    """The named rims between which a point leaves the choice: of a body with several and no radius of its own, where it names none."""
+    part = next((part for part in body.parts if part.body.name == point), None)
+    if part is not None:
+        return rivals(part.body, None)
+    told = shape_of(body).outer is not None or body.radius is not None or point in rims(body)
+    return () if told or point not in (None, "rim", "top", "bottom") or len(body.radii) < 2 else tuple(rims(body))
+
+
 def rim_radius(body: Body, point: str | None) -> Formula | None:
-    """Radius of the rim that a point names: a name of `radii` or a round part, else the shape's rim, else the last named of a drum."""
+    """Radius of the rim that a point names: a name of `radii` or a round part, else the shape's, else that of a drum (see `rivals`)."""
     if point is not None:
         named, part = rims(body), round_part(body, point)
         if point in named:
