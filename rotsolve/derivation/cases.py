@@ -44,7 +44,7 @@ class CaseTeller(Struct, frozen=True):
         told = self.headings(full)
         sections = main.sections
         if len(told) > 1:
-            sections = tuple(section for key, case in told.items() for section in headed(key, case))
+            sections = tuple(section for key, case in told.items() for section in headed(key, case, main.states))
         refused = tuple(item for item in main.refused if item.name not in named)
         checks = (*main.checks, *self.failing(set(named)))
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
@@ -219,7 +219,9 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
 
 
 def same_form(one: Answer, other: Answer) -> bool:
-    """Whether two cases answer a question alike; a choice with the values that it was made by."""
+    """Whether two cases answer a question alike; a choice with the values that it was made by, a function of time for as long."""
+    if not one.word and one.remark != other.remark:
+        return False
     weighed = list(zip_longest(one.weighed, other.weighed))
     if not all(first is not None and last is not None and equal(first, last) for first, last in weighed):
         return False
@@ -235,7 +237,9 @@ def same_form(one: Answer, other: Answer) -> bool:
 
 
 def same_forms(one: Solved, other: Solved) -> bool:
-    """Whether two cases have the same answers."""
+    """Whether two cases have the same answers; where they hold up to a state on the way, with the same states."""
+    if any(answer.remark for answer in told_in(one)) and states_of(one) != states_of(other):
+        return False
     return len(told_in(one)) == len(told_in(other)) and all(map(same_form, told_in(one), told_in(other)))
 
 
@@ -245,6 +249,11 @@ def says_more(one: Solved, other: Solved) -> bool:
     return len(known) > len(told_in(other)) and all(
         answer.name in known and same_form(answer, known[answer.name]) for answer in told_in(other)
     )
+
+
+def states_of(case: Solved) -> tuple[Words, ...]:
+    """What is said of the states of a case, those on its way among them."""
+    return case.found.states if case.found is not None else ()
 
 
 def told_in(case: Solved) -> tuple[Answer, ...]:
@@ -258,10 +267,14 @@ def in_order(names: Iterable[str], problem: Problem) -> list[str]:
     return sorted(names, key=lambda name: order.get(name, len(order)))
 
 
-def headed(key: tuple[Equality, ...], case: Solved) -> tuple[Section, ...]:
-    """The sections of a case below its conditions."""
+def headed(key: tuple[Equality, ...], case: Solved, known: Sequence[Words]) -> tuple[Section, ...]:
+    """The sections of a case below its conditions, and the states on its way that are not known."""
     assert case.found is not None
-    return (Section(f"If {in_a_line(key)}"), *(replace(one, title=one.title or "So") for one in case.found.sections))
+    own = tuple(words for words in states_of(case) if words not in known)
+    return (
+        Section(f"If {in_a_line(key)}", remarks=own),
+        *(replace(one, title=one.title or "So") for one in case.found.sections),
+    )
 
 
 def in_a_line(conditions: Sequence[Equality]) -> str:

@@ -10,9 +10,10 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import equal, is_zero, simplify
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer, Derivation
+from rotsolve.core.symbols import TIME
 from rotsolve.search.cases import Case
 from rotsolve.search.edges import Edge, Edges
 from rotsolve.search.letterspace import Glance, LetterSpace, Proviso, numbers_of
@@ -127,17 +128,21 @@ class Closing:
         return all(self.same_on(edge, one, other) for one, other in zip(some, others, strict=True))
 
     def same_on(self, edge: Edge, one: Answer, other: Answer) -> bool:
-        """Whether two answers are: the same option, or the same number, with its direction if it has one."""
-        if one.word != other.word or not self.agree(one.components, other.components, edge):
+        """Whether two answers are: the same option, or the same number, with its direction if it has one, for as long."""
+        if one.word != other.word or (not one.word and one.remark != other.remark):
+            return False
+        if not self.agree(one.components, other.components, edge):
             return False
         forms = (one.closed or one.formula, other.closed or other.formula)
         if forms[0] is None or forms[1] is None:
             return forms[0] is forms[1]
+        senses = [(answer.direction, answer.positive) for answer in (one, other)]
+        if TIME in forms[0].symbols() | forms[1].symbols():
+            return equal(edge.put(forms[0]), edge.put(forms[1])) and senses[0] == senses[1]
         numbers = [self.number(form, edge) for form in forms if form is not None]
         sizes = [number.float for number in numbers if number is not None]
         if len(sizes) < len(forms) or abs(sizes[0] - sizes[1]) > NEARLY * max(1.0, *map(abs, sizes)):
             return False
-        senses = [(answer.direction, answer.positive) for answer in (one, other)]
         return abs(sizes[0]) <= NEARLY or senses[0] == senses[1]
 
     def number(self, form: Formula, edge: Edge) -> Certified | None:

@@ -126,7 +126,7 @@ class Results(Struct, frozen=True):
         asked, found = answered.asked, answered.found
         formula = self.letters.printed(self._readable(answered)) if found.formula is not None else None
         unit = asked.find.unit or usual_unit(asked)
-        value = self._value_in(found, unit) if self._lasts(asked.find) else None
+        value = self._value_in(found, unit) if self._lasts(asked.find) is not False else None
         parts = self.components(answered)
         direction = self._direction(answered, value, parts)
         return Answer(
@@ -150,13 +150,16 @@ class Results(Struct, frozen=True):
         found, find = answered.found, answered.asked.find
         if found.formula is None or not find.runs:
             return ()
+        ends = (self._end(term) for term in find.terms if term.at == ANY_TIME)
+        part: Words = next(((f"up to {spoken(end)}",) for end in ends if end), ())
         if self.at is None:
-            ends = (self._end(term) for term in find.terms if term.at == ANY_TIME)
-            return next(((f"up to {spoken(end)}",) for end in ends if end), ())
+            return part
         moment: Words = (self.letters.printed(Symbol(TIME)), f" = {self.at.text}")
-        if not self._lasts(find):
+        lasts = self._lasts(find)
+        if lasts is False:
             return (*moment, " is not in this phase")
-        return ("at ", *moment) if TIME in found.formula.symbols() else ()
+        part = part if lasts is None else ()
+        return (*part, ", at " if part else "at ", *moment) if TIME in found.formula.symbols() else part
 
     def _end(self, term: Term) -> str:
         """The state at which the laws end by which a function of time is told, where the scene does not name it."""
@@ -166,11 +169,11 @@ class Results(Struct, frozen=True):
         end = phases_of(term, self.search.scene)[-1].end
         return end if timeline.state(end).opened else ""
 
-    def _lasts(self, find: Find) -> bool:
-        """Whether the phases in which a function of time is asked hold the moment at which it is evaluated."""
-        scene, beside = self.search.scene, self.search.beside()
-        if self.at is None or beside is None:
+    def _lasts(self, find: Find) -> bool | None:
+        """Whether the phases of a function of time hold the moment at which it is evaluated; None where letters do not tell."""
+        if self.at is None:
             return True
+        scene, beside, told = self.search.scene, self.search.beside(), True
         from rotsolve.questions.functions_of_time import phases_of
 
         for term in find.terms:
@@ -181,11 +184,12 @@ class Results(Struct, frozen=True):
             if scene.configuration.timeline.after(named[-1].end) is not None:  # else it goes on as before
                 ends.append((named[-1].end, -1))
             for state, sign in ends:
-                end = beside.settle(scene.instant(state).time())
+                end = beside.settle(scene.instant(state).time()) if beside is not None else None
                 gap = self.value(sign * (self.at.value - end)) if end is not None else None
                 if gap is not None and gap.float < 0:
                     return False
-        return True
+                told = told and gap is not None
+        return told or None
 
     def label(self, chosen: Chosen) -> Answer:
         """The answer to a choice: the label, with the comparisons as its reason."""
