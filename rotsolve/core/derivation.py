@@ -90,7 +90,8 @@ class Answer(Struct, frozen=True):
     `components` hold the parts of a vector answer, whose `formula` and
     `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
     size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.
-    Of letters it holds under `conditions`; `otherwise` has the answers under others. `weighed` is what a choice compared, in its order.
+    Of letters it holds under `conditions`; `otherwise` has the answers under others. `weighed` is what a choice compared, in its order;
+    `until` is the state on the way up to which a function of time holds.
     """
 
     name: str
@@ -110,6 +111,7 @@ class Answer(Struct, frozen=True):
     conditions: tuple[Equality, ...] = ()
     otherwise: tuple[Answer, ...] = ()
     weighed: tuple[Formula, ...] = ()
+    until: str = ""
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:

@@ -220,13 +220,12 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
 
 def same_form(one: Answer, other: Answer) -> bool:
     """Whether two cases answer a question alike; a choice with the values that it was made by, a function of time for as long."""
-    if not one.word and one.remark != other.remark:
-        return False
     weighed = list(zip_longest(one.weighed, other.weighed))
     if not all(first is not None and last is not None and equal(first, last) for first, last in weighed):
         return False
     words = [
-        (answer.name, answer.word, answer.direction, answer.positive, len(answer.components)) for answer in (one, other)
+        (answer.name, answer.word, answer.direction, answer.positive, answer.until, len(answer.components))
+        for answer in (one, other)
     ]
     if words[0] != words[1] or not all(map(same_form, one.components, other.components)):
         return False
@@ -238,7 +237,7 @@ def same_form(one: Answer, other: Answer) -> bool:
 
 def same_forms(one: Solved, other: Solved) -> bool:
     """Whether two cases have the same answers; where they hold up to a state on the way, with the same states."""
-    if any(answer.remark for answer in told_in(one)) and states_of(one) != states_of(other):
+    if any(answer.until for answer in told_in(one)) and states_of(one) != states_of(other):
         return False
     return len(told_in(one)) == len(told_in(other)) and all(map(same_form, told_in(one), told_in(other)))
 

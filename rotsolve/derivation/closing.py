@@ -129,7 +129,7 @@ class Closing:
 
     def same_on(self, edge: Edge, one: Answer, other: Answer) -> bool:
         """Whether two answers are: the same option, or the same number, with its direction if it has one, for as long."""
-        if one.word != other.word or (not one.word and one.remark != other.remark):
+        if (one.word, one.until) != (other.word, other.until):
             return False
         if not self.agree(one.components, other.components, edge):
             return False

@@ -143,6 +143,7 @@ class Results(Struct, frozen=True):
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
             closed=found.formula,
             positive=self._positive(answered),
+            until=self._until(answered),
         )
 
     def _when(self, answered: Answered) -> Words:
@@ -150,16 +151,21 @@ class Results(Struct, frozen=True):
         found, find = answered.found, answered.asked.find
         if found.formula is None or not find.runs:
             return ()
-        ends = (self._end(term) for term in find.terms if term.at == ANY_TIME)
-        part: Words = next(((f"up to {spoken(end)}",) for end in ends if end), ())
+        end = self._until(answered)
+        part: Words = (f"up to {spoken(end)}",) if end else ()
         if self.at is None:
             return part
         moment: Words = (self.letters.printed(Symbol(TIME)), f" = {self.at.text}")
-        lasts = self._lasts(find)
-        if lasts is False:
+        if self._lasts(find) is False:
             return (*moment, " is not in this phase")
-        part = part if lasts is None else ()
         return (*part, ", at " if part else "at ", *moment) if TIME in found.formula.symbols() else part
+
+    def _until(self, answered: Answered) -> str:
+        """The state on the way up to which a function of time holds; nothing where it is told at a moment that is known to be before it."""
+        find = answered.asked.find
+        if answered.found.formula is None or not find.runs or (self.at is not None and self._lasts(find)):
+            return ""
+        return next(filter(None, (self._end(term) for term in find.terms if term.at == ANY_TIME)), "")
 
     def _end(self, term: Term) -> str:
         """The state at which the laws end by which a function of time is told, where the scene does not name it."""
