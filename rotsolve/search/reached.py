@@ -1,22 +1,24 @@
 """Reached: whether a state is one to which a motion comes at all, where its laws only tell what would hold there.
 
 A speed to which the forces lead, as drag does, is only approached: what lies beyond it is not reached. A quantity that is largest
-somewhere has grown on the way there. And what gets to a place has a real speed there, whether it is asked for or not. Of letters all
-these are conditions of the case.
+somewhere has grown on the way there. And what gets to a place has a real speed there, and a spring that is stretched a real length,
+whether it is asked for or not. Of letters all these are conditions of the case.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import Call, Formula, Symbol, total
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.facts import signed
+from rotsolve.core.facts import Potential, signed, square
 from rotsolve.core.faults import NeverReached
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, RATE, RATES, TIME, has_quantities, is_key, key_of
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Path, State
+from rotsolve.laws.energy import energy
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.endings import never_reached
@@ -38,7 +40,7 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
             continue
         end = configuration.timeline.state(interval.end)
         why = only_approached(passage, aside) or not_grown(interval, passage, end, aside)
-        why = why or impossible(interval, passage, aside)
+        why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
         if why:
             yield never_reached(interval, configuration, why)
 
@@ -96,6 +98,29 @@ def impossible(interval: Interval, passage: Passage, search: Search) -> str:
             if error.equation is not None:
                 return f"with what it has at `{interval.start}`, {spoken(key_of(name).owner)} does not get so far"
     return ""
+
+
+def overdrawn(interval: Interval, passage: Passage, search: Search) -> str:
+    """Why a spring would have to give more energy than it has: of ½ k x² = K₁ + U₁ + W − K₂ − U₂, without it in U₂, no x is the root."""
+    for item in passage.end.potentials:
+        stiff = simplify(item.energy / square(item.elongation))
+        if has_quantities(stiff) or not has_quantities(search.solver.with_found(item.elongation)):
+            continue
+        for group in passage.groups:
+            left = stored(item, passage, group)
+            value = None if left is None else search.settled(simplify(stiff * left))
+            if value is not None and not has_quantities(value) and search.numbers.side(value) == -1:
+                return f"what moves there would have more energy than it has at `{interval.start}`"
+    return ""
+
+
+def stored(item: Potential, passage: Passage, group: frozenset[str]) -> Formula | None:
+    """What the law of energy leaves for a spring at the end of a phase; None where it does not go for the group."""
+    shafts = any(body.sweep is not None for body in passage.start.bodies if body.name in group)
+    if shafts or not group & set(item.bodies) or any(passage.heights.get(name) is None for name in group):
+        return None
+    works = [work.amount for work in passage.works if group & set(work.bodies)]
+    return total([*energy(passage, group, 0), *works]) - total(energy(passage, group, 1)) + item.energy
 
 
 def unsettled(interval: Interval, passage: Passage, search: Search) -> Iterator[str]:

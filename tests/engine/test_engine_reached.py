@@ -116,3 +116,50 @@ find: {a: wheel.angular_acceleration at start, v: wheel.angular_velocity at near
     said = ["".join(map(str, check.words)) for check in solution.checks if check.holds is None]
     assert any("no answer for" in words and "`far` is never reached" in words for words in said)
     assert math.isfinite(len(said))
+
+
+WIRE = """
+title: Two discs on a torsion wire
+given: {{{given}}}
+bodies: {{a: {{inertia: I}}, b: {{inertia: J{turns}}}}}
+connections: {{axle: {{axle: {pair}}}, wire: {{torsion: {pair}, stiffness: k}}}}
+states: {{start: {{a.angular_velocity: w, b.angular_velocity: {first}, wire.angle: 0}}, end: {{b.angular_velocity: {last}}}}}
+find: {{v: a.angular_velocity at end}}
+"""
+WIRES = {  # turn, first and last speed of b, the speed of a by momentum, I, J, n on this side of the edge and beyond it
+    "against": (", turns: clockwise", "w", "0", lambda i, j, n: 2 * (i - j) / i, (1, 2.9, 0), (1, 3.1, 0)),
+    "from rest": ("", "0", "w", lambda i, j, n: 2 * (i - j) / i, (1.1, 1, 0), (0.9, 1, 0)),
+    "as told": ("", "0", "n*w", lambda i, j, n: 2 * (i - n * j) / i, (1, 2, 0.6), (1, 2, 0.7)),
+}
+
+
+def wired(kind: str, pair: str, values: tuple[float, ...] | None) -> str:
+    turns, first, last, *_ = WIRES[kind]
+    units = {"I": "kg m^2", "J": "kg m^2", "k": "N m/rad", "w": "rad/s", "n": "number"}
+    sizes = {} if values is None else {**dict(zip("IJn", values, strict=True)), "k": 3.0, "w": 2.0}
+    names = [name for name in units if name != "n" or "n" in last]
+    given = ", ".join(
+        f"{name}: {sizes[name]} {units[name] if name != 'n' else ''}" if sizes else f"{name}: {units[name]}"
+        for name in names
+    )
+    return WIRE.format(given=given, turns=turns, pair=pair, first=first, last=last)
+
+
+@pytest.mark.parametrize("pair", ["[a, b]", "[b, a]"])
+@pytest.mark.parametrize("kind", WIRES)
+def test_a_wire_gives_no_more_energy_than_it_has(kind: str, pair: str) -> None:
+    """The twist at the end that no question asks for has a real value: in numbers, and as a condition of letters."""
+    momentum, within, beyond = WIRES[kind][3:]
+    assert answer(solve(wired(kind, pair, within))) == pytest.approx(momentum(*within))
+    with pytest.raises(Unsolvable, match=r"`end` is never reached"):
+        solve(wired(kind, pair, beyond))
+    solution = solve(wired(kind, pair, None))
+    (found,) = solution.derivation.answers
+    for sizes, count in ((within, 1), (beyond, 0)):
+        numbers = with_givens(
+            solution.problem, {**dict(zip("IJn", map(float, sizes), strict=True)), "k": 3.0, "w": 2.0}
+        )
+        assert (
+            len([case for case in (found, *found.otherwise) if all(holds(one, numbers) for one in case.conditions)])
+            == count
+        )
