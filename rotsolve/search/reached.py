@@ -107,14 +107,14 @@ def overdrawn(interval: Interval, passage: Passage, search: Search) -> str:
         if has_quantities(stiff) or not has_quantities(search.solver.with_found(item.elongation)):
             continue
         for group in passage.groups:
-            left = stored(item, passage, group)
+            left = left_for_a_spring(item, passage, group)
             value = None if left is None else search.settled(simplify(stiff * left))
             if value is not None and not has_quantities(value) and search.numbers.side(value) == -1:
                 return f"what moves there would have more energy than it has at `{interval.start}`"
     return ""
 
 
-def stored(item: Potential, passage: Passage, group: frozenset[str]) -> Formula | None:
+def left_for_a_spring(item: Potential, passage: Passage, group: frozenset[str]) -> Formula | None:
     """What the law of energy leaves for a spring at the end of a phase; None where it does not go for the group."""
     shafts = any(body.sweep is not None for body in passage.start.bodies if body.name in group)
     if shafts or not group & set(item.bodies) or any(passage.heights.get(name) is None for name in group):
