@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import Contradicted, Unsolvable
+from rotsolve.core.faults import Contradicted, NeverReached, Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, TIME
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
@@ -56,7 +56,9 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
         found = answered_fully(search)
         if search.ground and search.ground.chose and doubtful(found):  # perhaps by a root that is not meant
             again = answered_fully(Search(search.scene, search.families, search.spare, careful=True))
-            found = found if isinstance(again, Unsolvable) else again
+            found = likelier(found, again)
+        if surely(found):
+            break
         stuck = isinstance(found, Unsolvable)
         reached = search if isinstance(found, Unsolvable) else found[0]
         further = following(reached, stuck=stuck) if decision is not None or turnable(reached) else None
@@ -70,6 +72,18 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
 
         not_in_time(*found)
     return decision, found
+
+
+def likelier(found: Found | Unsolvable, again: Found | Unsolvable) -> Found | Unsolvable:
+    """Of what is found and what is found with more care the latter, where it says something that time can bring about."""
+    if isinstance(again, Unsolvable):
+        return again if surely(again) else found
+    return found if isinstance(found, NeverReached) and untimely(*again) else again
+
+
+def surely(found: Found | Unsolvable) -> bool:
+    """Whether a state is surely never reached."""
+    return isinstance(found, NeverReached) and found.sure
 
 
 def turnable(search: Search) -> bool:
@@ -261,6 +275,7 @@ def check_consistent(search: Search) -> KnownBalls:
         from rotsolve.search.reached import not_reached
 
         for refusal in not_reached(search):
+            refusal.sure = True
             raise refusal
     if any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds):
         from rotsolve.search.within import out_of_bounds

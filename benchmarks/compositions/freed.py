@@ -18,7 +18,7 @@ from rotsolve.language.problem import Problem
 from rotsolve.motion.positive import is_angle
 from rotsolve.pipeline import solve_problem
 
-HOLDS = {">": (1,), "≥": (1, 0), "<": (-1,), "≤": (-1, 0)}
+HOLDS = {">": (1,), "≥": (1, 0), "<": (-1,), "≤": (-1, 0), "=": (0,)}
 CLOSE = 1e-6
 REFUSED = "refused in letters"
 Values = Mapping[str, Formula]

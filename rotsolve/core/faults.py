@@ -125,6 +125,10 @@ class Contradicted(Unsolvable):
 
 
 class NeverReached(Contradicted):
-    """A `state` to which the motion never gets: what is asked of the states before it may have an answer."""
+    """A `state` to which the motion never gets: what is asked of the states before it may have an answer.
+
+    Where that is `sure` it does not get there on its way back either.
+    """
 
     state = ""
+    sure = False

@@ -76,7 +76,8 @@ class Endings(Struct, dict=True):
             return None
         from rotsolve.search.turning import NEVER, turned_on_way
 
-        found, timeline = turned_on_way(passage, self.settled, self.search), self.configuration.timeline
+        timeline = self.configuration.timeline
+        found = turned_on_way(passage, self.settled, self.search, stuck=self.stuck)
         if timeline.state(interval.end).opened or found is None:
             if found is not None and self.nowhere(found[0]):
                 why = f"{spoken(found[0].body)} stays where it turns back"

@@ -89,8 +89,8 @@ def pushes_at_ends(travel: Travel, search: Search) -> tuple[tuple[Formula, Formu
 
 def impossible(interval: Interval, passage: Passage, search: Search) -> str:
     """Why nothing can be so at the end of a phase: a speed there, or the place where it turns back, has no real value."""
-    if all(travel.pace in (CONSTANT, TIME) for travel in passage.travels):
-        return ""
+    if all(travel.pace in (CONSTANT, TIME) for travel in passage.travels) or not has_quantities(passage.times[1]):
+        return ""  # up to a told time it goes on, wherever that leads
     for name in unsettled(interval, passage, search):
         try:
             search.value_of(name)
@@ -127,7 +127,7 @@ def unsettled(interval: Interval, passage: Passage, search: Search) -> Iterator[
     """The rates at the end of a phase, and the places along which its forces vary, of which nothing is known so far."""
     quantities = search.scene.registry.quantities
     names = [name for name, item in quantities.items() if item.kind in RATES and item.when == interval.end]
-    names += [travel.end.name for travel in passage.travels if travel.leads and isinstance(travel.end, Symbol)]
+    names += [travel.end.name for travel in passage.travels if isinstance(travel.end, Symbol)]
     for name in names:
         if is_key(name) and name not in search.solver.solved and has_quantities(search.solver.with_found(Symbol(name))):
             yield name

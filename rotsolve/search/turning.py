@@ -47,15 +47,20 @@ class Way(Struct, frozen=True):
     sets_out: int
 
 
-def turned_on_way(passage: Passage, settled: Settled, search: Search) -> tuple[Travel, str] | None:
-    """A coordinate that does not go straight from one end of a phase to the other, and whether it has to turn back or never arrives."""
+def turned_on_way(
+    passage: Passage, settled: Settled, search: Search, *, stuck: bool = False
+) -> tuple[Travel, str] | None:
+    """A coordinate that does not go straight from one end of a phase to the other, and whether it has to turn back or never arrives.
+
+    Which way it goes at the end tells that only where it has an answer, not where it is `stuck`.
+    """
     for travel in passage.travels:
         way = way_of(travel, settled, search) if travel.pace == POSITION else None
         if way is None or not way.sets_out:
             continue
         ahead = search.numbers.side(way.end - way.start)
         timed = not has_quantities(passage.times[1])  # up to a told time it is followed to and fro
-        if ahead != way.sets_out or (not timed and goes_back(way, settled, search)):
+        if ahead != way.sets_out or (not timed and not stuck and goes_back(way, settled, search)):
             return travel, BACK
         if stopped(way, search) or falls_short(way, search):
             return travel, NEVER

@@ -48,7 +48,7 @@ def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
 
 
 def resting_gauge(line: Condition, model: Model) -> Gauge:
-    """The rate along the way in which the bodies go, which changes its sign where they stop."""
+    """The rate along the way in which the bodies go, which changes its sign where they stop; of what turns as it goes that of its turn."""
     names = [line.owner] if line.owner in model.seats else list(model.seats)
     places = [model.seats[name].first + k for name in names for k in range(3)]
     ahead: list[float] = []
@@ -56,7 +56,8 @@ def resting_gauge(line: Condition, model: Model) -> Gauge:
     def value(at: Node) -> float:
         speed = [at.placed.speed[index] for index in places]
         if not any(ahead) and any(speed):
-            ahead[:] = speed
+            turns = [rate if number % 3 == 2 else 0.0 for number, rate in enumerate(speed)]
+            ahead[:] = turns if any(turns) else speed
         size = max(map(abs, ahead), default=0.0) or 1.0
         return sum(a * b for a, b in zip(speed, ahead, strict=False)) / size
 

@@ -337,7 +337,7 @@ class NextState:
         values = [gauge.value(instant(self.first, lap, part)) for part in parts]
         small = 1e-9 * gauge.size
         found: list[float] = []
-        for place in range(1, len(values) - 1):  # it may come to it and go back between
+        for place in range(1, len(values) - 1) if not gauge.passing else ():  # it may come to it and go back between
             a, b, c = values[place - 1 : place + 2]
             if a * b > 0 < b * c and abs(b) <= min(abs(a), abs(c)):
                 found += self.touched(gauge, lap, parts[place - 1], parts[place + 1])
