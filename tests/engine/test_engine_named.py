@@ -55,6 +55,12 @@ PULLED = (
     "actions: {pull: {force: F*sin(pi*time/T), on: box, direction: right}}\n"
     "states: {start: at rest, end: {time: T}}\nfind: {x: box.velocity at end}\n"
 )
+CREEPS = (
+    "given: {m: kg, u: m/s, F: N, f: N/m, b: m, d: m}\nsurfaces: {floor: level}\nbodies: {box: {mass: m, moves: right}}\n"
+    "connections: {base: {contact: [box, floor]}}\n"
+    "actions: {push: {force: f*box.displacement - F*exp(-box.displacement/b), on: box, direction: right}}\n"
+    "states: {start: {box.velocity: u}, far: {box.displacement: d}}\nfind: {x: box.velocity at far}\n"
+)
 SPUN = (
     "bodies: {wheel: {shape: disc, mass: m, radius: R}}\nconnections: {mount: {axle: wheel, friction_torque: tau}}\n"
     "states: {start: {wheel.angular_velocity: w}, end: {time: 20 s}}\nfind: {x: wheel.angular_velocity at end}\n"
@@ -81,6 +87,12 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
     "gives way in letters": (
         PULLED,
         PULLED.replace("kg", "2 kg").replace("T: s", "T: 2 s").replace(": N", ": 9 N").replace("number", "0.2"),
+    ),
+    "slowest in letters": (
+        CREEPS,
+        CREEPS.replace(
+            "m: kg, u: m/s, F: N, f: N/m, b: m, d: m", "m: 1 kg, u: 9 m/s, F: 1 N, f: 2 N/m, b: 1 m, d: 1 m"
+        ),
     ),
     "comes to rest": (
         SPUN + "actions: {drive: {couple: tau/2*exp(-time/t1), on: wheel}}\n",

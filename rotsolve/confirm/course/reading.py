@@ -115,8 +115,10 @@ def point_motion(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 
 def natural(at: Node, path: Path, way: Way) -> Reckoned:
-    """The part along the positive turn about a fixed axis, else along the point's own velocity; the part towards the centre."""
-    place, held = point_place(at, path.owner, path.point, path.argument), at.axis(path.owner)
+    """The part along the positive turn about a fixed axis, for what rides that of its carrier, else along the point's own velocity; the
+    part towards the centre."""
+    turning = (at.carrier(path.owner) if path.point is None else None) or path.owner
+    place, held = point_place(at, path.owner, path.point, path.argument), at.axis(turning)
     if path.component == "radial":
         return radial(at, path)
     centre = at.orbit_centre(path.owner) if path.point is None else None
@@ -131,7 +133,7 @@ def natural(at: Node, path: Path, way: Way) -> Reckoned:
         out = (arm[0] / size, arm[1] / size)
         if path.component == "normal":
             return number(-scalar(way, out), math.hypot(*way))
-        ahead = turned(out, at.model.sense(path.owner)) if held is not None else at.line(path.owner) or turned(out)
+        ahead = turned(out, at.model.sense(turning)) if held is not None else at.line(path.owner) or turned(out)
         return number(scalar(way, ahead), math.hypot(*way))
     speed = rates(place)
     size = math.hypot(*speed)
