@@ -57,7 +57,7 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
         if search.ground and search.ground.chose and doubtful(found):  # perhaps by a root that is not meant
             again = answered_fully(Search(search.scene, search.families, search.spare, careful=True))
             found = likelier(found, again)
-        if surely(found):
+        if never_gets_there(found):
             break
         stuck = isinstance(found, Unsolvable)
         reached = search if isinstance(found, Unsolvable) else found[0]
@@ -77,11 +77,11 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
 def likelier(found: Found | Unsolvable, again: Found | Unsolvable) -> Found | Unsolvable:
     """Of what is found and what is found with more care the latter, where it says something that time can bring about."""
     if isinstance(again, Unsolvable):
-        return again if surely(again) else found
+        return again if never_gets_there(again) else found
     return found if isinstance(found, NeverReached) and untimely(*again) else again
 
 
-def surely(found: Found | Unsolvable) -> bool:
+def never_gets_there(found: Found | Unsolvable) -> bool:
     """Whether a state is surely never reached."""
     return isinstance(found, NeverReached) and found.sure
 
