@@ -42,7 +42,8 @@ def check_rooms(item: Connection, scene: Configuration) -> None:
     for limit in item.rooms(scene):
         sign = scene.signs.sign(limit.gap)
         if sign == -1 or (sign == 0 and limit.strict):
-            raise Unsolvable(limit.words, span=item.touches()[0].span, help="check the lengths, radii and heights")
+            help = (limit.help if sign == -1 else "") or "check the lengths, radii and heights"
+            raise Unsolvable(limit.words, span=item.touches()[0].span, help=help)
 
 
 def check_sequence(problem: Problem) -> None:

@@ -63,6 +63,26 @@ states: {near: {bug.radius: 0, disc.angular_velocity: 2 rad/s}, out: {bug.radius
 find: {w: disc.angular_velocity at out}""",
         "is beyond the end of",
     ),
+    "a wheel inside another": (
+        {"I": "kg m^2", "Q": "N m", "R": "m", "r": "m"},
+        """plane: horizontal
+bodies: {ring: {inertia: I, radius: R}, pinion: {inertia: 2*I, radius: r}}
+connections: {first: {axle: ring}, second: {axle: pinion}, teeth: {gear: [pinion, ring], inside: true}}
+actions: {motor: {couple: Q, on: pinion}}
+states: {now: at rest}
+find: {a: ring.angular_acceleration at now}""",
+        "can not run inside",
+    ),
+    "a step of a wheel inside a rim of another": (
+        {"M": "kg", "Q": "N m", "R": "m", "r": "m", "s": "m"},
+        """plane: horizontal
+bodies: {drum: {inertia: 2 kg m^2, radii: {teeth: R - s, barrel: R}}, wheel: {shape: disc, mass: M, radius: r}}
+connections: {first: {axle: drum}, second: {axle: wheel}, teeth: {gear: [wheel.rim, drum.teeth], inside: true}}
+actions: {motor: {couple: Q, on: drum}}
+states: {now: at rest}
+find: {a: wheel.angular_acceleration at now}""",
+        "can not run inside|must be positive",
+    ),
     "two radii": (
         {"M": "kg", "R": "m", "r": "m"},
         """bodies: {tube: {shape: annulus, mass: M, radii: {inner: r, outer: R}}}
@@ -208,6 +228,18 @@ def test_letters_are_held_to_what_numbers_are_refused_by(name: str) -> None:
         assert refused(scene, given, said) == out, (given, limits)
         seen.add(out)
     assert seen == {True, False}
+
+
+@pytest.mark.parametrize("sizes", ["R: 10 cm, r: 40 cm", "R: 10 cm, r: 4*R"])
+def test_what_is_said_of_the_order_of_wheels_mends_it(sizes: str) -> None:
+    scene, given = SCENES["a wheel inside another"][1], f"given: {{I: 1 kg m^2, Q: 1 N m, {sizes}}}"
+    text = f"title: Wheels\n{given}\n{scene}\n"
+    with pytest.raises(Unsolvable, match="`pinion` can not run inside `ring`") as caught:
+        solve(text)
+    order = re.search(r"`(gear: .*)`", caught.value.fault.help)
+    assert order is not None and caught.value.fault.span is not None
+    found = solve(text.replace("gear: [pinion, ring]", order[1])).answers["a"].float
+    assert found == pytest.approx(4 / (2 + 4**2))  # Q = (J + I (r/R)²) α of the larger, which the smaller turns past by r/R
 
 
 ELSEWHERE = {  # limits of numbers that are no letters of a scene, or that letters break at single values only

@@ -9,10 +9,12 @@ from itertools import pairwise
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.core.facts import COUPLING, DRIVE, INNER, PULL, Couple, Force, Rule, signed
+from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import UNKNOWN, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.trains import Pair, pair_of
+from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -56,6 +58,14 @@ class Gear(Connection, frozen=True):
         "points", "the two wheels or rims", count=(2, 2), required=True, example="[small, large]"
     )
     inside: bool = key("flag", "the first wheel runs inside the second: both turn the same way", default=False)
+
+    def rooms(self, scene: Surroundings) -> Iterator[Limit]:
+        """What runs inside the other is the smaller."""
+        radii = [rim_radius(scene.bodies[ref.owner], ref.point) for ref in self.gear] if self.inside else []
+        if radii and radii[0] is not None and radii[1] is not None:
+            first, second = (f"{ref.owner}.{ref.point}" if ref.point else ref.owner for ref in self.gear)
+            help = f"the smaller wheel is named first: `gear: [{second}, {first}]`"
+            yield Limit(radii[1] - radii[0], f"`{first}` can not run inside `{second}`", strict=True, help=help)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The force F between the teeth turns the second wheel forward with R₂ F, the first with ∓R₁ F; the rims run equally fast."""
