@@ -10,6 +10,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot, on_rim, radius_of, side_of
 from rotsolve.confirm.constraints import tied_at
 from rotsolve.confirm.jet import Jet, Slope, distance
+from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, pointing
@@ -114,15 +115,12 @@ def spring_way(item: Spring, model: Known) -> Way:
 
 def torsion(item: Torsion, pose: Pose, model: Known) -> Pushes:
     """−κ (θ − θ₀) on the last-named, the opposite on the other."""
-    names = [ref.owner for ref in item.torsion if ref.owner in model.seats]
-    twist = pose.turn(names[-1]) + model.lean(names[-1])
-    if len(names) == 2:
-        twist = twist - (pose.turn(names[0]) + model.lean(names[0]))
+    angle = twist(wound_by(item.name, model), pose, model)
     rest = model.value(item.rest_angle) if item.rest_angle is not None else 0.0
     if item.stiffness is None:
         raise NotConfirmed(f"nothing tells the stiffness of `{item.name}`")
-    size = -model.value(item.stiffness) * (twist.value - rest)
-    yield item.name, {index: size * part for index, part in twist.slope.items()}
+    size = -model.value(item.stiffness) * (angle.value - rest)
+    yield item.name, {index: size * part for index, part in angle.slope.items()}
 
 
 def mutual(item: MutualDrive, pose: Pose, model: Known) -> Pushes:

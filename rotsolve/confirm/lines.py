@@ -99,7 +99,7 @@ def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) 
     if place is None:
         raise NotConfirmed(f"a state that tells `{name}`")
     gap = place.value - value
-    if path.quantity == "angle" and path.owner not in model.seats:
+    if path.quantity == "angle" and path.owner not in model.seats and not wound_by(path.owner, model):
         gap = math.remainder(gap, 2 * math.pi)
     yield Stated(place.slope, gap, None, name)
 
@@ -134,6 +134,8 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
         if isinstance(surface, Curved):
             x, y = pose.place(contact.lying(), (0.0, 0.0))
             return arctangent(y, x)
+    if path.quantity == "angle" and (wound := wound_by(path.owner, model)):
+        return twist(wound, pose, model)
     if contact is not None and path.quantity in ("angle", "rotation"):
         owners = [ref.owner for ref in contact.between() or contact.joint() or contact.fixed_points()]
         owners = [owner for owner in owners if owner in model.seats]
@@ -142,6 +144,18 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
         if len(owners) == 2:
             return (pose.turn(owners[1]) - pose.turn(owners[0])) * float(model.sense(owners[1]))
     return None
+
+
+def wound_by(name: str, model: Known) -> list[str]:
+    """The bodies that a wire winds; none of what is no wire."""
+    items = (item for item in model.acting.connections if item.name == name)
+    return [ref.owner for item in items for ref in item.winds() if ref.owner in model.seats]
+
+
+def twist(wound: Sequence[str], pose: Pose, model: Known) -> Jet:
+    """The angle of the body that a wire winds; of two that of the last less that of the first."""
+    angles = [pose.turn(name) + model.lean(name) for name in wound]
+    return angles[-1] - angles[0] if len(angles) == 2 else angles[0]
 
 
 def from_axis(name: str, pose: Pose, model: Known) -> Jet | None:

@@ -205,18 +205,24 @@ class Statements(Struct):
                 check_steady(state, self.fixed)
                 self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
                 fix_balance(state.name, self.fixed)
-        first = self.fixed.instant(self.configuration.timeline.states[0].name)
-        for body in self.configuration.present(first.state):
-            said = self.configuration.mentions.says(first.state, body.name, "angle")
-            angle = first.angle(body.name) if first.drawn_at_first(body.name) and not said else None
-            if angle is not None:  # it stands as drawn at first, unless the scene says how it stands
-                self.fixed.fix(angle, first.offset(body.name).formula())
+        self._as_drawn(self.configuration.timeline.states[0].name)
         for state in self.configuration.timeline.states:
             for generic in (False, True):
                 prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
         while self._put_in():
             pass
         return self.stated
+
+    def _as_drawn(self, state: str) -> None:
+        """At first what stands as drawn does so, unless the scene says how it stands, or how far a wire to another is twisted."""
+        for body in self.configuration.present(state):
+            while self._put_in():
+                pass
+            first = self.fixed.instant(state)
+            said = self.configuration.mentions.says(state, body.name, "angle")
+            angle = first.angle(body.name) if first.drawn_at_first(body.name) and not said else None
+            if angle is not None:
+                self.fixed.fix(angle, first.offset(body.name).formula())
 
     def _put_in(self) -> bool:
         """Put what is fixed by now into what was taken before it was; whether an equation fixes one letter more by that."""

@@ -112,10 +112,15 @@ class OfElements(AtInstant, frozen=True):
         return None
 
     def turning(self, path: Path, acting: Acting) -> Meant | None:
-        """Where on a curved surface a body is; else how the two bodies of a connection, or the one that it holds, turn."""
+        """Where on a curved surface a body is, how far a wire between two is twisted; else how the bodies of a connection turn: the last
+        against the first, or the one that it holds."""
         if path.quantity == "angle" and (contact := self._contact(path.owner)) is not None:
             return contact.touching_angle(self.instant)
         item = self._connection(path.owner)
+        wound = [ref.owner for ref in item.winds() if ref.owner in self.instant.configuration.bodies] if item else []
+        if path.quantity == "angle" and len(wound) == 2:
+            first, last = map(self.instant.angle_of, wound)
+            return last - first
         if path.quantity != "angle" and item is not None and item.between():
             return self._relative(path.quantity, *(ref.owner for ref in item.between()))
         name = self._turned_by(path.owner)

@@ -239,7 +239,9 @@ def test_what_is_said_of_the_order_of_wheels_mends_it(sizes: str) -> None:
     order = re.search(r"`(gear: .*)`", caught.value.fault.help)
     assert order is not None and caught.value.fault.span is not None
     found = solve(text.replace("gear: [pinion, ring]", order[1])).answers["a"].float
-    assert found == pytest.approx(4 / (2 + 4**2))  # Q = (J + I (r/R)²) α of the larger, which the smaller turns past by r/R
+    assert found == pytest.approx(
+        4 / (2 + 4**2)
+    )  # Q = (J + I (r/R)²) α of the larger, which the smaller turns past by r/R
 
 
 ELSEWHERE = {  # limits of numbers that are no letters of a scene, or that letters break at single values only

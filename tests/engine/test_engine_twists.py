@@ -40,3 +40,56 @@ find: {{alpha: body.angular_acceleration}}
     M, b, k, g, theta = 3, 0.4, 20, 9.8, math.radians(angle)
     expected = (-k * theta - mass * M * g * arm * b * math.cos(theta)) / (inertia * M * b**2)
     assert solution.answers["alpha"].float == pytest.approx(expected, rel=1e-8)
+
+
+BETWEEN = """
+given: {I: 2 kg m^2, J: 5 kg m^2, k: 3 N m/rad}
+plane: horizontal
+bodies: {BODIES}
+connections: {shaft: {axle: [one, two]}, wire: {torsion: [FIRST, LAST], stiffness: k, rest_angle: REST rad}}
+states: {start: {TOLD, at rest: all}, mid: {wire.angle: 0.1 rad}}
+find:
+  p: wire.angle at start
+  q: wire.angle at mid
+  a: FIRST.angular_acceleration at start
+  v: FIRST.angular_velocity at mid
+  w: LAST.angular_velocity at mid
+"""
+TOLD = {  # how the two stand at first, by which twist
+    "both": ("one.angle: 0.3 rad, two.angle: 1 rad", 0.7),
+    "the wire": ("wire.angle: SIGN0.7 rad", 0.7),
+    "the wire and the first": ("one.angle: 1 rad, wire.angle: SIGN0.7 rad", 0.7),
+    "the wire before the last": ("wire.angle: SIGN0.7 rad, two.angle: -2 rad", 0.7),
+    "the last alone": ("two.angle: 0.7 rad", 0.7),
+}
+
+
+@pytest.mark.parametrize("rest", [0.0, -0.2])
+@pytest.mark.parametrize("bodies", ["one, two", "two, one"])
+@pytest.mark.parametrize("order", ["one, two", "two, one"])
+@pytest.mark.parametrize("kind", TOLD)
+def test_the_angle_of_a_wire_between_two_is_how_far_it_is_twisted(
+    kind: str, order: str, bodies: str, rest: float
+) -> None:
+    """With the inertia I J/(I + J) it swings about its rest angle; each takes the share of the other's inertia, `two` clockwise."""
+    told, twist = TOLD[kind]
+    first, last = order.split(", ")
+    sign = 1 if last == "two" else -1
+    inertia, senses = {"one": 2.0, "two": 5.0}, {"one": 1, "two": -1}
+    made = {"one": "one: {inertia: I}", "two": "two: {inertia: J, turns: clockwise}"}
+    text = BETWEEN.replace("{BODIES}", "{" + ", ".join(made[name] for name in bodies.split(", ")) + "}")
+    text = text.replace("TOLD", told).replace("SIGN", "" if sign > 0 else "-").replace("REST", str(rest))
+    solution = solve(text.replace("FIRST", first).replace("LAST", last))
+    found = {name: answer.float for name, answer in solution.answers.items()}
+    began, whole = sign * twist, inertia["one"] + inertia["two"]
+    way = math.copysign(1, 0.1 - began)
+    rate = way * math.sqrt(3 * ((began - rest) ** 2 - (0.1 - rest) ** 2) * whole / (inertia["one"] * inertia["two"]))
+    expected = {
+        "p": began,
+        "q": 0.1,
+        "a": senses[first] * 3 * (began - rest) / inertia[first],
+        "v": -senses[first] * rate * inertia[last] / whole,
+        "w": senses[last] * rate * inertia[first] / whole,
+    }
+    assert found == pytest.approx(expected)
+    assert all(item.holds for item in solution.derivation.confirmed)

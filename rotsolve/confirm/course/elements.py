@@ -21,6 +21,7 @@ from rotsolve.confirm.course.reading import (
     second_rate,
     values,
 )
+from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Way
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.strings import String
@@ -155,10 +156,13 @@ def potential_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 
 def turning(at: Node, path: Path, term: Term | None) -> Reckoned:
-    """Where on a curved surface a body touches it; how the last body turns against the first, else how the body turns that is held."""
+    """Where on a curved surface a body touches it; how far a wire is twisted; how the last body turns against the first, else how the body
+    turns that is held."""
     item = element(at, path.owner)
     if isinstance(item, Touch) and path.quantity == "angle":
         return Reckoned({"": at.touching_angle(item)}, 1.0, period=2 * math.pi)
+    if path.quantity == "angle" and (wound := wound_by(path.owner, at.model)):
+        return number(twist(wound, at.pose, at.model).value, 1.0)
     between = item.between() if hasattr(item, "between") else ()
     if between and path.quantity != "angle":
         first, last = (at.pose.turn(ref.owner) for ref in between)
