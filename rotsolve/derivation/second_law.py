@@ -6,8 +6,9 @@ independent there. Where a letter of them has no number, or one sums over a phas
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from enum import Enum, auto
+from fractions import Fraction
 
 from msgspec import Struct
 
@@ -16,7 +17,7 @@ from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.certified.balls import Ball, Undefined
 from rotsolve.algebra.exact.normal import equal, is_zero
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
 from rotsolve.core.derivation import Check
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON, Equation
 from rotsolve.core.symbols import has_quantities
@@ -29,6 +30,7 @@ from rotsolve.search.planning import families_for
 from rotsolve.search.search import FEW_TRIES, Search
 from rotsolve.solver.textbook import is_long_root
 
+SETS = 4  # of numbers for letters that have none
 CLOSE = 1e-9  # up to which share of their size two numbers agree
 NOTHING = arb(0)
 
@@ -54,7 +56,7 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
             formula = again(other, answered) if outcome is Confirmation.OPEN else answered.found.formula
             if outcome is Confirmation.NO_PLAN or formula is None or law not in families(other.answered[-1], other):
                 continue
-            if outcome is Confirmation.HOLDS or same(formula, answered.found.formula, search):
+            if outcome is Confirmation.HOLDS or same(formula, answered.found.formula, search, balls):
                 pending.remove(answered)
                 agreed.append(answered)
             elif over_a_phase(other):
@@ -226,15 +228,22 @@ def again(other: Search, answered: Answered) -> Formula | None:
         return None
 
 
-def same(one: Formula, other: Formula | None, search: Search) -> bool:
-    """Exact equality, else agreement of the certified numbers."""
+def same(one: Formula, other: Formula | None, search: Search, balls: KnownBalls) -> bool:
+    """Exact equality, else agreement of the certified numbers; of letters without one, of those of their case and some near."""
     if other is None:
         return False
     if equal(one, other, search.solver.positive):
         return True
+    free = sorted((one.symbols() | other.symbols()) & balls.free)
+    sets = [near(balls.values, free, step) for step in range(SETS if free else 1)]
     try:
-        gap = evaluate(one - other, search.values, digits=12)
-        size = evaluate(other, search.values, digits=12)
+        gaps = [(evaluate(one - other, values, digits=12), evaluate(other, values, digits=12)) for values in sets]
     except (Undefined, ValueError):
         return False
-    return abs(gap.float) <= 1e-9 * max(abs(size.float), 1e-300)
+    return all(abs(gap.float) <= CLOSE * max(abs(size.float), 1e-300) for gap, size in gaps)
+
+
+def near(values: Mapping[str, Formula], names: Sequence[str], step: int) -> dict[str, Formula]:
+    """Numbers in which some letters are a little larger, each by another share."""
+    grown = {name: values[name] * Number(1 + Fraction(step * place, 10_000)) for place, name in enumerate(names, 2)}
+    return {**values, **grown}

@@ -233,16 +233,6 @@ find: {kappa: smallest kappa where upright is stable}
 """,
         "hangs on elongation of coil at upright, which nothing tells",
     ),
-    "a wire that twists between two bodies": (
-        """
-given: {I: kg m^2, J: kg m^2, kappa: N m/rad, b: rad}
-bodies: {one: {inertia: I}, two: {inertia: J}}
-connections: {shaft: {axle: [one, two]}, wire: {torsion: [one, two], stiffness: kappa}}
-states: {start: {one.angle: 0, two.angle: b, at rest: all}, mid: {wire.angle: 0}}
-find: {w1: one.angular_velocity at mid}
-""",
-        "is not solved by these laws",
-    ),
 }
 
 
