@@ -158,6 +158,15 @@ def twist(wound: Sequence[str], pose: Pose, model: Known) -> Jet:
     return angles[-1] - angles[0] if len(angles) == 2 else angles[0]
 
 
+def once_round(path: Path, model: Known) -> float | None:
+    """How much a place on a curved surface grows on the way once round it, where it reads as it began; None of other places."""
+    contact = next((item for item in model.acting.connections if item.name == path.owner), None)
+    if path.quantity == "angle" and isinstance(contact, Touch):
+        return 2 * math.pi
+    found = bent(path.owner, model) if path.quantity == "displacement" and path.component is None else None
+    return 2 * math.pi * circle_of(found, model) if found is not None else None
+
+
 def from_axis(name: str, pose: Pose, model: Known) -> Jet | None:
     """How far from the axis a body is that rides on another."""
     for item in model.acting.connections:

@@ -249,3 +249,37 @@ find: {{w: one.angular_velocity at end}}
     inertia = 1.3 * 1.6**2 * 1.5 + 1.4 * (speed[0] ** 2 + speed[1] ** 2)
     gained = 2.7 * G * 1.1 * math.sin(beta) - 1.4 * G * lump[1] + 9 * 1.1 + 2 * 1.1**2
     assert abs(asked(text)["w"]) == pytest.approx(math.sqrt(2 * gained / inertia), rel=1e-6)
+
+
+@pytest.mark.parametrize(("turn", "way"), [("right", 1), ("left", -1)])
+@pytest.mark.parametrize("far", [170, 200, 260])
+def test_a_place_round_a_bowl_is_counted_past_half_a_turn(turn: str, way: int, far: int) -> None:
+    """A marble that rolls over the top: v² = u² - (10/7) g h, wherever its angle or its way along the bowl is told, in two steps or one."""
+    angle = -90 + way * far
+    lines = [f"touch.angle: {angle} deg", f"ball.displacement: {0.9 * math.radians(far):.15f} m"]
+    for line in lines:
+        for side in ("", f"side: {{touch.angle: {-90 + way * 60} deg}}, ") if line is lines[0] else ("",):
+            found = asked(f"""
+given: {{u: 9 m/s}}
+surfaces: {{bowl: {{hollow: 1 m}}}}
+bodies: {{ball: {{shape: sphere, mass: 1 kg, radius: 0.1 m, moves: {turn}}}}}
+connections: {{touch: {{rolls: [ball, bowl]}}}}
+states: {{low: {{touch.angle: -90 deg, ball.velocity: u}}, {side}past: {{{line}}}}}
+find: {{v: ball.speed at past}}
+""")
+            high = 0.9 * (1 - math.cos(math.radians(far)))
+            assert found["v"] == pytest.approx(math.sqrt(81 - 10 / 7 * G * high), rel=CLOSE)
+
+
+@pytest.mark.parametrize("times", [3, 30, 300, 3000])
+def test_a_bead_that_is_flung_out_far(times: int) -> None:
+    """(I + m r²) ω stays, however much longer than the first guess it takes, in which no step has numbers."""
+    found = asked(f"""
+plane: horizontal
+given: {{b: 0.1 m, w: 0.07 rad/s}}
+bodies: {{bar: {{inertia: 0.06 kg m^2}}, bead: {{mass: 0.2 kg}}}}
+connections: {{axle: {{axle: bar}}, track: {{rides: [bead, bar], friction: none}}}}
+states: {{start: {{bead.radius: b, bead.velocity.radial: 0, bar.angular_velocity: w}}, end: {{bead.radius: {times}*b}}}}
+find: {{w2: bar.angular_velocity at end}}
+""")
+    assert found["w2"] == pytest.approx(0.07 * 0.062 / (0.06 + 0.002 * times**2), rel=1e-6)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from msgspec import Struct
@@ -10,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.instant import gathered, slip_speed
-from rotsolve.confirm.lines import from_axis, placed_value, rate_of
+from rotsolve.confirm.lines import from_axis, once_round, placed_value, rate_of
 from rotsolve.confirm.model import Model
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 
@@ -141,4 +142,14 @@ def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
             return reading(at, path).number - value
         return place.value - value
 
-    return Gauge(gap, max(abs(value), 0.1 if path.quantity in ("displacement", "height", "elongation") else 1.0), words)
+    size = max(abs(value), 0.1 if path.quantity in ("displacement", "height", "elongation") else 1.0)
+    whole = once_round(path, model)
+    return Gauge(gap if whole is None else unwound(gap, gap(first), whole), size, words)
+
+
+def unwound(gap: Callable[[Node], float], begun: float, whole: float) -> Callable[[Node], float]:
+    """A gap that reads the same after each whole turn, by the turn on which it began; it jumps as far past its zero as before its start."""
+    if abs(begun) >= whole:
+        raise NotConfirmed("what goes more than once round")
+    middle = begun / 2
+    return lambda at: middle + math.remainder(gap(at) - middle, whole)

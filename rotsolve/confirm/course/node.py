@@ -31,13 +31,21 @@ class OverBudget(NotConfirmed):
 
 
 class Budget:
-    """How much a scene may cost: so many instants of one body, of which a larger scene costs more. Clocks would make answers differ."""
+    """How much a scene may cost: so many instants of one body, of which a larger scene costs more. Clocks would make answers differ.
 
-    def __init__(self, instants: int) -> None:
-        self.left = float(instants)
+    What is spent of a `portion` is spent of the whole too.
+    """
+
+    def __init__(self, instants: float, whole: Budget | None = None) -> None:
+        self.left, self.whole = float(instants), whole
+
+    def portion(self, most: int) -> Budget:
+        return Budget(min(most, self.left), self)
 
     def spend(self, model: Model) -> None:
         self.left -= 0.5 + 0.5 * len(model.seats)
+        if self.whole is not None:
+            self.whole.left -= 0.5 + 0.5 * len(model.seats)
         if self.left < 0:
             raise OverBudget("its motion takes too long to follow")
 

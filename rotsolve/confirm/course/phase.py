@@ -202,6 +202,8 @@ class NextState:
         last = self.laps[-LONG:]
         gaps = [abs(self.gauges[0].value(instant(self.first, lap, 1.0))) for lap in self.laps[-LONG - 1 :]]
         begun = max(abs(self.gauges[0].value(self.first)), self.gauges[0].size)
+        if len(self.laps) > 2 * LONG and max(abs(old - new) for old, new in pairwise(gaps)) <= VERGE * begun:
+            raise NotConfirmed(f"nothing tells when `{self.state.name}` is")
         rates = [(old - new) / lap.step.width for old, new, lap in zip(gaps, gaps[1:], last, strict=False)]
         name, elapsed = self.state.name, self.node.time - self.first.time
         if all(rate < 0.0 for rate in rates) and gaps[-1] > MUCH * begun:
@@ -292,18 +294,20 @@ class NextState:
     def zero(self, function: Callable[[Node], float], lap: Lap, low: float, high: float) -> float:
         """The part of a step at which a function changes its sign, by the rule of Illinois."""
         a, b = function(instant(self.first, lap, low)), function(instant(self.first, lap, high))
-        for _ in range(60):
+        kept = (
+            0  # which end has stayed: one that stays twice counts half, else an end with a large value stays for ever
+        )
+        for _ in range(100):
             part = high - b * (high - low) / (b - a) if b != a else (low + high) / 2
             value = function(instant(self.first, lap, part))
-            if value == 0.0 or abs(high - low) < 1e-13:
-                return part
+            if abs(value) < 1e-14 * max(abs(a), abs(b), 1e-300) or abs(high - low) < 1e-13:
+                break
             if (value > 0) == (b > 0):
-                high, b, a = part, value, a / 2
+                high, b, a = part, value, a / 2 if kept == -1 else a
+                kept = -1
             else:
-                low, a = part, value
-                low, high, a, b = low, high, a, b
-            if abs(value) < 1e-14 * max(abs(a), abs(b), 1e-300):
-                return part
+                low, a, b = part, value, b / 2 if kept == 1 else b
+                kept = 1
         return part
 
     def shortened(self, step: TimeStep, part: float, modes: dict[str, str]) -> TimeStep:
@@ -339,7 +343,7 @@ class NextState:
         found: list[float] = []
         for place in range(1, len(values) - 1) if not gauge.passing else ():  # it may come to it and go back between
             a, b, c = values[place - 1 : place + 2]
-            if a * b > 0 < b * c and abs(b) <= min(abs(a), abs(c)):
+            if a * b > 0 < b * c and abs(b) < min(abs(a), abs(c)):
                 found += self.touched(gauge, lap, parts[place - 1], parts[place + 1])
         for low, high, a, b in zip(parts, parts[1:], values, values[1:], strict=False):
             if abs(a) <= small and low == 0.0:

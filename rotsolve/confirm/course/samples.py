@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import islice
+from itertools import islice, zip_longest
 from operator import is_
 
 from rotsolve.algebra.formula import Formula, Sum, Symbol
@@ -40,6 +40,9 @@ OTHERS = (0.5, 3.0)
 BOUNDED = (kinds.ANGLE, kinds.NONE)
 PRIMES = (5, 2, 3, 7, 13, 11, 17, 19, 23, 29)  # their roots are the steps from set to set, none a fraction of others
 BEYOND = 3.0  # how far the later sets go beyond the limits, so that they are on both sides of what a size decides
+WIDE = 10.0  # how far those of the pool do, of which APART are tried that are far from each other
+POOL, APART = 256, 6
+WIDER = (0.05, 1.5)  # what bounded kinds have there
 
 Numbers = Mapping[str, float]
 
@@ -63,8 +66,42 @@ def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
         yield with_givens(problem, drawn)
 
 
+def far_apart(problem: Problem, answers: Sequence[Answer]) -> list[Numbers]:
+    """Of a pool of sets that goes far beyond the limits some of each case: one next to an edge, others far from each other.
+
+    What is next to nothing beside another, or goes wrong only on the way, is not seen with ordinary numbers.
+    """
+    open_ = letters_open(problem)
+    regions: dict[tuple[int, ...], list[Numbers]] = {}
+    for number in range(1, POOL if any(several.conditions or several.otherwise for several in answers) else 4 * APART):
+        sizes = {given.name: number_drawn(given, number, place, WIDE) for place, given in enumerate(open_)}
+        numbers = with_givens(problem, {name: in_few_digits(size) for name, size in sizes.items()})
+        cases = [case for case in cases_at(answers, numbers) if case is not None]
+        regions.setdefault(tuple(map(id, cases)), []).append(numbers)
+    chosen = [far_from_each_other(problem, answers, sets) for key, sets in regions.items() if key]
+    return list(islice((numbers for row in zip_longest(*chosen) for numbers in row if numbers is not None), APART))
+
+
+def far_from_each_other(problem: Problem, answers: Sequence[Answer], sets: Sequence[Numbers]) -> Iterator[Numbers]:
+    """The sets of a case, the one that is next to an edge first, then each time the one that is farthest from those before."""
+    names = [given.name for given in letters_open(problem)]
+
+    def room(numbers: Numbers) -> float:
+        held = [case for case in cases_at(answers, numbers) if case is not None]
+        spares = [spare(condition, numbers) for case in held for condition in case.conditions]
+        return min((one for one in spares if one > EDGE), default=1.0)
+
+    places = [tuple(math.log(numbers[name]) for name in names) for numbers in sets]
+    near = [math.inf] * len(sets)
+    now = min(range(len(sets)), key=lambda index: room(sets[index]))
+    while near[now] > 0.0:
+        yield sets[now]
+        near = [min(one, math.dist(place, places[now])) for one, place in zip(near, places, strict=True)]
+        now = max(range(len(sets)), key=near.__getitem__)
+
+
 def near_edges(
-    problem: Problem, answers: Sequence[Answer], points: Sequence[Mapping[str, Fraction]]
+    problem: Problem, answers: Sequence[Answer], points: Sequence[Mapping[str, Fraction | float]]
 ) -> Iterator[Numbers]:
     """The numbers of cases, with one letter so much larger or smaller that a condition only just holds."""
     letters = {given.name for given in letters_open(problem) if given.dimension != kinds.ANGLE}  # those stay acute
@@ -150,7 +187,7 @@ def in_few_digits(number: float) -> float:
     return float(f"{number:.{DIGITS}g}")
 
 
-def within_case(problem: Problem, answers: Sequence[Answer], point: Mapping[str, Fraction]) -> Numbers:
+def within_case(problem: Problem, answers: Sequence[Answer], point: Mapping[str, Fraction | float]) -> Numbers:
     """The numbers of a point, or, where they are next to an edge, of one beside it that is further inside its case."""
     exact = {name: float(size) for name, size in point.items()}
     own = cases_at(answers, with_givens(problem, exact))
@@ -173,16 +210,18 @@ def cases_at(answers: Sequence[Answer], numbers: Numbers) -> list[Answer | None]
     return [holding(answer, numbers) for answer in answers]
 
 
-def number_drawn(given: Given, number: int, place: int) -> float:
+def number_drawn(given: Given, number: int, place: int, beyond: float = BEYOND) -> float:
     """Between the limits of its kind: the same in every run, and spread evenly from set to set; after the first beyond them too.
 
     Each letter goes from set to set by a step of its own, so that one grows where another does, or falls.
     """
     lowest, highest = LIMITS.get(given.dimension, OTHERS) if given.dimension is not None else OTHERS
     part = (number * math.sqrt(PRIMES[place % len(PRIMES)]) + place * 0.7548776662 + 0.317) % 1.0
+    if given.dimension in BOUNDED and beyond > BEYOND:
+        lowest, highest = WIDER
     if number == 0 or given.dimension in BOUNDED:
         return lowest + (highest - lowest) * part
-    return lowest / BEYOND * math.exp(part * math.log(highest / lowest * BEYOND**2))
+    return lowest / beyond * math.exp(part * math.log(highest / lowest * beyond**2))
 
 
 def holding(answer: Answer, numbers: Numbers) -> Answer | None:

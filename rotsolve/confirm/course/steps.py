@@ -6,6 +6,7 @@ A law may tell more behind q̈ (how far what holds is from giving way): a step i
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from functools import cache
 
@@ -116,6 +117,8 @@ def stretch(
         for number in range(1, len(PLACES)):
             q, v = collocated(place, speed, pushes, width, PLACES[number], known.once[number], known.twice[number])
             found = law(time + PLACES[number] * width, q, v)
+            if not math.isfinite(sum(found)):  # what has no number is not larger than anything
+                return None
             moved = [(abs(found[i] - pushes[number][i]), abs(found[i])) for i in range(len(place))]
             change = max(change, max([by for by, _ in moved], default=0.0))
             size = max(size, max([large for _, large in moved], default=0.0))

@@ -1,6 +1,6 @@
 """Verdict: the answers held against the assembly: the same, something else, or not confirmed and why; what it contradicts is withheld.
 
-Letters without a number get three sets of numbers, drawn from a seed; a letter that is asked for has the number of its answer, which
+Letters without a number get several sets of numbers, the same in every run; a letter that is asked for has the number of its answer, which
 then has to make every line of the states hold.
 """
 
@@ -20,7 +20,9 @@ from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Astray, Budget
 from rotsolve.confirm.course.reading import Reckoned
 from rotsolve.confirm.course.samples import (
+    SETS,
     Numbers,
+    far_apart,
     holding,
     letters_open,
     near_edges,
@@ -40,10 +42,12 @@ ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing 
 POINTS = {"right": (1.0, 0.0), "left": (-1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}  # by the word of an answer
 OTHER_WAY = "an assembly of all bodies' equations has it point the other way"
 OTHERWISE = "an assembly of all bodies' equations gives another value"
+NO_CASE = "no numbers were found for its case"
 NO_NUMBER = "it has no real value there, and has one by an assembly of all bodies' equations"
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
-DRAWN, OWN, EDGE, ON = range(4)  # kinds of sets of numbers
+DRAWN, OWN, EDGE, ON, FAR = range(5)  # kinds of sets of numbers
 BUDGET = 3000  # instants of one body that a scene may cost
+FAR_BUDGET = 2000  # those of one set that is far from the others, which together may cost as much again
 Solved = Callable[[str], "Formula | float | None"] | None
 
 
@@ -82,16 +86,13 @@ def confirmations(
     """
     verdicts: dict[str, AnswerConfirmation] = {}
     seen = set[int]()  # the cases that have been tried
-    tried, wanted, budget = 0, sets_wanted(problem), Budget(BUDGET)
-    own = (with_givens(problem, within_case(problem, answers, point)) for point in points)
-    drawn = zip(repeat(DRAWN), sets_of_numbers(problem))
-    near = zip(repeat(EDGE), near_edges(problem, answers, points))
-    on = zip(repeat(ON), on_edges(problem, answers, points))
-    for kind, numbers in chain(drawn, zip(repeat(OWN), own), near, on):
+    tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
+    for kind, numbers in sets_tried(answers, problem, points):
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
-        if budget.left < 0 or (kind == DRAWN and tried == wanted) or (kind == OWN and cases <= seen):
+        limit = far_budget.portion(FAR_BUDGET) if kind == FAR else budget
+        if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)) or (kind == OWN and cases <= seen):
             continue
-        found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, budget)}
+        found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit)}
         if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
             continue
         if kind == ON:
@@ -99,7 +100,25 @@ def confirmations(
         verdicts |= {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
         if any(verdict.holds is not None for verdict in found.values()):
             tried, seen = tried + 1, seen | cases
+        elif any(verdict.why != NO_CASE for verdict in found.values()):
+            in_vain += 1
     return tuple(verdicts.values())
+
+
+def sets_tried(
+    answers: Sequence[Answer], problem: Problem, points: Sequence[Mapping[str, Fraction]]
+) -> Iterator[tuple[int, Numbers]]:
+    """The sets of numbers at which answers are held against the assembly, each with its kind; where all is a number, that one."""
+    yield from zip(repeat(DRAWN), sets_of_numbers(problem))
+    if not letters_open(problem):
+        return
+    yield from ((OWN, with_givens(problem, within_case(problem, answers, point))) for point in points)
+    yield from zip(repeat(EDGE), near_edges(problem, answers, points))
+    yield from zip(repeat(ON), on_edges(problem, answers, points))
+    if sets_wanted(problem) < SETS:
+        return
+    far = far_apart(problem, answers)
+    yield from zip(repeat(FAR), chain(far, near_edges(problem, answers, far)))
 
 
 def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:
@@ -122,8 +141,10 @@ def numbers_told(numbers: Numbers, problem: Problem) -> str:
 
 
 def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> AnswerConfirmation:
-    """Of two sets of numbers: contradicted by one, else gone astray with one, else confirmed by one."""
-    return now if before is None or speaks_for(now) >= speaks_for(before) else before
+    """Of two sets of numbers: contradicted by one, else gone astray with one, the first, else confirmed by one."""
+    if before is None or speaks_for(now) > speaks_for(before):
+        return now
+    return before if before.astray or speaks_for(now) < speaks_for(before) else now
 
 
 def speaks_for(verdict: AnswerConfirmation) -> int:
@@ -148,7 +169,7 @@ def at_numbers(
         answer = holding(several, known)
         said = {} if answer is None else said_of(answer, known)
         if answer is None:
-            yield AnswerConfirmation(several.name, None, "no numbers were found for its case")
+            yield AnswerConfirmation(several.name, None, NO_CASE)
             continue
         if not said:
             yield judged(finds[answer.name][0], said, asker, numbers)
@@ -161,7 +182,8 @@ def at_numbers(
             other = judged(finds[answer.name][0], said, ended, numbers, answer.direction)
             verdict = other if other.holds else verdict
         if verdict.holds is False and verdict.why in (OTHERWISE, OTHER_WAY) and (slips := asker.course.slips()):
-            verdict = replace(verdict, why=slips)
+            told = not_so(verdict.name, slips, problem, numbers)  # letters may have others, with which nothing slips
+            verdict = replace(verdict, holds=told.holds, why=told.why, astray=told.astray)
         yield verdict
 
 
