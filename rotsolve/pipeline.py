@@ -69,11 +69,18 @@ def solve_problem(
     solution = refused_fairly(problem, law, digits, at)
     if not confirm:
         return solution
-    from rotsolve.confirm.course.verdict import confirmed
-
     with stage("confirm", whole=True):
         verdicts = () if solution.trace.confirmation is None else solution.trace.confirmation()
-        return replace(solution, derivation=confirmed(replace(solution.derivation, confirmed=verdicts), problem))
+        return replace(solution, derivation=as_confirmed(replace(solution.derivation, confirmed=verdicts), problem))
+
+
+def as_confirmed(derivation: Derivation, problem: Problem) -> Derivation:
+    """The derivation as it stands after its confirmation; what objects to answers goes on doing so where others are withheld."""
+    from rotsolve.confirm.course.verdict import confirmed
+
+    left = confirmed(derivation, problem)
+    objections = (check for check in derivation.checks if check.holds is not True and check not in left.checks)
+    return replace(left, checks=(*left.checks, *objections))
 
 
 def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
