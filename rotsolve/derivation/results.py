@@ -147,24 +147,33 @@ class Results(Struct, frozen=True):
         )
 
     def _when(self, answered: Answered) -> Words:
-        """The time at which a function of time has the value that is printed, or that it is not a time of its phase."""
+        """The time at which a function of time has the value that is printed, between which states it does, or that it is no time of its
+        phase."""
         found, find = answered.found, answered.asked.find
         if found.formula is None or not find.runs:
             return ()
+        begun = [state for state, sign, held in self._ends(find) if sign > 0 and held is None]
         end = self._until(answered)
-        part: Words = (f"up to {spoken(end)}",) if end else ()
+        part = ", ".join(
+            (*(f"from {spoken(state)} on" for state in begun[:1]), *([f"up to {spoken(end)}"] if end else ()))
+        )
         if self.at is None:
-            return part
+            return (part,) if part else ()
         moment: Words = (self.letters.printed(Symbol(TIME)), f" = {self.at.text}")
         if self._lasts(find) is False:
             return (*moment, " is not in this phase")
-        return (*part, ", at " if part else "at ", *moment) if TIME in found.formula.symbols() else part
+        if TIME in found.formula.symbols():
+            return (f"{part}, at " if part else "at ", *moment)
+        return (part,) if part else ()
 
     def _until(self, answered: Answered) -> str:
-        """The state on the way up to which a function of time holds; nothing where it is told at a moment that is known to be before it."""
+        """The state up to which a function of time holds: one on the way, or any that letters do not tell to be after the moment at which
+        it is told; nothing where that is known to be before it."""
         find = answered.asked.find
-        if answered.found.formula is None or not find.runs or (self.at is not None and self._lasts(find)):
+        if answered.found.formula is None or not find.runs:
             return ""
+        if self.at is not None:
+            return next((state for state, sign, held in self._ends(find) if sign < 0 and held is None), "")
         return next(filter(None, (self._end(term) for term in find.terms if term.at == ANY_TIME)), "")
 
     def _end(self, term: Term) -> str:
@@ -177,9 +186,15 @@ class Results(Struct, frozen=True):
 
     def _lasts(self, find: Find) -> bool | None:
         """Whether the phases of a function of time hold the moment at which it is evaluated; None where letters do not tell."""
+        held = [held for *_, held in self._ends(find)]
+        return False if False in held else None if None in held else True
+
+    def _ends(self, find: Find) -> Iterator[tuple[str, int, bool | None]]:
+        """The states between which a function of time holds, +1 for the first and −1 for the last, and whether the moment at which it is
+        evaluated lies on that side of them; None where letters do not tell."""
         if self.at is None:
-            return True
-        scene, beside, told = self.search.scene, self.search.beside(), True
+            return
+        scene, beside = self.search.scene, self.search.beside()
         from rotsolve.questions.functions_of_time import phases_of
 
         for term in find.terms:
@@ -192,10 +207,7 @@ class Results(Struct, frozen=True):
             for state, sign in ends:
                 end = beside.settle(scene.instant(state).time()) if beside is not None else None
                 gap = self.value(sign * (self.at.value - end)) if end is not None else None
-                if gap is not None and gap.float < 0:
-                    return False
-                told = told and gap is not None
-        return told or None
+                yield state, sign, None if gap is None else gap.float >= 0
 
     def label(self, chosen: Chosen) -> Answer:
         """The answer to a choice: the label, with the comparisons as its reason."""

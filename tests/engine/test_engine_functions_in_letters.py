@@ -129,3 +129,51 @@ def test_a_moment_that_letters_do_not_compare_with_it_leaves_the_part() -> None:
     assert {case.answer.remark for case in branches} == {(), ("up to slip",)}
     known = solve(text, at="t=5s", settings=BLOCK | {"mus": "0.5", "T": "9 s"}).answers["v"]
     assert known.float is None and "is not in this phase" in str(known.answer.remark[-1])
+
+
+PUSHED = """
+title: A box that is pushed
+surfaces: {floor: level}
+bodies: {b: {mass: m, moves: WAY}}
+connections: {base: {contact: [b, floor], friction: none}}
+actions: {push: {force: m*a, on: b, direction: WAY}}
+states: {start: at rest, far: {b.displacement: p}, more: {b.displacement: q}, end: {b.displacement: 9*p + q}}
+phases: {one: {from: start, to: far}, two: {from: far, to: more}}
+find: {v: b.velocity at any time during one, w: b.velocity at any time during two}
+"""
+SPUN = """
+title: A wheel that a couple turns
+bodies: {b: {inertia: m, turns: WAY}}
+connections: {pin: {axle: b}}
+actions: {push: {couple: m*a, on: b}}
+states: {start: at rest, far: {b.rotation: p}, more: {b.rotation: q}, end: {b.rotation: 9*p + q}}
+phases: {one: {from: start, to: far}, two: {from: far, to: more}}
+find: {v: b.angular_velocity at any time during one, w: b.angular_velocity at any time during two}
+"""
+PARTED = {  # what is known of p and q at t = 2 s, where the way gone is 4: the remarks beside v and w
+    ("", ""): ("up to far, at t = 2 s", "from far on, up to more, at t = 2 s"),
+    ("5", ""): ("at t = 2 s", "t = 2 s is not in this phase"),
+    ("3", ""): ("t = 2 s is not in this phase", "up to more, at t = 2 s"),
+    ("3", "5"): ("t = 2 s is not in this phase", "at t = 2 s"),
+    ("1", "3"): ("t = 2 s is not in this phase", "t = 2 s is not in this phase"),
+    ("", "5"): ("up to far, at t = 2 s", "from far on, at t = 2 s"),
+}
+
+
+@pytest.mark.parametrize(("text", "unit", "ways"), [(PUSHED, "m", ("right", "left")), (SPUN, "rad", ("", "clockwise"))])
+@pytest.mark.parametrize("known", PARTED)
+def test_a_moment_says_between_which_states_of_unknown_time_it_has_to_lie(
+    text: str, unit: str, ways: tuple[str, str], known: tuple[str, str]
+) -> None:
+    for way in ways:
+        told = [f"{name}: {size} {unit}".replace("  ", " ") for name, size in zip("pq", known, strict=True)]
+        dimension = "kg" if unit == "m" else "kg m^2"
+        given = f"given: {{m: {dimension}, a: 2 {unit}/s^2, {', '.join(told)}}}\n"
+        scene = text.replace("WAY", way or "counterclockwise")
+        answers = solve(given + scene, at="t=2s").derivation.answers
+        remarks = ["".join(map(to_text, answer.remark)) for answer in answers]
+        assert tuple(remarks) == PARTED[known]
+
+
+def to_text(part: object) -> str:
+    return part if isinstance(part, str) else str(getattr(part, "name", part))
