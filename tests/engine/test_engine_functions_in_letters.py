@@ -150,13 +150,13 @@ states: {start: at rest, far: {b.rotation: p}, more: {b.rotation: q}, end: {b.ro
 phases: {one: {from: start, to: far}, two: {from: far, to: more}}
 find: {v: b.angular_velocity at any time during one, w: b.angular_velocity at any time during two}
 """
-PARTED = {  # what is known of p and q at t = 2 s, where the way gone is 4 (a state tells it since the one before): the remarks beside v and w
+PARTED = {  # the known parts of the way, from far on the second; at t = 2 s it is 4: the remarks beside v and w
     ("", ""): ("up to far, at t = 2 s", "from far on, up to more, at t = 2 s"),
     ("5", ""): ("at t = 2 s", "t = 2 s is not in this phase"),
     ("3", ""): ("t = 2 s is not in this phase", "up to more, at t = 2 s"),
     ("3", "5"): ("t = 2 s is not in this phase", "at t = 2 s"),
     ("1", "2"): ("t = 2 s is not in this phase", "t = 2 s is not in this phase"),
-    ("", "5"): ("up to far, at t = 2 s", "from far on, at t = 2 s"),
+    ("", "5"): ("up to far, at t = 2 s", "from far on, up to more, at t = 2 s"),
 }
 
 
