@@ -16,7 +16,7 @@ from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.symbols import TIME
 from rotsolve.search.cases import Case
 from rotsolve.search.edges import Edge, Edges
-from rotsolve.search.letterspace import Glance, LetterSpace, Proviso, numbers_of
+from rotsolve.search.letterspace import Glance, LetterSpace, Proviso, denominators, numbers_of
 from rotsolve.search.provisos import Region
 
 NEARLY = 1e-12  # what two answers that are equal on an edge may differ by, beside their sizes or in SI units
@@ -90,19 +90,26 @@ class Closing:
         return found, bare
 
     def parted(self, answer: Answer, own: Sequence[Solved]) -> list[Solved]:
-        """Cases in which the same option holds, kept apart where another holds on the edge between them."""
-        if not answer.word:
+        """Cases with the same answer, kept apart where on the edge between them another option holds, or a formula has no value."""
+        below = [part for form in forms_of(answer) for part in denominators(form) if part.symbols()]
+        if not answer.word and not below:
             return list(own)
         apart: list[Proviso] = []
         for case, other in combinations(own, 2):
             for one in case.bars:
                 against = next((item for item in other.bars if is_zero(item.gap + one.gap)), None)
                 edge = None if against is None else self.edges.edge(one, (*case.bars, *other.bars), [case.point])
-                found = () if edge is None else self.found_at(edge)
-                if edge is not None and against is not None and found and not self.agree((answer,), found, edge):
+                if edge is not None and against is not None and self.breaks(answer, below, edge):
                     self.looked_at += [] if edge in self.looked_at else [edge]
                     apart += [one, against]
         return [replace(case, conditions=tuple(self.strictly(apart, case.conditions))) for case in own]
+
+    def breaks(self, answer: Answer, below: Sequence[Formula], edge: Edge) -> bool:
+        """Whether an option does not hold on an edge between cases, or what is below a line of a formula vanishes there."""
+        if not answer.word:
+            return any(is_zero(edge.put(part)) for part in below)
+        found = self.found_at(edge)
+        return bool(found) and not self.agree((answer,), found, edge)
 
     def strictly(self, apart: Sequence[Proviso], conditions: Sequence[Proviso]) -> Iterator[Proviso]:
         """Conditions, those that are kept apart without their edges."""
@@ -152,6 +159,14 @@ class Closing:
             return evaluate(form, values)
         except (Undefined, ValueError, ZeroDivisionError):
             return None
+
+
+def forms_of(answer: Answer) -> Iterator[Formula]:
+    """The formulas of an answer, of its components too."""
+    form = answer.closed or answer.formula
+    yield from () if form is None else (form,)
+    for part in answer.components:
+        yield from forms_of(part)
 
 
 def unanswered_in(case: Solved) -> bool:

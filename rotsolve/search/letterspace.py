@@ -202,6 +202,18 @@ class LetterSpace:
 
     def of_root(self, value: Formula) -> int | None:
         """The sign of a + b √c, where those of a and b are sure: where they differ, that of a times that of a² − b² c."""
+        parts = self.rooted(value)
+        if parts is None:
+            return None
+        free, slope, under = parts
+        signs = [self.sure(part) for part in (free, slope)]
+        if None in signs or 0 in signs or signs[0] == signs[1]:
+            return signs[0] if signs[0] and signs[0] == signs[1] else None
+        square = self.sure(simplify(free**2 - slope**2 * under, positive=self.positive))
+        return None if square is None or signs[0] is None else signs[0] * square
+
+    def rooted(self, value: Formula) -> tuple[Formula, Formula, Formula] | None:
+        """The a, b and c of a + b √c; None of anything else."""
         roots = {node for node in value.walk(Call) if isinstance(node, Call) and node.function == "sqrt"}
         if len(roots) != 1 or not value.symbols() & self.letters.keys() or length(value) > LONG:
             return None
@@ -210,12 +222,7 @@ class LetterSpace:
         whole = value.transform(lambda node: letter if node == root else node, "sqrt")
         if degree(whole, ROOT) != 1 or any(ROOT in below.symbols() for below in denominators(whole)):
             return None
-        free, slope = whole.substitute({ROOT: ZERO}), differentiate(whole, ROOT)
-        signs = [self.sure(part) for part in (free, slope)]
-        if None in signs or 0 in signs or signs[0] == signs[1]:
-            return signs[0] if signs[0] and signs[0] == signs[1] else None
-        square = self.sure(simplify(free**2 - slope**2 * root.arguments[0], positive=self.positive))
-        return None if square is None or signs[0] is None else signs[0] * square
+        return whole.substitute({ROOT: ZERO}), differentiate(whole, ROOT), root.arguments[0]
 
     def of_angles(self, value: Formula) -> int | None:
         """The sign of what is linear in angles and hangs on nothing else, by its values where these are as small or large as they can be:
@@ -318,12 +325,27 @@ class LetterSpace:
         top, bottom = problem.field.cancel(problem.ratio())
         parts = [part for poly in (top, bottom) for part, power in problem.field.factor(poly)[1] if power % 2]
         for part in map(problem.shaper.poly, parts):
-            if (beyond := beyond_one(part)) is not None:
+            beyond = part if part.holds("abs") else self.beyond(part)
+            if beyond is not None:
                 yield from self.factors(beyond, self.side(beyond, point), point)
                 continue
             side = self.side(part, point) if self.sure(part) is None else 0
             if side:
                 yield Proviso(part if side > 0 else simplify(negate(part)), sign > 0)
+
+    def beyond(self, value: Formula) -> Formula | None:
+        """What has the sign of a logarithm ln u, u − 1, and that of a + b √c where a < 0 < b, b² c − a²; None of anything else."""
+        if isinstance(value, Call) and value.function == "log":
+            return value.arguments[0] - ONE
+        parts = self.rooted(value)
+        if parts is None:
+            return None
+        free, slope, under = parts
+        return (
+            simplify(slope**2 * under - free**2, positive=self.positive)
+            if self.sure(free) == -1 and self.sure(slope) == 1
+            else None
+        )
 
     def both_ways(self, value: Formula) -> tuple[Formula, ...]:
         """What together is not negative where a − b |x| is not: a − b x and a + b x; of anything else itself."""
@@ -401,11 +423,6 @@ class LetterSpace:
             for name in names:
                 yield {**point, name: point[name] * 2**power}
                 yield {**point, name: point[name] / 2**power}
-
-
-def beyond_one(value: Formula) -> Formula | None:
-    """u − 1 for a logarithm ln u, which has its sign; None of anything else."""
-    return value.arguments[0] - ONE if isinstance(value, Call) and value.function == "log" else None
 
 
 def coefficients(value: Formula, name: str) -> list[Formula]:
