@@ -273,18 +273,26 @@ class LetterSpace:
         return None
 
     def within_limits(self, value: Formula) -> int | None:
-        """The sign that a formula has within one of the limits: y + δ stands there for an x that is at least y."""
-        positive = {*self.positive, MORE}
-        for limit in self.limits:
-            for name in sorted(limit.symbols() & value.symbols() & self.letters.keys()):
-                least = solve_linear(limit, name, positive=self.positive)
-                if least is None or self.oracle.by_numbers(simplify(differentiate(limit, name))) != 1:
-                    continue
-                beyond = simplify(value.substitute({name: least + Symbol(MORE)}), positive=positive)
-                sign = sign_within(beyond, positive | self.acute, self.acute)
-                if sign is not None:
-                    return sign
-        return None
+        """The sign that a formula has within one of the limits."""
+        signs = (sign for limit in self.limited for sign in self.signs_where(value, limit))
+        return next(signs, None)
+
+    def signs_where(self, value: Formula, limit: Proviso, *, edges: bool = False) -> Iterator[int]:
+        """The signs that are told of a formula where a condition holds, on its edge too if that is asked, by one of its letters: y + δ
+        stands there for an x that is at least y, y/(1 + δ) for one that is at most y."""
+        within = {*self.positive, *self.acute}
+        for name in sorted(limit.gap.symbols() & value.symbols() & self.letters.keys()):
+            least = solve_linear(limit.gap, name, positive=self.positive)
+            slope = None if least is None else sign_within(simplify(differentiate(limit.gap, name)), within, self.acute)
+            if least is None or not slope or (slope < 0 and sign_within(least, within, self.acute) != 1):
+                continue
+            beyond = least + Symbol(MORE) if slope > 0 else least / (ONE + Symbol(MORE))
+            whole = simplify(value.substitute({name: beyond}), positive={*self.positive, MORE})
+            sign = sign_within(whole, {*within, MORE}, self.acute)
+            if sign is not None and (
+                not edges or sign_within(value.substitute({name: least}), within, self.acute) == sign
+            ):
+                yield sign
 
     def assumptions(self) -> tuple[str, ...]:
         """What letters were taken to be, in words: "u, w > 0", "0 < β < 90°"."""

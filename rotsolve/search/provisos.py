@@ -73,7 +73,7 @@ def implied(one: Proviso, other: Proviso, space: LetterSpace) -> bool:
         left = space.sure(simplify(one.gap - ratio * other.gap, positive=space.positive))
         if left == 1 or (left == 0 and (other.strict or not one.strict)):
             return True
-    return False
+    return 1 in space.signs_where(one.gap, other, edges=one.strict and not other.strict)
 
 
 def ratios(gap: Formula, other: Formula, space: LetterSpace) -> Iterator[Formula]:
