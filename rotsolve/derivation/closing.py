@@ -78,10 +78,10 @@ class Closing:
     def alone(self, told: Sequence[Held]) -> tuple[list[tuple[Edge, Solved, Answer]], list[Edge]]:
         """What is found on edges, where that is what is held on neither side; and the edges on which no answer is known."""
         found, bare = [], []
-        for edge in self.looked_at:
+        for edge in (place for seen in self.looked_at for place in self.edges.along(seen)):
             case, own = self.edges.case(edge), self.found_at(edge)
-            beside = (held for held in told if self.reaches(held, edge))
-            if own and any(self.agree(held.answers, own, edge) for held in beside):
+            beside = [held for held in told if self.reaches(held, edge)]
+            if (own and any(self.agree(held.answers, own, edge) for held in beside)) or not beside:
                 continue
             if case is not None and own and self.edges.confirmed(edge, own[0].name):
                 found.append((edge, case, own[0]))

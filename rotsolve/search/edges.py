@@ -72,6 +72,25 @@ class Edges(Generic[Found]):
         found = (edge for edge in self.known if same_edge(edge.gap, one.gap))
         return next((edge for edge in found if not Glance(self.space, edge.point).fails(rest)), None)
 
+    def along(self, edge: Edge) -> Iterator[Edge]:
+        """An edge, and each place on it where nothing holds of what has been found there."""
+        cases: list[Case[Found]] = []
+        place: Edge | None = edge
+        while place is not None:
+            yield place
+            case = self.case(place)
+            if case is None or not case.conditions:
+                return
+            cases.append(case)
+            apart = (other for other in self.edges_near(edge.gap, [edge.point]) if self.space.has(other.point))
+            place = next((other for other in apart if self.fails_all(other, cases)), None)
+            self.known += [] if place is None else [place]
+
+    def fails_all(self, edge: Edge, cases: Iterable[Case[Found]]) -> bool:
+        """Whether none of some cases holds at an edge's point."""
+        glance = Glance(self.space, edge.point)
+        return all(glance.fails(case.conditions) for case in cases)
+
     def edges_near(self, gap: Formula, starts: Iterable[Point]) -> Iterator[Edge]:
         """The edge by each of its letters, at points with the other letters as they are near the starts."""
         equality = replace(shown(Proviso(gap, strict=True), self.space), relation="=")

@@ -198,7 +198,18 @@ class LetterSpace:
         sign = self.of_angles(value) if sign is None else sign
         sign = self.of_coefficients(value) if sign is None else sign
         sign = self.of_square(value) if sign is None else sign
+        sign = self.of_sines(value) if sign is None else sign
         return self.of_root(value) if sign is None else sign
+
+    def of_sines(self, value: Formula) -> int | None:
+        """The sign of what holds an acute angle beside its sine: that is less, x/(1 + δ) for an x."""
+        beside: dict[Formula, Formula] = {
+            Call("sin", (Symbol(name),)): Symbol(name) / (ONE + Symbol(MORE)) for name in sorted(self.acute)
+        }
+        whole = value.transform(lambda node: beside.get(node, node), "sin") if self.acute & value.symbols() else value
+        if whole == value or whole.holds("sin", "cos", "tan"):
+            return None
+        return sign_within(whole, {*self.positive, *self.acute, MORE}, self.acute)
 
     def of_root(self, value: Formula) -> int | None:
         """The sign of a + b √c, where those of a and b are sure: where they differ, that of a times that of a² − b² c."""
@@ -214,7 +225,7 @@ class LetterSpace:
 
     def rooted(self, value: Formula) -> tuple[Formula, Formula, Formula] | None:
         """The a, b and c of a + b √c; None of anything else."""
-        roots = {node for node in value.walk(Call) if isinstance(node, Call) and node.function == "sqrt"}
+        roots = set(roots_in(value))
         if len(roots) != 1 or not value.symbols() & self.letters.keys() or length(value) > LONG:
             return None
         root = next(iter(roots))
@@ -288,6 +299,10 @@ class LetterSpace:
                 continue
             beyond = least + Symbol(MORE) if slope > 0 else least / (ONE + Symbol(MORE))
             whole = simplify(value.substitute({name: beyond}), positive={*self.positive, MORE})
+            if whole.holds("log", "acos", "asin") or not all(
+                sign_within(root.arguments[0], {*within, MORE}, self.acute) == 1 for root in roots_in(whole)
+            ):
+                continue  # it may have no value there
             sign = sign_within(whole, {*within, MORE}, self.acute)
             if sign is not None and (
                 not edges or sign_within(value.substitute({name: least}), within, self.acute) == sign
@@ -333,27 +348,29 @@ class LetterSpace:
         top, bottom = problem.field.cancel(problem.ratio())
         parts = [part for poly in (top, bottom) for part, power in problem.field.factor(poly)[1] if power % 2]
         for part in map(problem.shaper.poly, parts):
-            beyond = part if part.holds("abs") else self.beyond(part)
-            if beyond is not None:
-                yield from self.factors(beyond, self.side(beyond, point), point)
+            beyond = (part,) if part.holds("abs") else self.beyond(part)
+            if beyond:
+                side = self.side(beyond[0], point)
+                yield from self.factors(beyond[0], side, point)
+                for under in beyond[1:] if side < 0 else ():
+                    yield from (replace(one, strict=False) for one in self.factors(under, 1, point))
                 continue
             side = self.side(part, point) if self.sure(part) is None else 0
             if side:
                 yield Proviso(part if side > 0 else simplify(negate(part)), sign > 0)
 
-    def beyond(self, value: Formula) -> Formula | None:
-        """What has the sign of a logarithm ln u, u − 1, and that of a + b √c where a < 0 < b, b² c − a²; None of anything else."""
+    def beyond(self, value: Formula) -> tuple[Formula, ...]:
+        """What has the sign of a logarithm ln u, u − 1, and that of a + b √c where a < 0 < b, b² c − a², with what is not negative then, c;
+        nothing of anything else, nor where the value is told by one of its letters."""
         if isinstance(value, Call) and value.function == "log":
-            return value.arguments[0] - ONE
+            return (value.arguments[0] - ONE,)
         parts = self.rooted(value)
-        if parts is None:
-            return None
+        if parts is None or any(degree(value, name) == 1 for name in value.symbols() & self.letters.keys()):
+            return ()
         free, slope, under = parts
-        return (
-            simplify(slope**2 * under - free**2, positive=self.positive)
-            if self.sure(free) == -1 and self.sure(slope) == 1
-            else None
-        )
+        if self.sure(free) != -1 or self.sure(slope) != 1:
+            return ()
+        return simplify(slope**2 * under - free**2, positive=self.positive), under
 
     def both_ways(self, value: Formula) -> tuple[Formula, ...]:
         """What together is not negative where a − b |x| is not: a − b x and a + b x; of anything else itself."""
@@ -431,6 +448,11 @@ class LetterSpace:
             for name in names:
                 yield {**point, name: point[name] * 2**power}
                 yield {**point, name: point[name] / 2**power}
+
+
+def roots_in(value: Formula) -> Iterator[Call]:
+    """All square roots in a formula."""
+    return (node for node in value.walk(Call) if isinstance(node, Call) and node.function == "sqrt")
 
 
 def coefficients(value: Formula, name: str) -> list[Formula]:

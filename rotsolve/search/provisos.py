@@ -6,6 +6,7 @@ Nothing is left out because no other case is known there: what holds under a con
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import permutations
 
 from msgspec.structs import replace
 
@@ -22,6 +23,7 @@ from rotsolve.motion.positive import is_angle
 from rotsolve.search.letterspace import LetterSpace, Proviso, denominators
 
 LONG = 200  # nodes of conditions from which on nothing is proved of them
+SHORT = 40  # nodes of conditions up to which two together are tried
 SOLVED = 120  # nodes of a condition from which on it is not solved for a letter
 
 Region = tuple[Proviso, ...]  # all of these hold
@@ -53,8 +55,19 @@ def each_once(provisos: Sequence[Proviso], more: Sequence[Proviso]) -> Region:
 
 
 def follows(one: Proviso, others: Sequence[Proviso], space: LetterSpace) -> bool:
-    """Whether a condition holds wherever one of the others does: gap ≥ k gap' for a k > 0, whatever the letters are."""
-    return any(follows_from(one, other, space) for other in others)
+    """Whether a condition holds wherever one of the others does, or two of them do: gap ≥ k gap' + k' gap" for a k and k' > 0, whatever the
+    letters are."""
+    return any(follows_from(one, other, space) for other in others) or follows_from_two(one, others, space)
+
+
+def follows_from_two(one: Proviso, others: Sequence[Proviso], space: LetterSpace) -> bool:
+    """Whether a condition holds wherever two others do: what is left of it without the first follows from the second."""
+    for first, second in permutations(others, 2) if length(one.gap) < SHORT else ():
+        for ratio in ratios(one.gap, first.gap, space) if length(first.gap) < SHORT else ():
+            left = simplify(one.gap - ratio * first.gap, positive=space.positive)
+            if length(left) < SHORT and follows_from(Proviso(left, one.strict and not first.strict), second, space):
+                return True
+    return False
 
 
 def follows_from(one: Proviso, other: Proviso, space: LetterSpace) -> bool:
@@ -89,7 +102,7 @@ def ratios(gap: Formula, other: Formula, space: LetterSpace) -> Iterator[Formula
 
 def united(regions: Sequence[Region], space: LetterSpace) -> list[Region]:
     """Regions that together are the same, in as few as are found: two that touch where a condition turns round become one."""
-    found = list(regions)
+    found = [needed(region, space) for region in regions]
     while (pair := next(joinable(found, space), None)) is not None:
         first, second, joined = pair
         found[first] = joined
