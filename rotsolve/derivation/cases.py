@@ -16,7 +16,8 @@ from rotsolve.derivation.closing import Closing, Held, Solved, answer_put, unans
 from rotsolve.language.problem import Problem
 from rotsolve.search.cases import Needed
 from rotsolve.search.edges import Edge, Edges
-from rotsolve.search.letterspace import LetterSpace, Proviso
+from rotsolve.search.lettersigns import Proviso
+from rotsolve.search.letterspace import LetterSpace
 from rotsolve.search.provisos import Region, condition_line, follows, limits_told, needed, shown, united
 
 

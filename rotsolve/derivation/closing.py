@@ -16,7 +16,8 @@ from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.symbols import TIME
 from rotsolve.search.cases import Case
 from rotsolve.search.edges import Edge, Edges
-from rotsolve.search.letterspace import Glance, LetterSpace, Proviso, denominators, numbers_of
+from rotsolve.search.lettersigns import Proviso, denominators
+from rotsolve.search.letterspace import Glance, LetterSpace, numbers_of
 from rotsolve.search.provisos import Region
 
 NEARLY = 1e-12  # what two answers that are equal on an edge may differ by, beside their sizes or in SI units

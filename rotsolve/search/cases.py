@@ -16,7 +16,8 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.search.letterspace import Glance, LetterSpace, Point, Proviso, numbers_of
+from rotsolve.search.lettersigns import Proviso
+from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
 
 MOST = 12  # cases that are solved
 LOOKED_AT = 500_000  # nodes of conditions that are looked at for one more case

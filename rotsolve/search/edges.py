@@ -18,7 +18,8 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, call
 from rotsolve.core.derivation import Equality
 from rotsolve.search.cases import Case, Found, Solving, case_at
-from rotsolve.search.letterspace import LONG, Glance, LetterSpace, Point, Proviso, numbers_of
+from rotsolve.search.lettersigns import LONG, Proviso
+from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
 from rotsolve.search.provisos import divides, letter_rank, shown
 
 MOST = 12  # edges on which a case is solved

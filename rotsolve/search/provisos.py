@@ -20,7 +20,8 @@ from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.derivation import Equality
 from rotsolve.core.letters import Given
 from rotsolve.motion.positive import is_angle
-from rotsolve.search.letterspace import LetterSpace, Proviso, denominators
+from rotsolve.search.lettersigns import Proviso, denominators
+from rotsolve.search.letterspace import LetterSpace
 
 LONG = 200  # nodes of conditions from which on nothing is proved of them
 SHORT = 40  # nodes of conditions up to which two together are tried
