@@ -52,6 +52,13 @@ states: {start: at rest, far: {box.displacement: 2*d}}
 find: {v: box.velocity at far}
 """
 Energy = Callable[[float, dict[str, float]], float]
+
+
+def pushed(s: float, w: dict[str, float], back: str) -> float:
+    """½ v² after a share s of the way d, along which k x pushes on and something constant back."""
+    return w["u"] ** 2 / 2 + (w["k"] * (s * w["d"]) ** 2 / 2 - w[back] * s * w["d"]) / w["m"]
+
+
 KINDS: dict[
     str, tuple[str, dict[str, str], dict[str, str], Energy]
 ] = {  # text, units, what stands in it, ½ v² by the share of the way
@@ -59,7 +66,7 @@ KINDS: dict[
         BLOCK,
         {"m": "kg", "u": "m/s", "F": "N", "k": "N/m", "d": "m"},
         {"PUSH": "k*box.displacement - F"},
-        lambda s, w: w["u"] ** 2 / 2 + (w["k"] * (s * w["d"]) ** 2 / 2 - w["F"] * s * w["d"]) / w["m"],
+        lambda s, w: pushed(s, w, "F"),
     ),
     "a spring against a cube": (
         BLOCK,
@@ -71,7 +78,7 @@ KINDS: dict[
         WHEEL,
         {"m": "kg m^2", "u": "rad/s", "Q": "N m", "k": "N m", "d": "rad"},
         {"PUSH": "k*wheel.rotation - Q"},
-        lambda s, w: w["u"] ** 2 / 2 + (w["k"] * (s * w["d"]) ** 2 / 2 - w["Q"] * s * w["d"]) / w["m"],
+        lambda s, w: pushed(s, w, "Q"),
     ),
     "a rod over the top": (
         ROD,

@@ -111,19 +111,19 @@ def test_two_that_meet_slide_on_together_and_come_to_rest(floor: str, joins: str
     assert all(item.holds for item in solution.derivation.confirmed)
 
 
+def welded_at_rest(pulled: tuple[str, float, float]) -> str:
+    """Two crates in one that rest on a floor when one is pulled."""
+    joined, find = "  g: {weld: [one, two]}", "a: two.acceleration"
+    return scene(["one", "two"], "level", joined, pulled=pulled, states="{s: at rest}", find=find)
+
+
 @pytest.mark.parametrize("pull", [5.0, 19.0, 20.0, 40.0])
 def test_both_give_way_when_the_pull_is_more_than_both_limits_together(pull: float) -> None:
     """0.2 · 19.6 N + 0.5 · 29.4 N = 18.62 N, less what the pull lifts; how what holds is shared, nothing tells."""
     pulled = ("one", pull, 10.0)
-    text = scene(
-        ["one", "two"],
-        "level",
-        "  g: {weld: [one, two]}",
-        pulled=pulled,
-        states="{s: at rest}",
-        find="a: two.acceleration",
+    assert solve(welded_at_rest(pulled)).answers["a"].float == pytest.approx(
+        max(0.0, rate(["one", "two"], 0.0, 1.0, pulled))
     )
-    assert solve(text).answers["a"].float == pytest.approx(max(0.0, rate(["one", "two"], 0.0, 1.0, pulled)))
 
 
 def test_how_friction_that_holds_two_is_shared_is_refused() -> None:
@@ -246,14 +246,6 @@ def test_a_string_over_a_pulley_draws_both(tied: str) -> None:
 
 def test_what_lifts_one_of_two_off_does_not_hold() -> None:
     """The law is told for what stays on its surface: where one would be lifted off, that is said."""
-    pulled = ("one", 50.0, 30.0)
-    text = scene(
-        ["one", "two"],
-        "level",
-        "  g: {weld: [one, two]}",
-        pulled=pulled,
-        states="{s: at rest}",
-        find="a: two.acceleration",
-    )
+    text = welded_at_rest(("one", 50.0, 30.0))
     checks = [check for check in solve(text).derivation.checks if check.holds is False]
     assert checks

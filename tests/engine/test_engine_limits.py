@@ -18,6 +18,27 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.pipeline import solve
 
 LEVEL = "surfaces: {floor: level, kerb: {corner: h, side: right}}"
+
+
+def riding(base: str, pin: str, first: str) -> str:
+    """A body that slides outwards on another, which turns."""
+    return f"""plane: horizontal
+bodies: {{base: {base}, rider: {{mass: m}}}}
+connections: {{pin: {{{pin}}}, ride: {{rides: [rider, base]}}}}
+states: {{near: {{rider.radius: {first}, base.angular_velocity: 2 rad/s}}, out: {{rider.radius: s}}}}
+find: {{w: base.angular_velocity at out}}"""
+
+
+def geared(ring: str, pinion: str, order: str) -> str:
+    """A wheel that is turned inside another."""
+    return f"""plane: horizontal
+bodies: {{ring: {ring}, pinion: {pinion}}}
+connections: {{first: {{axle: ring}}, second: {{axle: pinion}}, teeth: {{gear: [{order}], inside: true}}}}
+actions: {{motor: {{couple: Q, on: pinion}}}}
+states: {{now: at rest}}
+find: {{a: ring.angular_acceleration at now}}"""
+
+
 SCENES = {  # letters with their units, the scene, and what is said where numbers can't be so
     "a wheel at a kerb": (
         {"R": "m", "h": "m", "M": "kg", "F": "N"},
@@ -47,40 +68,26 @@ find: {I: bar.inertia about pin}""",
     ),
     "a bead on a bar": (
         {"M": "kg", "m": "kg", "L": "m", "r": "m", "s": "m"},
-        """plane: horizontal
-bodies: {bar: {shape: rod, mass: M, length: L}, bead: {mass: m}}
-connections: {pin: {hinge: bar.start}, ride: {rides: [bead, bar]}}
-states: {near: {bead.radius: r, bar.angular_velocity: 2 rad/s}, out: {bead.radius: s}}
-find: {w: bar.angular_velocity at out}""",
+        riding("{shape: rod, mass: M, length: L}", "hinge: base.start", "r"),
         "is beyond the end of",
     ),
     "a beetle on a disc": (
         {"M": "kg", "m": "kg", "R": "m", "s": "m"},
-        """plane: horizontal
-bodies: {disc: {shape: disc, mass: M, radius: R}, bug: {mass: m}}
-connections: {pin: {axle: disc}, ride: {rides: [bug, disc]}}
-states: {near: {bug.radius: 0, disc.angular_velocity: 2 rad/s}, out: {bug.radius: s}}
-find: {w: disc.angular_velocity at out}""",
+        riding("{shape: disc, mass: M, radius: R}", "axle: base", "0"),
         "is beyond the end of",
     ),
     "a wheel inside another": (
         {"I": "kg m^2", "Q": "N m", "R": "m", "r": "m"},
-        """plane: horizontal
-bodies: {ring: {inertia: I, radius: R}, pinion: {inertia: 2*I, radius: r}}
-connections: {first: {axle: ring}, second: {axle: pinion}, teeth: {gear: [pinion, ring], inside: true}}
-actions: {motor: {couple: Q, on: pinion}}
-states: {now: at rest}
-find: {a: ring.angular_acceleration at now}""",
+        geared("{inertia: I, radius: R}", "{inertia: 2*I, radius: r}", "pinion, ring"),
         "can not run inside",
     ),
     "a step of a wheel inside a rim of another": (
         {"M": "kg", "Q": "N m", "R": "m", "r": "m", "s": "m"},
-        """plane: horizontal
-bodies: {drum: {inertia: 2 kg m^2, radii: {teeth: R - s, barrel: R}}, wheel: {shape: disc, mass: M, radius: r}}
-connections: {first: {axle: drum}, second: {axle: wheel}, teeth: {gear: [wheel.rim, drum.teeth], inside: true}}
-actions: {motor: {couple: Q, on: drum}}
-states: {now: at rest}
-find: {a: wheel.angular_acceleration at now}""",
+        geared(
+            "{inertia: 2 kg m^2, radii: {teeth: R - s, barrel: R}}",
+            "{shape: disc, mass: M, radius: r}",
+            "pinion.rim, ring.teeth",
+        ),
         "can not run inside|must be positive",
     ),
     "two radii": (
