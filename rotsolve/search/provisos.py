@@ -24,7 +24,8 @@ from rotsolve.search.lettersigns import Proviso, denominators
 from rotsolve.search.letterspace import LetterSpace
 
 LONG = 200  # nodes of conditions from which on nothing is proved of them
-SHORT = 40  # nodes of conditions up to which two together are tried
+MIDDLING = 50  # from which on it is not looked at by the letters of another one
+SHORT = 16  # nodes of conditions up to which two together are tried
 SOLVED = 120  # nodes of a condition from which on it is not solved for a letter
 
 Region = tuple[Proviso, ...]  # all of these hold
@@ -58,7 +59,16 @@ def each_once(provisos: Sequence[Proviso], more: Sequence[Proviso]) -> Region:
 def follows(one: Proviso, others: Sequence[Proviso], space: LetterSpace) -> bool:
     """Whether a condition holds wherever one of the others does, or two of them do: gap ≥ k gap' + k' gap" for a k and k' > 0, whatever the
     letters are."""
+    if refuted(one, others, space):
+        return False
     return any(follows_from(one, other, space) for other in others) or follows_from_two(one, others, space)
+
+
+def refuted(one: Proviso, others: Sequence[Proviso], space: LetterSpace) -> bool:
+    """Whether a condition is seen to fail at a point at which all others hold."""
+    return any(
+        glance.sign(one.gap) == -1 and all(glance.sign(other.gap) == 1 for other in others) for glance in space.glances
+    )
 
 
 def follows_from_two(one: Proviso, others: Sequence[Proviso], space: LetterSpace) -> bool:
@@ -87,6 +97,8 @@ def implied(one: Proviso, other: Proviso, space: LetterSpace) -> bool:
         left = space.sure(simplify(one.gap - ratio * other.gap, positive=space.positive))
         if left == 1 or (left == 0 and (other.strict or not one.strict)):
             return True
+    if length(one.gap) + length(other.gap) > MIDDLING:
+        return False
     return 1 in space.signs_where(one.gap, other, edges=one.strict and not other.strict)
 
 
