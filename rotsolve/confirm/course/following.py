@@ -20,7 +20,7 @@ from rotsolve.language.problem import Problem, State
 
 if TYPE_CHECKING:
     from rotsolve.confirm.course.blows import Blow
-    from rotsolve.confirm.course.phase import FollowedPhase
+    from rotsolve.confirm.course.laps import FollowedPhase
 
 
 class Broken(NotConfirmed):

@@ -7,18 +7,19 @@ have to pull though it only pushes ends it.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import LetsGo, MeetAgain, spaces
-from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
+from rotsolve.confirm.course.crossings import FAR, crossings, first_zero, sign_change
+from rotsolve.confirm.course.gauges import HOLDS, gauges
+from rotsolve.confirm.course.laps import FollowedPhase, Lap
 from rotsolve.confirm.course.node import Astray, Node
-from rotsolve.confirm.course.steps import PLACES, TimeStep, adapted, is_constant
+from rotsolve.confirm.course.steps import PLACES, Law, TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Placed, gathered, moment, slip_speed
 from rotsolve.confirm.rows import Grip
 from rotsolve.language.problem import State
@@ -32,77 +33,6 @@ STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
 NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
 LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and how much longer it would have to go on so
-FAR = 1e6  # seconds after which nothing is waited for any more
-SAMPLES = (0.03, 0.25, 0.5, 0.75, 0.97, 1.0)  # the outer ones tell that it turns near an end
-GOLDEN, SECTIONS = (math.sqrt(5) - 1) / 2, 24
-LOBATTO = (
-    (0.0, 16 / 45),
-    (math.sqrt(3 / 7), 49 / 90),
-    (1.0, 1 / 10),
-)  # offsets from the middle, with weights on either side
-
-
-class Lap(Struct, frozen=True):
-    """A step with the modes of what may slip."""
-
-    step: TimeStep
-    modes: dict[str, str]
-
-
-class FollowedPhase(Struct, frozen=True):
-    """The motion from one state to the next: its steps, and the instant at which it ends."""
-
-    first: Node
-    laps: list[Lap]
-    end: Node
-    modes: dict[str, str]
-
-    def integral(self, rate: Callable[[Node], float]) -> tuple[float, float]:
-        """∫ rate dt and ∫ |rate| dt, by Lobatto's rule, whose ends see a corner next to them, on halves where it takes more."""
-        whole, size = 0.0, 0.0
-        for lap in self.laps:
-            value = panel(self.first, lap, rate, 0.0, 1.0)
-            part, most = refined(self.first, lap, rate, 0.0, 1.0, value, 0)
-            whole, size = whole + part, size + most
-        return whole, size
-
-
-def panel(first: Node, lap: Lap, rate: Callable[[Node], float], low: float, high: float) -> tuple[float, float]:
-    total, size, half = 0.0, 0.0, (high - low) / 2.0
-    for offset, weight in LOBATTO:
-        for sign in (-1.0, 1.0):
-            value = rate(instant(first, lap, low + half * (1.0 + sign * offset)))
-            total += weight * value
-            size += weight * abs(value)
-    return total * half * lap.step.width, size * half * lap.step.width
-
-
-def refined(
-    first: Node,
-    lap: Lap,
-    rate: Callable[[Node], float],
-    low: float,
-    high: float,
-    value: tuple[float, float],
-    depth: int,
-) -> tuple[float, float]:
-    """The integral of a panel, halved until halves add up to the whole; what is small is held no closer than it is compared (`number`)."""
-    middle = (low + high) / 2.0
-    halves = [panel(first, lap, rate, low, middle), panel(first, lap, rate, middle, high)]
-    total, size = (halves[0][k] + halves[1][k] for k in range(2))
-    apart = max(abs(total - value[0]), abs(size - value[1]))  # what turns back has a corner in its size alone
-    if apart <= 1e-9 * max(size, 1e-4) or depth > 20:
-        return total, size
-    ends = ((low, middle), (middle, high))
-    parts = [refined(first, lap, rate, *end, half, depth + 1) for end, half in zip(ends, halves, strict=True)]
-    return parts[0][0] + parts[1][0], parts[0][1] + parts[1][1]
-
-
-def instant(first: Node, lap: Lap, part: float) -> Node:
-    """An instant within a step."""
-    q, speed = lap.step.at(part)
-    placed = replace(first.placed, q=q, speed=speed, time=lap.step.time + part * lap.step.width)
-    return Node(first.model, placed, first.budget, lap.modes)
 
 
 def followed(first: Node, state: State) -> FollowedPhase:
@@ -143,27 +73,28 @@ class NextState:
         for _ in range(MOST):
             modes = self.settled()
             step, width = self.stepped(modes, before, width)
-            cut, way = self.changed(Lap(step, modes))
+            lap = Lap(self.first, step, modes)
+            cut, way = self.changed(lap)
             cut = cut if cut > VERGE else 0.0
             before = step if cut == 1.0 else None
             lifts = way is not None and way[0] not in (FORWARD, BACK)
             if 0.0 < cut < 1.0 and not lifts:  # what lets go may be what the state says: it is looked for beyond it
-                whole, step = step, self.shortened(step, cut, modes)
-                way = way if step.width >= whole.width * cut * (1.0 - 1e-9) else None  # else it is not there yet
-            reached = self.reached(Lap(step, modes)) if cut or lifts else None
-            if cut and reached is None and way is not None and not lifts and self.holds_where(way[1], Lap(step, modes)):
-                return self.ended(Lap(step, modes), way[1])
+                lap = self.shortened(lap, cut)
+                way = way if lap.step.width >= step.width * cut * (1.0 - 1e-9) else None  # else it is not there yet
+            reached = self.reached(lap) if cut or lifts else None
+            if cut and reached is None and way is not None and not lifts and self.holds_where(way[1], lap):
+                return self.ended(lap, way[1])
             if reached is not None and not (lifts and reached > cut + STILL):
-                last = self.shortened(step, reached, modes)
-                if last.width >= step.width * reached * (1.0 - 1e-9):
-                    return self.ended(Lap(last, modes))
-                step, before, way = last, None, None  # a shorter step was as far as one could go at once
+                last = self.shortened(lap, reached)
+                if last.step.width >= lap.step.width * reached * (1.0 - 1e-9):
+                    return self.ended(last)
+                lap, before, way = last, None, None  # a shorter step was as far as one could go at once
             if way is not None and lifts:
                 raise self.astray(way)
             if cut:
-                self.laps.append(Lap(step, modes))
-                self.node = instant(self.first, self.laps[-1], 1.0)
-                if self.recurs(self.laps[-1]):
+                self.laps.append(lap)
+                self.node = lap.at(1.0)
+                if self.recurs(lap):
                     raise Astray(f"`{self.state.name}` is not reached: what moves comes back before it as it began")
                 self.check_coming()
             if way is not None:
@@ -181,16 +112,16 @@ class NextState:
         """Whether all is as it was after the first lap: the first gauge, all rates and accelerations; then it goes on so for ever."""
         if not self.gauges or self.gauges[0].passing or self.end_time is not None or len(lap.step.pushes) == 1:
             return False
-        before = instant(self.first, self.laps[0], 1.0)
+        before = self.laps[0].at(1.0)
         origin = self.gauges[0].value(before)
 
         def gone(at: Node) -> float:
             return self.gauges[0].value(at) - origin
 
-        values = [gone(instant(self.first, lap, part)) for part in (0.0, 1.0)]
+        values = [gone(lap.at(part)) for part in (0.0, 1.0)]
         if values[0] * values[1] >= 0.0 or lap is self.laps[0]:
             return False
-        again = instant(self.first, lap, self.zero(gone, lap, 0.0, 1.0))
+        again = lap.at(sign_change(gone, lap, 0.0, 1.0))
         begun = [(*at.placed.speed, *at.pushes) for at in (before, again)]
         size = max(map(abs, begun[0]))
         return all(abs(one - two) <= AGAIN * size for one, two in zip(*begun, strict=True))
@@ -200,7 +131,7 @@ class NextState:
         if not self.gauges or self.gauges[0].passing or self.end_time is not None or len(self.laps) <= LONG:
             return
         last = self.laps[-LONG:]
-        gaps = [abs(self.gauges[0].value(instant(self.first, lap, 1.0))) for lap in self.laps[-LONG - 1 :]]
+        gaps = [abs(self.gauges[0].value(lap.at(1.0))) for lap in self.laps[-LONG - 1 :]]
         begun = max(abs(self.gauges[0].value(self.first)), self.gauges[0].size)
         if len(self.laps) > 2 * LONG and max(abs(old - new) for old, new in pairwise(gaps)) <= VERGE * begun:
             raise NotConfirmed(f"nothing tells when `{self.state.name}` is")
@@ -228,7 +159,7 @@ class NextState:
             raise self.astray(("push", found.lifted[0][0]))
         return found.modes
 
-    def law(self, modes: dict[str, str]) -> Callable[[float, list[float], list[float]], list[float]]:
+    def law(self, modes: dict[str, str]) -> Law:
         """Accelerations, and how far what holds is from giving way."""
         placed = self.first.placed
 
@@ -243,7 +174,7 @@ class NextState:
         """The next step: up to where the state would be if the accelerations stayed, where they do; else as long as it may be."""
         at, law = self.node.placed, self.law(modes)
         push = [*self.node.pushes, *self.node.moment.room.values()]
-        bare = Lap(TimeStep(at.time, 1.0, at.q, at.speed, [push]), modes)
+        bare = Lap(self.first, TimeStep(at.time, 1.0, at.q, at.speed, [push]), modes)
         if before is None:
             guess = self.foreseen(bare)
             if guess is not None and is_constant(law, at.time, at.q, at.speed, guess, push):
@@ -257,7 +188,7 @@ class NextState:
         """How long it takes with constant accelerations until a gauge vanishes, or what slips sticks; a little more."""
         if self.end_time is not None:
             return self.end_time - bare.step.time
-        times = [time for gauge in self.gauges for time in [first_zero(gauge, self.first, bare)] if time is not None]
+        times = [time for gauge in self.gauges for time in [first_zero(gauge, bare)] if time is not None]
         return max(times) * (1.0 + 1e-9) if times else None
 
     def changed(self, lap: Lap) -> tuple[float, tuple[str, str] | None]:
@@ -265,7 +196,7 @@ class NextState:
 
         It is looked for within the step too: what holds may give way in its midst, and hold again at its end.
         """
-        start, end = (margins(instant(self.first, lap, part)) for part in (0.0, 1.0))
+        start, end = (margins(lap.at(part)) for part in (0.0, 1.0))
         least: tuple[float, tuple[str, str] | None] = (1.0, None)
         for key, (value, size) in end.items():
             if key not in start:
@@ -273,10 +204,10 @@ class NextState:
             known = [(0.0, start[key][0]), *self.within(key, lap), (1.0, value)]
             begins = key[0] in (FORWARD, BACK) and abs(start[key][0]) <= STILL * abs(value)
             if begins or key[0].startswith(APART):  # from rest, or from nothing at the blow, it grows first
-                known[1:1] = [(part, margin_in_step(key, instant(self.first, lap, part))) for part in SOON]
+                known[1:1] = [(part, margin_in_step(key, lap.at(part))) for part in SOON]
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:
-                    part = self.zero(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
+                    part = sign_change(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
                     least = min(least, (part, key), key=lambda one: one[0])
                     break
         return least
@@ -287,37 +218,19 @@ class NextState:
         if len(lap.step.pushes) == 1:
             return []
         if key not in names:
-            return [(part, margin_in_step(key, instant(self.first, lap, part))) for part in PLACES[1:]]
+            return [(part, margin_in_step(key, lap.at(part))) for part in PLACES[1:]]
         number = len(lap.step.place) + names.index(key)
         return [(part, push[number]) for part, push in zip(PLACES[1:], lap.step.pushes[1:], strict=True)]
 
-    def zero(self, function: Callable[[Node], float], lap: Lap, low: float, high: float) -> float:
-        """The part of a step at which a function changes its sign, by the rule of Illinois."""
-        a, b = function(instant(self.first, lap, low)), function(instant(self.first, lap, high))
-        kept = (
-            0  # which end has stayed: one that stays twice counts half, else an end with a large value stays for ever
-        )
-        for _ in range(100):
-            part = high - b * (high - low) / (b - a) if b != a else (low + high) / 2
-            value = function(instant(self.first, lap, part))
-            if abs(value) < 1e-14 * max(abs(a), abs(b), 1e-300) or abs(high - low) < 1e-13:
-                break
-            if (value > 0) == (b > 0):
-                high, b, a = part, value, a / 2 if kept == -1 else a
-                kept = -1
-            else:
-                low, a, b = part, value, b / 2 if kept == 1 else b
-                kept = 1
-        return part
-
-    def shortened(self, step: TimeStep, part: float, modes: dict[str, str]) -> TimeStep:
-        """The step up to a part of it."""
+    def shortened(self, lap: Lap, part: float) -> Lap:
+        """The lap up to a part of it."""
+        step, width = lap.step, lap.step.width * part
         if part == 1.0:
-            return step
-        width = step.width * part
+            return lap
         if len(step.pushes) == 1:
-            return replace(step, width=width)
-        return adapted(self.law(modes), step.time, step.place, step.speed, width, step.pushes[0], step)[0]
+            return replace(lap, step=replace(step, width=width))
+        law = self.law(lap.modes)
+        return replace(lap, step=adapted(law, step.time, step.place, step.speed, width, step.pushes[0], step)[0])
 
     def reached(self, lap: Lap) -> float | None:
         """The first part of a step at which all lines hold; None where they do not."""
@@ -327,44 +240,13 @@ class NextState:
             part = left / width if width else 1.0 + left
             if part > 1.0 + 1e-9:
                 return None
-            self.confirm_lines(instant(self.first, lap, min(part, 1.0)))
+            self.confirm_lines(lap.at(min(part, 1.0)))
             return min(part, 1.0)
-        for part in self.crossings(self.gauges[0], lap):
-            at = instant(self.first, lap, part)
+        for part in crossings(self.gauges[0], lap):
+            at = lap.at(part)
             if all(abs(gauge.value(at)) <= HOLDS * gauge.size for gauge in self.gauges[1:]):
                 return part
         return None
-
-    def crossings(self, gauge: Gauge, lap: Lap) -> list[float]:
-        """Where a gauge changes its sign within a step; not where the phase begins."""
-        parts = (0.0, *SAMPLES)
-        values = [gauge.value(instant(self.first, lap, part)) for part in parts]
-        small = 1e-9 * gauge.size
-        found: list[float] = []
-        for place in range(1, len(values) - 1) if not gauge.passing else ():  # it may come to it and go back between
-            a, b, c = values[place - 1 : place + 2]
-            if a * b > 0 < b * c and abs(b) < min(abs(a), abs(c)):
-                found += self.touched(gauge, lap, parts[place - 1], parts[place + 1])
-        for low, high, a, b in zip(parts, parts[1:], values, values[1:], strict=False):
-            if abs(a) <= small and low == 0.0:
-                continue
-            if a * b < 0 and abs(b) > small:
-                found.append(self.zero(gauge.value, lap, low, high))
-            elif abs(b) <= small < abs(a):
-                found.append(high)
-        return sorted(found)
-
-    def touched(self, gauge: Gauge, lap: Lap, low: float, high: float) -> list[float]:
-        """Where a gauge first changes its sign between places between which it comes nearest to zero, by golden sections; else none."""
-        begun = gauge.value(instant(self.first, lap, low))
-        way, start = (1.0 if begun > 0 else -1.0), low
-        for _ in range(SECTIONS):
-            inner, outer = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-            one, two = (way * gauge.value(instant(self.first, lap, part)) for part in (inner, outer))
-            if min(one, two) < 0.0:
-                return [self.zero(gauge.value, lap, start, inner if one < 0.0 else outer)]
-            low, high = (low, outer) if one < two else (inner, high)
-        return []
 
     def confirm_lines(self, at: Node) -> None:
         """All lines hold at the instant that is told by its time."""
@@ -376,16 +258,16 @@ class NextState:
         """Whether a state is that at which something has just ceased to slip, at the end of a lap: with that all its lines hold."""
         if self.end_time is not None or not self.gauges:
             return False
-        at = stilled(instant(self.first, lap, 1.0), stopped)
+        at = stilled(lap.at(1.0), stopped)
         first = self.gauges[0]
-        held = abs(first.value(at)) <= 1e-9 * first.size < abs(first.value(instant(self.first, lap, 0.5)))
+        held = abs(first.value(at)) <= 1e-9 * first.size < abs(first.value(lap.at(0.5)))
         return held and all(abs(gauge.value(at)) <= HOLDS * gauge.size for gauge in self.gauges[1:])
 
     def ended(self, lap: Lap, stopped: str = "") -> FollowedPhase:
         """The phase up to where the state is reached."""
         self.laps.append(lap)
-        end = at_rest(stilled(instant(self.first, lap, 1.0), stopped), instant(self.first, lap, 0.5))
-        return FollowedPhase(self.first, self.laps, end, lap.modes)
+        end = at_rest(stilled(lap.at(1.0), stopped), lap.at(0.5))
+        return FollowedPhase(self.laps, end, lap.modes)
 
 
 def stilled(at: Node, stopped: str = "") -> Node:
@@ -420,40 +302,6 @@ def pace(at: Placed, push: Sequence[float]) -> float:
     """A time in which something happens: that in which what accelerates goes a unit."""
     most = max(max(map(abs, push), default=0.0), max((abs(v) for v in at.speed), default=0.0) ** 2)
     return min(1.0, 1.0 / math.sqrt(most)) if most else 1.0
-
-
-def first_zero(gauge: Gauge, first: Node, bare: Lap) -> float | None:
-    """When a gauge vanishes with constant accelerations: by the parabola through three instants, and once more near there."""
-    scale = 1.0
-    zero = None
-    for _ in range(3):
-        values = [gauge.value(instant(first, bare, part * scale)) for part in (0.0, 0.5, 1.0)]
-        if abs(values[0]) <= 1e-12 * gauge.size:
-            values[0] = 0.0
-        bend = 2.0 * (values[2] - 2.0 * values[1] + values[0])
-        slope = values[2] - values[0] - bend
-        zero = least_positive(bend, slope, values[0])
-        if zero is None:
-            return None
-        scale *= zero
-    return scale if 0.0 < scale < FAR else None
-
-
-def least_positive(a: float, b: float, c: float) -> float | None:
-    """The smallest positive root of a x² + b x + c."""
-    size = max(abs(a), abs(b), abs(c))
-    if size == 0.0:
-        return None
-    if abs(a) < 1e-13 * size:
-        return -c / b if b and -c / b > 1e-12 else None
-    inside = b * b - 4.0 * a * c
-    if inside < -1e-12 * size * size:
-        return None
-    root = math.sqrt(max(inside, 0.0))
-    q = -0.5 * (b + math.copysign(root, b))
-    roots = [q / a] + ([c / q] if q else [])
-    positive = [value for value in roots if value > 1e-9]
-    return min(positive, default=None)
 
 
 def margin_in_step(key: tuple[str, str], at: Node) -> float:
