@@ -7,13 +7,14 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE, POWER, TORQUE
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.language.problem import Condition, Problem, State
+from rotsolve.language.problem import EXTREMES, Condition, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
 
 HEREAFTER = "after that"
 BY_FORCES = (FORCE, TORQUE, ACCELERATION, ANGULAR_ACCELERATION, POWER)
 RATES = ("velocity", "angular_velocity", "speed")
+PLACES = ("displacement", "rotation", "angle", "height", "position", "elongation")
 
 
 def changes_at_last(configuration: Configuration) -> bool:
@@ -29,9 +30,10 @@ def changes_at_last(configuration: Configuration) -> bool:
 
 
 def comes_to_hold(line: Condition) -> bool:
-    """Whether a line says that something sticks, rolls or is at rest."""
+    """Whether a line says that something sticks, rolls or is at rest, as what has come to its farthest place is."""
     still = line.path is not None and line.path.quantity in RATES and line.value == ZERO
-    return line.rest or line.word in ("sticks", "rolls") or still
+    farthest = line.path is not None and line.path.quantity in PLACES and line.word in EXTREMES
+    return line.rest or line.word in ("sticks", "rolls") or still or farthest
 
 
 def with_hereafter(problem: Problem) -> Problem:

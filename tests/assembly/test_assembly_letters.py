@@ -217,3 +217,22 @@ def test_samples_have_few_digits() -> None:
     assert len(sets) > 15
     for numbers in sets:
         assert all(float(f"{numbers[given.name]:g}") == numbers[given.name] for given in letters_open(problem))
+
+
+@pytest.mark.parametrize("tie", ["tie: {string: [side, box]}", "tie: {contact: [box, side], friction: none}"])
+def test_what_only_pulls_or_pushes_does_not_hold_the_other_way(tie: str) -> None:
+    """A block that is tied to a wall and pushed towards it, or leans on it and is pulled away, slips where F > μ m g."""
+    way = "left" if "string" in tie else "right"
+    scene = f"""
+title: A block that a wall holds on one side only
+given: {{m: kg, F: N, mu: number}}
+surfaces: {{floor: level, side: {{wall: left}}}}
+bodies: {{box: {{mass: m, moves: right}}}}
+connections: {{base: {{contact: [box, floor], friction: mu}}, {tie}}}
+actions: {{push: {{force: F, on: box, direction: {way}}}}}
+states: {{start: {{at rest: all}}}}
+find: {{a: box.acceleration at start}}
+"""
+    assert any("lets go" in why for why in reasons(solve(scene)))
+    with pytest.raises(Unsolvable, match="lets go"):
+        solve(scene.replace("m: kg, F: N, mu: number", "m: 1 kg, F: 30 N, mu: 0.2"))

@@ -62,3 +62,13 @@ def test_a_motion_is_asked_as_before() -> None:
     found = solve(text.replace("a: box.acceleration at then", "d: box.displacement from start to then"))
     assert found.answers["d"].float == pytest.approx(9 / (2 * 9.8 * (SINE + 0.5 * COSINE)))
     assert "after that" not in str(found)
+
+
+@pytest.mark.parametrize("size", ["0.5", "0.1"])
+def test_the_farthest_place_is_where_it_comes_to_rest(size: str) -> None:
+    """`largest` says of a way what a speed of 0 says: a and f are those from then on."""
+    told = solve(BLOCK.replace("SIZE", size).replace("MORE", ""))
+    farthest = solve(
+        BLOCK.replace("SIZE", size).replace("MORE", "").replace("box.velocity: 0", "box.displacement: largest")
+    )
+    assert farthest.answers["a"].float == pytest.approx(told.answers["a"].float, abs=1e-12)

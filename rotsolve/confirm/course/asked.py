@@ -9,12 +9,13 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Sum, Symbol
+from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
-from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
 from rotsolve.confirm.numbers import value_of
-from rotsolve.core.quantity import OSCILLATING, SPANNED
+from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term, WhichOf
 
@@ -148,8 +149,13 @@ class Asker:
         raise reason or NotConfirmed("no state tells it")
 
     def read(self, state: str, term: Term) -> Reckoned:
-        """The meaning of a path at a state."""
-        return reading(self.course.node(state), term.path, term)
+        """The meaning of a path at a state; Astray for accelerations with which what only pushes or pulls would do the opposite."""
+        at = self.course.node(state)
+        if QUANTITIES[term.path.quantity].dimension in (ACCELERATION, ANGULAR_ACCELERATION) and at.moment.lifted:
+            raise Astray(
+                f"`{at.moment.lifted[0][0]}` lets go at `{state}`" if state else f"`{at.moment.lifted[0][0]}` lets go"
+            )
+        return reading(at, term.path, term)
 
     def over(self, term: Term) -> Reckoned:
         """What comes together between two states: time, way, angle, work, impulse."""
