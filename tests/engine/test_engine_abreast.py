@@ -37,10 +37,14 @@ find: {{a: one.acceleration at start, T: tie.tension at start}}
 """)
     upper = backwards != (falls == "right")
     down, pull = tension(upper, rolls)
-    assert solution.answers["a"].float == pytest.approx(down if moves[0] == "down" else -down)
     assert solution.answers["T"].float == pytest.approx(pull)
-    assert all(item.holds for item in solution.derivation.confirmed)
     assert all(item.holds for item in solution.derivation.checks) == (pull > 0)
+    assert ("a" in solution.answers) == (
+        pull > 0
+    )  # a string that would push lets go: no acceleration is answered with it
+    if pull > 0:
+        assert solution.answers["a"].float == pytest.approx(down if moves[0] == "down" else -down)
+        assert all(item.holds for item in solution.derivation.confirmed)
 
 
 @pytest.mark.parametrize(("falls", "backwards"), list(product(("left", "right"), (False, True))))

@@ -144,7 +144,18 @@ def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
 
     size = max(abs(value), 0.1 if path.quantity in ("displacement", "height", "elongation") else 1.0)
     whole = once_round(path, model)
-    return Gauge(gap if whole is None else unwound(gap, gap(first), whole), size, words)
+    return Gauge(
+        gap if whole is None else unwound(gap, begun_at(path, first, gap(first) + value) - value, whole), size, words
+    )
+
+
+def begun_at(path: Path, first: Node, read: float) -> float:
+    """Where a place round a circle begins: as the state before tells it, which counts turns, else as it is read."""
+    angle = (path.owner, "angle")
+    for line in first.model.acting.state.conditions:
+        if line.path is not None and line.value is not None and (line.path.owner, line.path.quantity) == angle:
+            return first.model.value(line.value) if path.quantity == "angle" else read
+    return read
 
 
 def unwound(gap: Callable[[Node], float], begun: float, whole: float) -> Callable[[Node], float]:

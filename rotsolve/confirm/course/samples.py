@@ -22,10 +22,8 @@ DIGITS = 3  # significant ones of a number that is drawn
 EDGE, ROOM = 0.01, 0.05  # by how much of what it compares a condition holds right inside its edge, and well inside
 CLOSED = ("=", "≥", "≤")  # conditions that hold on their edge
 EDGES = 8  # sets right inside the edges of cases
-STEPS, CLOSER = (
-    8,
-    7,
-)  # how often a letter is doubled or halved on the way to an edge, and how often its way there is halved
+STEPS = 8  # how often a letter is doubled or halved on the way to an edge
+CLOSER = 7  # and how often its way there is halved
 LIMITS = {  # numbers that are drawn for letters, by what they measure
     kinds.MASS: (0.5, 5.0),
     kinds.LENGTH: (0.3, 1.5),
@@ -43,6 +41,7 @@ BEYOND = 3.0  # how far the later sets go beyond the limits, so that they are on
 WIDE = 10.0  # how far those of the pool do, of which APART are tried that are far from each other
 POOL, APART = 256, 6
 WIDER = (0.05, 1.5)  # what bounded kinds have there
+LIGHT = 500.0  # by how much one of several masses is less than usual, where all is tried with it light
 
 Numbers = Mapping[str, float]
 
@@ -80,6 +79,16 @@ def far_apart(problem: Problem, answers: Sequence[Answer]) -> list[Numbers]:
         regions.setdefault(tuple(map(id, cases)), []).append(numbers)
     chosen = [far_from_each_other(problem, answers, sets) for key, sets in regions.items() if key]
     return list(islice((numbers for row in zip_longest(*chosen) for numbers in row if numbers is not None), APART))
+
+
+def with_one_light(problem: Problem) -> Iterator[Numbers]:
+    """Sets with one of several masses or moments of inertia next to nothing: what is light may be lifted, or turned round."""
+    open_ = letters_open(problem)
+    heavy = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
+    usual = {given.name: number_drawn(given, 1, place) for place, given in enumerate(open_)}
+    for name in heavy if len(heavy) > 1 else ():
+        sizes = {**usual, name: usual[name] / LIGHT}
+        yield with_givens(problem, {letter: in_few_digits(size) for letter, size in sizes.items()})
 
 
 def far_from_each_other(problem: Problem, answers: Sequence[Answer], sets: Sequence[Numbers]) -> Iterator[Numbers]:

@@ -30,6 +30,7 @@ from rotsolve.confirm.course.samples import (
     sets_of_numbers,
     sets_wanted,
     with_givens,
+    with_one_light,
     within_case,
 )
 from rotsolve.confirm.numbers import value_of
@@ -118,7 +119,7 @@ def sets_tried(
     if sets_wanted(problem) < SETS:
         return
     far = far_apart(problem, answers)
-    yield from zip(repeat(FAR), chain(far, near_edges(problem, answers, far)))
+    yield from zip(repeat(FAR), chain(with_one_light(problem), far, near_edges(problem, answers, far)))
 
 
 def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:
