@@ -41,7 +41,7 @@ AT = {  # the scene, with what is asked where something lets go, and what is ask
     "bead": (BEAD, "a: p.acceleration.x at s, N: one.normal_force at s", "v: p.speed at e, M: one.normal_force at e"),
     "load": (
         LIFT,
-        "a: p.acceleration at s, b: wheel.angular_acceleration at s",
+        "a: p.acceleration at s, T: one.p.tension at s",
         "v: p.velocity at e, K: kinetic_energy at e",
     ),
 }
