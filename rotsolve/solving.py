@@ -16,6 +16,7 @@ from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import EXTREMES, Problem, TimeValue
 from rotsolve.motion.block import left_out
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.hereafter import with_hereafter
 from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
@@ -144,9 +145,13 @@ def following(search: Search, *, stuck: bool) -> Problem | None:
     from rotsolve.search.endings import Endings, with_state_at
 
     with stage("solve"):
-        ending, configuration = Endings(search, stuck).first(), search.scene.configuration
+        endings, configuration = Endings(search, stuck), search.scene.configuration
+        ending = endings.first()
         if ending is not None:
             return with_state_at(configuration.problem, ending)
+        held = endings.held_at_last()
+        if held:
+            return with_hereafter(configuration.problem, held)
         if not rubs(configuration):
             return None
         if any(given.asked for given in configuration.problem.givens):

@@ -62,8 +62,6 @@ class Closing:
             for against in other.region
             if other is not held and is_zero(against.gap + one.gap) and self.reaches(other, edge)
         ]
-        if one.strict and not beside:
-            return True  # beyond there is no answer, nor on the edge: a state that is reached at no speed is not
         stepping = any(answer.word for answer in held.answers)  # of options none goes over into another
         for other, against in beside if not stepping or self.holds_at(edge, held) else ():
             if self.agree(held.answers, other.answers, edge):

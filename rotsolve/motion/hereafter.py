@@ -19,8 +19,14 @@ PLACES = ("displacement", "rotation", "angle", "height", "position", "elongation
 
 def changes_at_last(configuration: Configuration) -> bool:
     """Whether friction changes at the last state, as something sticks or comes to rest, and a force or acceleration is asked there."""
+    lines = configuration.problem.states[-1].conditions if configuration.problem.states else ()
+    return any(map(comes_to_hold, lines)) and asks_forces_at_last(configuration)
+
+
+def asks_forces_at_last(configuration: Configuration) -> bool:
+    """Whether a force or acceleration is asked of the last state, to which a motion leads, where something rubs."""
     problem = configuration.problem
-    if len(problem.states) < 2 or not any(map(comes_to_hold, problem.states[-1].conditions)):
+    if len(problem.states) < 2:
         return False
     last = problem.states[-1].name
     struck = any(event.to == last for event in problem.events)
@@ -36,6 +42,7 @@ def comes_to_hold(line: Condition) -> bool:
     return line.rest or line.word in ("sticks", "rolls") or still or farthest
 
 
-def with_hereafter(problem: Problem) -> Problem:
-    """The problem with a state of which nothing is told behind its last one."""
-    return replace(problem, states=(*problem.states, State(HEREAFTER)))
+def with_hereafter(problem: Problem, senses: tuple[tuple[str, int], ...] = ()) -> Problem:
+    """The problem with a state of which nothing is told behind its last one, at which what rubs moves in these senses, if they are known."""
+    *before, last = problem.states
+    return replace(problem, states=(*before, replace(last, senses=senses or last.senses), State(HEREAFTER)))

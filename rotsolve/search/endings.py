@@ -21,6 +21,7 @@ from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.hereafter import asks_forces_at_last
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import NotYet
@@ -68,6 +69,21 @@ class Endings(Struct, dict=True):
             if found is not None:
                 return found
         return None
+
+    def held_at_last(self) -> tuple[tuple[str, int], ...]:
+        """The senses in which what rubs goes on from the last state, where some of it comes to rest exactly there and forces are asked,
+        which are those from then on; nothing otherwise."""
+        if self.stuck or not asks_forces_at_last(self.configuration):
+            return ()
+        last = self.configuration.timeline.intervals[-1]
+        senses = [(rub, self.sense(rub)) for rub in rubs_at(self.configuration, last.start)]
+        held = [rub for rub, sense in senses if sense and self.rests_at(rub, last.end)]
+        return tuple((rub.name, 0 if rub in held else sense) for rub, sense in senses) if held else ()
+
+    def rests_at(self, rub: Rub, state: str) -> bool:
+        """Whether something that slips or turns does not at a state, exactly."""
+        rate = self.settled(rub.rate(self.scene.instant(state)))
+        return rate is not None and self.side(rate) == 0
 
     def turning(self, interval: Interval) -> Ending | None:
         """The moment at which a motion that goes by its place turns back, where it has to before the phase ends."""
