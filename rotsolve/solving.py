@@ -23,7 +23,7 @@ from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.idle import idle_words, noted
 from rotsolve.search.answering import answered
 from rotsolve.search.answers import NoAnswer, unsolvable
-from rotsolve.search.consistency import KnownBalls, contradiction, turned_back, untimely
+from rotsolve.search.consistency import KnownBalls, contradiction, just_stops, turned_back, untimely
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search, asked_letter
 from rotsolve.solution import Solution, Trace
@@ -142,7 +142,8 @@ def answered_fully(search: Search) -> Found | Unsolvable:
 
 def following(search: Search, *, stuck: bool) -> Problem | None:
     """The problem with a state more, where the laws of a phase end before it does; or told what friction there is, where that matters."""
-    from rotsolve.search.endings import Endings, with_state_at
+    from rotsolve.search.endings import Endings
+    from rotsolve.search.openings import with_state_at
 
     with stage("solve"):
         endings, configuration = Endings(search, stuck), search.scene.configuration
@@ -276,7 +277,8 @@ def check_consistent(search: Search) -> KnownBalls:
             raise refusal
     configuration = search.scene.configuration
     problem = configuration.problem
-    if nears(search):
+    stopped = any(just_stops(travel, search) for over in search.scene.passages.values() for travel in over.travels)
+    if stopped or nears(search):
         from rotsolve.search.reached import not_reached
 
         for refusal in not_reached(search):

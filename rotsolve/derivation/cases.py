@@ -167,11 +167,11 @@ class CaseTeller(Struct, frozen=True):
                 continue  # what it needs is told by the other
             alike.setdefault(why_no_answer(case), []).append(case)
         for why, cases in alike.items():
-            for region in map(partial(self.closed_without, why), self.regions(cases)):
+            for region in map(partial(self.closed_without, why, ()), self.regions(cases)):
                 found[(f"if {in_a_line(self.equalities(region))} there is no answer: ", *why)] = None
         for names, reason, cases in self.lacking(named):
             letters = [part for name in names for part in (", ", Symbol(name))][1:]
-            for region in self.regions(cases):
+            for region in map(partial(self.closed_without, (reason,), names), self.regions(cases)):
                 line = in_a_line(self.equalities(region))
                 found[(f"if {line} there is no answer for ", *letters, f": {reason}")] = None
         for need, cases in self.needing():
@@ -191,13 +191,18 @@ class CaseTeller(Struct, frozen=True):
             found[("of other letters there are more cases, which are not worked out: give them numbers",)] = None
         return tuple(Check(words, None) for words in found)
 
-    def closed_without(self, why: Words, region: Region) -> Region:
-        """A region without an answer, with those of its edges on which there is none for the same reason, and no others that are known."""
+    def closed_without(self, why: Words, names: Collection[str], region: Region) -> Region:
+        """A region without an answer, or with none for those that are named, with those of its edges on which there is none for the same
+        reason, and no others that are known."""
 
         def open_at(one: Proviso) -> bool:
             edge = self.edges.known_at(one, region)
             case = None if edge is None else self.edges.solved_at(edge)
-            return one.strict if case is None else unanswered_in(case) is False or why_no_answer(case) != why
+            if case is None:
+                return one.strict
+            if unanswered_in(case):
+                return why_no_answer(case) != why
+            return not names or bool({answer.name for answer in told_in(case)}.intersection(names))
 
         return tuple(replace(one, strict=open_at(one)) for one in region)
 

@@ -43,6 +43,6 @@ def comes_to_hold(line: Condition) -> bool:
 
 
 def with_hereafter(problem: Problem, senses: tuple[tuple[str, int], ...] = ()) -> Problem:
-    """The problem with a state of which nothing is told behind its last one, at which what rubs moves in these senses, if they are known."""
+    """The problem with a state of which nothing is told behind its last one, at which all that rubs has these senses, if known."""
     *before, last = problem.states
     return replace(problem, states=(*before, replace(last, senses=senses or last.senses), State(HEREAFTER)))

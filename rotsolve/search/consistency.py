@@ -107,6 +107,15 @@ def against_its_way(travel: Travel, numbers: KnownBalls) -> bool:
     return bool(moving) and way != moving
 
 
+def just_stops(travel: Travel, search: Search) -> bool:
+    """Whether a speed at the end of a phase is zero with the numbers of the case that is looked at, though no state says so."""
+    last = search.solver.with_found(travel.after)
+    if travel.pace not in (CONSTANT, POSITION) or travel.after == ZERO or has_quantities(last):
+        return False
+    number = search.signs.at_trial(search.signs.with_asked(last))
+    return number is not None and not number.sign
+
+
 def side_of(number: Ball) -> int | None:
     """The sign of a number, 0 where it is nothing but what precision leaves; None where it is not told."""
     if bool(abs(number).upper() < LEFT_OVER):

@@ -10,16 +10,15 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import Formula, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import NeverReached, Unsolvable
 from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import Condition, Path, Problem, State
+from rotsolve.language.problem import Condition, Path
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import asks_forces_at_last
 from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
@@ -27,24 +26,14 @@ from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.consistency import KnownBalls, no_way
+from rotsolve.search.openings import Ending, resting_line, turning_line
 from rotsolve.search.search import Search
 
 if TYPE_CHECKING:
     from rotsolve.search.holding import InTime, Slipping
 
-MOST = 12  # states that are opened in one scene
 MOST_TURNS = 4  # of them those at which a swing that rubs turns back: each of its half swings is solved on its own
 SIMULATE = "`rotsolve simulate` follows it; or let the scene end before that"
-
-
-class Ending(Struct, frozen=True):
-    """What ends in a phase before it does: the lines that hold then, and the senses in which all that rubs goes on."""
-
-    interval: Interval
-    lines: tuple[Condition, ...]
-    senses: tuple[tuple[str, int], ...]
-    name: str
-    words: str
 
 
 Stopping = tuple[tuple[Rub, ...], "Formula | None"]  # what comes to rest, and when on the clock, where that is told
@@ -230,7 +219,7 @@ class Endings(Struct, dict=True):
 
     def resting_first(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> Stopping:
         """Of what slows down steadily, that which comes to rest before the phase ends, and before the others."""
-        ends = [(rub, at) for rub, sense in rubbing if sense and (at := self.moment(rub, sense)) is not None]
+        ends = [(rub, at) for rub, sense in rubbing if sense and (at := self.moment(rub, sense, interval)) is not None]
         if not ends:
             return (), None
         first = ends[0][1]
@@ -291,13 +280,20 @@ class Endings(Struct, dict=True):
         mode = self.scene.modes.get(rub.key, default)
         return {FORWARD: 1, BACK: -1, "": 1, TURNS_BACK: -1}.get(mode, 0)
 
-    def moment(self, rub: Rub, sense: int) -> Formula | None:
-        """How long after the start of its phase it comes to rest, −v/v̇ of its slip; None where it does not, or numbers do not tell."""
+    def moment(self, rub: Rub, sense: int, interval: Interval) -> Formula | None:
+        """How long after the start of its phase it comes to rest, −v/v̇ of its slip; None where it does not, or numbers do not tell.
+
+        NeverReached where the end of the phase says that it has, and its slip stays as it is.
+        """
         if self.configuration.pace(rub.body, rub.state) != CONSTANT:
             return None
         instant = self.scene.instant(rub.state)
         speed, gain = (self.settled(rub.rate(instant, acceleration=later)) for later in (False, True))
-        if speed is None or gain is None or self.side(speed) != sense or self.side(gain) != -sense:
+        if speed is None or gain is None or self.side(speed) != sense:
+            return None
+        if self.side(gain) == 0 and self.said(interval, (rub,)):
+            raise never_reached(interval, self.configuration, f"{slider_of(rub)} goes on to slip as fast as it does")
+        if self.side(gain) != -sense:
             return None
         return simplify(negate(speed) / gain, order=self.configuration.order)
 
@@ -364,47 +360,16 @@ def stops(rub: Rub, search: Search) -> bool:
 
 def words_for(rub: Rub, search: Search) -> str:
     """What happens, in words: "stone comes to rest", "ball no longer slips"."""
-    slider = rub.body if rub.contact is not None else rub.name
-    return f"{spoken(rub.body)} comes to rest" if stops(rub, search) else f"{spoken(slider)} no longer slips"
+    return f"{spoken(rub.body)} comes to rest" if stops(rub, search) else f"{slider_of(rub)} no longer slips"
+
+
+def slider_of(rub: Rub) -> str:
+    """What slips, in words: a body on what it lies on, else what rubs."""
+    return spoken(rub.body if rub.contact is not None else rub.name)
 
 
 def moving_words(rub: Rub, search: Search) -> str:
     """What begins, in words: "wheel begins to turn", "block begins to slide", "roller begins to slip"."""
     if rub.item is None:
         return f"{spoken(rub.body)} begins to turn"
-    slider = rub.body if rub.contact is not None else rub.name
-    return f"{spoken(slider)} begins to {'slide' if stops(rub, search) else 'slip'}"
-
-
-def with_state_at(problem: Problem, ending: Ending) -> Problem:
-    """The problem with a state of its own at which a phase ends before its time; what does so where it begins goes another way there."""
-    states = problem.states or (State(""),)
-    if not ending.lines:
-        same = ending.interval.start
-        senses = [replace(state, senses=ending.senses) if state.name == same else state for state in states]
-        return replace(problem, states=tuple(senses))
-    if sum(bool(state.opened) for state in states) == MOST:
-        raise unsolvable(problem, f"what rubs starts and stops more than {MOST} times: that is not followed further")
-    place = next(number for number, state in enumerate(states) if state.name == ending.interval.start) + 1
-    state = State(free_name(ending.name, problem), ending.lines, opened=ending.words, senses=ending.senses)
-    return replace(problem, states=(*states[:place], state, *states[place:]))
-
-
-def resting_line(rub: Rub) -> Condition:
-    """What a state says of what has come to rest."""
-    if rub.item is None:
-        return Condition(Path(rub.body, "angular_velocity"), ZERO)
-    return Condition(Path(rub.owner, ""), word="sticks")
-
-
-def turning_line(travel: Travel) -> Condition:
-    """What a state says where a motion turns back."""
-    return Condition(Path(travel.body, "velocity" if travel.kind == "line" else "angular_velocity"), ZERO)
-
-
-def free_name(word: str, problem: Problem) -> str:
-    """A name for a state that nothing else has."""
-    named = (problem.states, problem.events, problem.phases, problem.bodies, problem.connections, problem.actions)
-    taken = {item.name for items in named for item in items}
-    numbered = (f"{word}{number}" for number in range(2, len(taken) + 3))
-    return next(name for name in (word, *numbered) if name not in taken)
+    return f"{slider_of(rub)} begins to {'slide' if stops(rub, search) else 'slip'}"

@@ -21,6 +21,7 @@ from rotsolve.language.problem import Path, State
 from rotsolve.laws.energy import energy
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
+from rotsolve.search.consistency import just_stops
 from rotsolve.search.endings import never_reached
 from rotsolve.search.search import Search
 
@@ -41,8 +42,32 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         end = configuration.timeline.state(interval.end)
         why = only_approached(passage, aside) or not_grown(interval, passage, end, aside)
         why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
+        why = why or only_neared(passage, search, aside)
         if why:
             yield never_reached(interval, configuration, why)
+
+
+def only_neared(passage: Passage, search: Search, aside: Search) -> str:
+    """Why a motion does not come to a place where it would come to rest with nothing that drives it there: it sets out from none, or
+    comes to one ever more slowly, as a pendulum to its upper balance."""
+    for travel in passage.travels if has_quantities(passage.times[1]) else ():
+        if just_stops(travel, search) or just_stops(travel, aside):
+            last, gone = push_at_end(travel, aside), aside.settled(travel.change)
+            sides = [None if value is None else search.numbers.side(value) for value in (last, gone)]
+            if sides[0] == 0 and sides[1]:
+                return f"nothing drives {spoken(travel.body)} where it would come to rest"
+    return ""
+
+
+def push_at_end(travel: Travel, search: Search) -> Formula | None:
+    """The acceleration with which a phase ends; None where the laws do not tell it."""
+    rate = travel.acceleration
+    push = search.beside_by((NEWTON,)).settled(rate) if isinstance(rate, Symbol) else search.settled(rate)
+    place = None if travel.end is None else signed(travel.end, travel.sense)
+    ends = ((travel.moving, travel.after), (travel.coordinate, place))
+    put = {run.name: search.settled(end) for run, end in ends if isinstance(run, Symbol) and end is not None}
+    last = None if push is None else push.substitute({name: end for name, end in put.items() if end is not None})
+    return None if last is None or has_quantities(last) else last
 
 
 def has_no_number(value: Formula, search: Search) -> bool:

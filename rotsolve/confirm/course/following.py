@@ -231,6 +231,13 @@ class Course:
                     return f"`{name.partition('.')[0]}` {what} on the way from `{start}` to `{end}`"
         return ""
 
+    def holds_at_last(self) -> bool:
+        """Whether what slips up to the last state does otherwise from there on: forces and accelerations there are those from then on."""
+        phase = self._phases.get(self.names[-2]) if len(self.names) > 1 else None
+        modes = {} if phase is None else self.node(self.names[-1]).moment.modes
+        before = {} if phase is None else phase.modes
+        return any(before.get(name, STICKS) not in (STICKS, mode) for name, mode in modes.items())
+
     def integral(self, start: str, end: str, rate: Callable[[Node], float]) -> tuple[float, float]:
         """∫ rate dt from one state to a later one, and ∫ |rate| dt."""
         self.timed(end)

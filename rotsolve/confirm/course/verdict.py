@@ -39,6 +39,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
+NEARLY = SAME**0.5  # of roots of what is zero but for rounding, as speeds are where something just comes to rest
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 POINTS = {"right": (1.0, 0.0), "left": (-1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}  # by the word of an answer
 OTHER_WAY = "an assembly of all bodies' equations has it point the other way"
@@ -132,8 +133,15 @@ def on_edge(verdict: AnswerConfirmation, numbers: Numbers, problem: Problem) -> 
     """What is said of numbers on an edge, where rounding may put the assembly beside it: what it contradicts is not confirmed."""
     if verdict.holds:
         return verdict
+    if verdict.found and all(abs(a - b) <= NEARLY * max(abs(a), abs(b), ORDINARY) for a, b in pairs(verdict)):
+        return replace(verdict, holds=None)  # a root of what is nearly zero there
     why = f"not so on an edge of its conditions, with {numbers_told(numbers, problem)} in SI units"
     return AnswerConfirmation(verdict.name, None, why, astray=True)
+
+
+def pairs(verdict: AnswerConfirmation) -> Iterator[tuple[float, float]]:
+    """The numbers of an answer, each beside that of the assembly."""
+    return zip(verdict.answered, verdict.found, strict=True)
 
 
 def numbers_told(numbers: Numbers, problem: Problem) -> str:
@@ -181,7 +189,7 @@ def at_numbers(
         ):  # the forces of the last state may be those of the phase before it
             ended = Asker(problem, Course(problem, known, budget, ending=True))
             other = judged(finds[answer.name][0], said, ended, numbers, answer.direction)
-            verdict = other if other.holds else verdict
+            verdict = other if other.holds and not asker.course.holds_at_last() else verdict
         if verdict.holds is False and verdict.why in (OTHERWISE, OTHER_WAY) and (slips := asker.course.slips()):
             told = not_so(verdict.name, slips, problem, numbers)  # letters may have others, with which nothing slips
             verdict = replace(verdict, holds=told.holds, why=told.why, astray=told.astray)
@@ -329,6 +337,6 @@ def confirmation_lines(verdicts: Sequence[AnswerConfirmation]) -> str:
     for item in verdicts:
         word = {True: "confirmed", False: "contradicted", None: "not confirmed"}[item.holds]
         lines.append(f"{item.name}: {word}" + (f": {item.why}" if item.why else ""))
-        for answered, own in zip(item.answered, item.found, strict=True):
+        for answered, own in pairs(item):
             lines.append(f"  answered {answered:.10g}, assembly {own:.10g} (SI units)")
     return "\n".join(lines)
