@@ -17,7 +17,7 @@ from rotsolve.core.symbols import TIME
 from rotsolve.search.cases import Case
 from rotsolve.search.edges import Edge, Edges
 from rotsolve.search.lettersigns import Proviso, denominators
-from rotsolve.search.letterspace import Glance, LetterSpace, numbers_of
+from rotsolve.search.letterspace import LetterSpace, numbers_of
 from rotsolve.search.provisos import Region
 
 NEARLY = 1e-12  # what two answers that are equal on an edge may differ by, beside their sizes or in SI units
@@ -117,7 +117,7 @@ class Closing:
     def reaches(self, held: Held, edge: Edge) -> bool:
         """Whether a region lies at an edge."""
         rest = [one for one in held.region if not is_zero(one.gap - edge.gap) and not is_zero(one.gap + edge.gap)]
-        return not Glance(self.edges.space, edge.point).fails(rest)
+        return not self.edges.fails(edge, rest)
 
     def found_at(self, edge: Edge) -> tuple[Answer, ...]:
         """The answers on an edge; none where there are none that hold."""

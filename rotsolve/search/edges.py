@@ -62,7 +62,7 @@ class Edges(Generic[Found]):
             return known
         rest = [other for other in rest if not same_edge(other.gap, one.gap)]
         for edge in self.edges_near(one.gap, starts) if length(one.gap) < LONG else ():
-            if self.space.has(edge.point) and not Glance(self.space, edge.point).fails(rest):
+            if self.space.has(edge.point) and not self.fails(edge, rest):
                 self.known.append(edge)
                 return edge
         return None
@@ -71,7 +71,7 @@ class Edges(Generic[Found]):
         """The edge of a condition within those of the rest, if it has been looked at."""
         rest = [other for other in rest if not same_edge(other.gap, one.gap)]
         found = (edge for edge in self.known if same_edge(edge.gap, one.gap))
-        return next((edge for edge in found if not Glance(self.space, edge.point).fails(rest)), None)
+        return next((edge for edge in found if not self.fails(edge, rest)), None)
 
     def along(self, edge: Edge) -> Iterator[Edge]:
         """An edge, and each place on it where nothing holds of what has been found there."""
@@ -89,8 +89,12 @@ class Edges(Generic[Found]):
 
     def fails_all(self, edge: Edge, cases: Iterable[Case[Found]]) -> bool:
         """Whether none of some cases holds at an edge's point."""
+        return all(self.fails(edge, case.conditions) for case in cases)
+
+    def fails(self, edge: Edge, provisos: Iterable[Proviso]) -> bool:
+        """Whether one of some conditions certainly does on an edge, where others may be only just met too."""
         glance = Glance(self.space, edge.point)
-        return all(glance.fails(case.conditions) for case in cases)
+        return any(glance.sign(edge.put(one.gap)) in (-1, None) for one in provisos)
 
     def edges_near(self, gap: Formula, starts: Iterable[Point]) -> Iterator[Edge]:
         """The edge by each of its letters, at points with the other letters as they are near the starts."""
