@@ -116,6 +116,9 @@ class AppliedCouple(Action, frozen=True):
         "direction", "clockwise or counterclockwise", default=None, choices=("clockwise", "counterclockwise")
     )
 
+    def twists(self) -> bool:
+        return True
+
     def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:
             return
@@ -173,6 +176,9 @@ class AppliedPower(Action, frozen=True):
     quantities = ("power", "torque", "work")
     power: Formula | None = amount("power; `unknown` asks for it", "power", "P", varies=True, required=True)
     on: PointRef | None = key("point", "the body that it drives", required=True, example="wheel")
+
+    def twists(self) -> bool:
+        return True
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return combined((pace_of(self.strength()), RATE))  # the couple P/ω depends on the speed

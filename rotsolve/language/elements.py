@@ -79,7 +79,7 @@ class Surroundings(Protocol):
     def balanced(self, name: str, state: str) -> bool: ...
     def swings_round(self, ref: PointRef, state: str) -> bool: ...
     def can_turn(self, name: str, state: str) -> bool: ...
-    def driven(self, name: str, state: str) -> bool: ...
+    def driven(self, name: str, state: str, by: str) -> bool: ...
 
 
 class Moment(Protocol):
@@ -156,6 +156,10 @@ class ActingElement(Element, frozen=True):
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         """The points for which it takes the rim, where they name none."""
         return ()
+
+    def twists(self) -> bool:
+        """Whether a couple of it acts on the bodies that it touches."""
+        return False
 
     def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
         """Bodies on which it pulls in a direction that stays, at a point that goes round as they turn."""
@@ -261,8 +265,7 @@ class Connection(ActingElement, frozen=True):
         return ()
 
     def twists(self) -> bool:
-        """Whether a couple of it acts on the bodies that it touches."""
-        return self.rimmed or bool(self.between())
+        return self.rimmed or bool(self.between() or self.winds())
 
     def fixed_points(self) -> tuple[PointRef, ...]:
         """Points of bodies that it holds to the ground, so that the body turns about them."""

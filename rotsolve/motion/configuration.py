@@ -330,7 +330,8 @@ class Configuration(Arrangement, frozen=True, dict=True):
         return phase.name
 
     def can_turn(self, name: str, state: str) -> bool:
-        """Whether a body that no axis holds turns: a particle never, a light rod does; a body on a line if it is round or said to turn."""
+        """Whether a body that no axis holds turns: a particle never, a light rod does; a body on a line if it is round or said to turn,
+        whatever its mass: a string turns a light pulley too."""
         body, own = self.body(name, state), self.frame(name, state)
         wheel = rim_radius(body, None) is not None or self.hub(name, state) is not None
         free = self.line(name, state) is None and self.orbit(name, state) is None
@@ -339,22 +340,31 @@ class Configuration(Arrangement, frozen=True, dict=True):
         if all(piece.moment == ZERO and not tidy(piece.at - own.reference - own.cm).parts for piece in own.pieces):
             shapes = [shape_of(self.bodies[item]) for item in self.carried(name, state)]
             light = free and any(not (shape.pointlike or shape.round) for shape in shapes)
-            return light or (body.turns is not None and wheel)
+            return light or wheel
         return free or body.turns is not None or wheel
 
     def swings_round(self, ref: PointRef, state: str) -> bool:
         """Whether a point goes round the reference of its body as that turns."""
-        name, own = self.host(ref.owner, state), self.frame(self.host(ref.owner, state), state)
+        name = self.host(ref.owner, state)
         held = self.pivot(name, state) is not None
-        place = self.seat(ref.owner, state).place(locate(self.body(ref.owner, state), ref))
-        off = bool(tidy(place - own.reference).parts)
-        return off and (held or self.can_turn(name, state))
+        return self._off(ref, name, state) and (held or self.can_turn(name, state))
 
-    def driven(self, name: str, state: str) -> bool:
-        """Whether a couple acts on a body: a motor, friction in its axle, a belt."""
-        turned = any(ref.owner == name for item in self.actions(state) for ref in item.touches())
-        held = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
-        return turned or any(item.twists() for item in held)
+    def _off(self, ref: PointRef, name: str, state: str) -> bool:
+        """Whether a point is not the reference of the body that it is part of."""
+        place = self.seat(ref.owner, state).place(locate(self.body(ref.owner, state), ref))
+        return bool(tidy(place - self.frame(name, state).reference).parts)
+
+    def driven(self, name: str, state: str, by: str) -> bool:
+        """Whether anything but one string may turn a body: a motor, a couple, what pushes or pulls off the point about which it turns."""
+        items = (*(item for item in self.connections(state) if not item.joined()), *self.actions(state))
+        touched = [(item, ref) for item in items for ref in item.touches() if self.host(ref.owner, state) == name]
+        if any(drive.kinds == TURNING for drive in self.drives(name, state)):
+            return True
+        if sum(item.name == by for item, _ in touched) > 1:  # it runs round two of its rims
+            return True
+        others = [(item, ref) for item, ref in touched if item.name != by]
+        rims = (ref in item.on_rims(self) and ref.point not in ("center", "cm") for item, ref in others)
+        return any(rims) or any(item.twists() or self._off(ref, name, state) for item, ref in others)
 
     @remembered
     def frame(self, name: str, state: str) -> Frame:

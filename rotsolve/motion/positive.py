@@ -8,7 +8,7 @@ from msgspec import Struct
 from msgspec.structs import astuple
 
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, is_positive
 from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Given, Problem
@@ -46,8 +46,9 @@ def limited_values(problem: Problem) -> Iterator[tuple[str, Formula, str]]:
 
 
 def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:
-    """What is positive of a body: its mass, its radii, the sizes of its shape."""
-    yield from ((size, "positive") for size in (body.mass, body.inertia, body.density, body.gyration, body.radius))
+    """What is positive of a body: its mass, unless it is light, its radii, the sizes of its shape."""
+    sizes = (body.mass, body.inertia, body.density, body.gyration, body.radius)
+    yield from ((size, "positive") for size in sizes if size != ZERO)
     yield from ((radius, "positive") for _, radius in body.radii)
     if body.shape is not None:
         yield from limits_of(body.shape)

@@ -86,10 +86,12 @@ def turned_by(tensor: InertiaTensor, direction: Heading) -> InertiaTensor:
 
 
 def mass_of(body: Body) -> Formula:
-    """Total mass, identical copies counted."""
+    """Total mass, with that of its parts, identical copies counted."""
     if body.mass is None:
         return simplify(total([piece.mass for piece in pieces(body)]))
     mass = body.mass
+    if body.parts:
+        mass = simplify(total([mass, *(mass_of(part.body) for part in body.parts)]))
     return Number(Fraction(body.count)) * mass if body.count > 1 else mass
 
 

@@ -85,8 +85,12 @@ class Standing(Struct, frozen=True, dict=True):
         return self.configuration.frame(name, self.state)
 
     def weightless(self, name: str) -> bool:
-        """Whether a body has no inertia against turning."""
-        return all(piece.moment == ZERO for piece in self.frame(name).pieces)
+        """Whether a body has no inertia against turning about its reference."""
+        own = self.frame(name)
+        return all(
+            piece.moment == ZERO and (piece.mass == ZERO or not tidy(piece.at - own.reference).parts)
+            for piece in own.pieces
+        )
 
     def centre_of_mass(self, name: str) -> Vector:
         """From the reference of a body, while that stands as drawn."""

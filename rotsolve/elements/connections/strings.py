@@ -12,6 +12,7 @@ from functools import cached_property, partial
 from itertools import pairwise
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.facts import TAUT, TENSION, Force, Motion, Requirement, Rule
@@ -50,6 +51,7 @@ class Leg(Struct, frozen=True):
 class Routing(Struct, frozen=True, dict=True):
     """What a string touches, in order, and what the scene says of how it runs: by body the way it pulls, wheels passed under, a surface."""
 
+    name: str
     points: tuple[PointRef, ...]
     pulls: Mapping[str, str]
     under: tuple[str, ...]
@@ -207,11 +209,13 @@ class Routing(Struct, frozen=True, dict=True):
             return Vector()
         if not self.wraps(station):
             return self.instant.point(ref)
-        body = self.instant.body(ref.owner)
-        centre, radius = self.instant.hub(ref), rim_radius(body, ref.point) or ZERO
-        if self.light(station):
-            return centre
-        return centre + along[leg].turned(90 * self.clockwise(station, along)).times(radius)
+        return self.instant.hub(ref) if self.light(station) else self.tangent(station, along, leg)
+
+    def tangent(self, station: int, along: list[Vector], leg: int) -> Vector:
+        """Where a leg leaves the rim of a wheel."""
+        ref = self.points[station]
+        radius = rim_radius(self.instant.body(ref.owner), ref.point) or ZERO
+        return self.instant.hub(ref) + along[leg].turned(90 * self.clockwise(station, along)).times(radius)
 
     def clockwise(self, station: int, along: list[Vector]) -> int:
         """+1 where the running string turns a wheel clockwise: over from left to right, or under from right to left."""
@@ -222,11 +226,12 @@ class Routing(Struct, frozen=True, dict=True):
         return -1 if (self.points[station].owner in self.under) != leftward else 1
 
     def light(self, station: int) -> bool:
-        """Whether the string just passes a pulley without inertia: the same tension on both sides."""
-        if station in (0, len(self.points) - 1) or not self.wraps(station):
+        """Whether the string just passes a pulley without inertia, which nothing else turns: the same tension on both sides."""
+        ref, configuration = self.points[station], self.instant.configuration
+        if self.at_end(station) or not self.wraps(station) or self.instant.hub(ref).parts:
             return False
-        name = self.instant.host(self.points[station].owner)
-        return self.instant.weightless(name) and not self.instant.configuration.driven(name, self.instant.state)
+        name = self.instant.host(ref.owner)
+        return self.instant.weightless(name) and not configuration.driven(name, self.instant.state, self.name)
 
     def strands(self) -> tuple[tuple[Leg, ...], ...]:
         """Runs of legs with one tension: cut at every pulley that has inertia."""
@@ -237,6 +242,15 @@ class Routing(Struct, frozen=True, dict=True):
             else:
                 strands.append([self.legs[index]])
         return tuple(tuple(strand) for strand in strands)
+
+    def to_rims(self) -> Iterator[tuple[Leg, ...]]:
+        """By light pulley: what of its strand lies before it, up to the rim, which goes as fast as the string."""
+        along = [leg.along for leg in self.legs]
+        for station in filter(self.light, range(1, len(self.legs))):
+            strand = next(strand for strand in self.strands() if self.legs[station] in strand)
+            last = self.legs[station - 1]
+            last = replace(last, arms=(last.arms[0], self.tangent(station, along, station - 1)))
+            yield (*strand[: strand.index(self.legs[station - 1])], last)
 
     def end_of(self, strand: tuple[Leg, ...]) -> str:
         """The body that names a strand: one that it ends at without passing round it, else its first."""
@@ -351,10 +365,12 @@ class String(Connection, frozen=True):
             for leg in strand:
                 yield from self.pulls_of(leg, tension, instant)
             yield from self.rules(strand, instant)
+        for part in course.to_rims():
+            yield from self.rules(part, instant)
 
     def course(self, instant: Moment) -> Routing:
         """How it runs at a moment."""
-        return Routing(self.string, dict(self.pulls), self.under, self.along, instant)
+        return Routing(self.name, self.string, dict(self.pulls), self.under, self.along, instant)
 
     def tension_at(self, name: str, instant: Moment) -> Formula | None:
         """Of the part that leaves a body or support towards the next one named; at the last one, of the part that arrives."""
