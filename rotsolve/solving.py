@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rotsolve.algebra.formula import Formula
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, NeverReached, Unsolvable
@@ -13,7 +15,7 @@ from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import EXTREMES, Problem, TimeValue
+from rotsolve.language.problem import EXTREMES, Find, Path, Problem, Term, TimeValue, before
 from rotsolve.motion.block import left_out
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import with_hereafter
@@ -38,7 +40,10 @@ if TYPE_CHECKING:
 def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:
     """The solution of a scene by one choice of laws."""
     configuration = Configuration(noted(configuration.problem), configuration.alteration)
-    decision, (search, balls) = searched(configuration, law)
+    try:
+        decision, (search, balls) = searched(configuration, law)
+    except NeverReached as error:
+        raise really_missed(error, configuration, law) from None
     if at is not None and not search.scene.configuration.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     if law is not None:
@@ -73,6 +78,27 @@ def searched(configuration: Configuration, law: str | None) -> tuple[Decision | 
 
         not_in_time(*found)
     return decision, found
+
+
+def really_missed(error: NeverReached, configuration: Configuration, law: str | None) -> NeverReached:
+    """A state that is never reached, or, where the scene that ends with that reaches it, the one after it."""
+    problem = configuration.problem
+    names = [state.name for state in problem.states]
+    place = names.index(error.state) if error.state in names else len(names)
+    if not 0 < place < len(names) - 1:
+        return error
+    state, later = names[place], problem.states[place + 1]
+    clock = Find("", Symbol("#0"), (Term(Path("", "time"), start=names[0], end=state),))
+    ended = before(later.name, problem) or before(later.name, replace(problem, finds=(clock,)))
+    if ended is None or any(event.to == later.name for event in problem.events):
+        return error
+    try:
+        searched(Configuration(ended), law)
+    except Unsolvable:
+        return error
+    from rotsolve.search.explain import unreachable
+
+    return unreachable(problem, state, later.name, later.span, f"it comes to `{state}`, and from there not so far")
 
 
 def likelier(found: Found | Unsolvable, again: Found | Unsolvable) -> Found | Unsolvable:
@@ -195,14 +221,14 @@ def composed(
 ) -> Solution:
     """The answers of a search as a derivation with its checks."""
     with stage("compose", whole=True):
-        before, first = sections_before(decision)
+        slipped, first = sections_before(decision)
         composer = DerivationComposer(search, first, evaluation_time(at))
     with stage("verify", whole=True):
         held = checks(search, composer.letters, balls)
         idle = idle_words(search.scene)  # what is read from here on is none of the solution
     with stage("compose", whole=True):
         trials = () if decision is None else decision.trials
-        derivation = with_missing_told(composer.derivation(held, before, trials), composer.problem)
+        derivation = with_missing_told(composer.derivation(held, slipped, trials), composer.problem)
     beside = left_out(problem, composer.problem)
     skipped("bodies", beside)
     counted("equations written", derivation.equations_written)

@@ -12,6 +12,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import Spot
 from rotsolve.confirm.constraints import ROWS, held_by
 from rotsolve.confirm.jet import Slope
 from rotsolve.confirm.linear import Solved, solved
@@ -34,11 +35,13 @@ MODES = (STICKS, FORWARD, BACK)
 
 
 class Met(Struct, frozen=True):
-    """Two bodies that have bounced off each other: from then on the second stays ahead of the first along `way`."""
+    """Two bodies that have bounced off each other: from then on the second stays ahead of the first along `way`, if it is a `rod` across
+    that, between its ends in its own axes, which turn with it."""
 
     pair: tuple[str, str]
     way: Way
     apart: float  # how far it was ahead as they met, counted from where both are drawn
+    rod: tuple[Spot, Spot] | None = None
 
 
 class Placed(Struct, frozen=True):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -254,16 +254,20 @@ def before(state: str, problem: Problem) -> Problem | None:
     kept = set(names[: names.index(state)]) if state in names else set()
     ends = [*(event.to for event in problem.events), *(phase.end for phase in problem.phases)]
     ends += [name for action in problem.actions for name in (action.from_, action.to) if name is not None]
-    finds = tuple(find for find in problem.finds if asked_within(find, kept))
+    spans: dict[str | None, tuple[str | None, ...]]
+    spans = {event.name: (event.from_, event.to) for event in problem.events}
+    spans |= {phase.name: (phase.start, phase.end) for phase in problem.phases}
+    finds = tuple(find for find in problem.finds if asked_within(find, kept, spans))
     if not kept or not finds or not kept.issuperset(ends):
         return None
     states = tuple(item for item in problem.states if item.name in kept)
     return replace(problem, states=states, finds=finds)
 
 
-def asked_within(find: Find, states: Collection[str]) -> bool:
-    """Whether all that a question speaks of is at some states, or between them."""
+def asked_within(find: Find, states: Collection[str], spans: Mapping[str | None, tuple[str | None, ...]]) -> bool:
+    """Whether all that a question speaks of is at some states, between them, or during what joins them."""
     if find.where is not None or find.choice is not None or not find.terms:
         return False
-    times = [[time for time in (term.at, term.start, term.end) if time is not None] for term in find.terms]
+    named = [(term.at, term.start, term.end, *spans.get(term.during, ())) for term in find.terms]
+    times = [[time for time in several if time is not None] for several in named]
     return all(told and set(told) <= set(states) for told in times)

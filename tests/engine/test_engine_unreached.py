@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from rotsolve.core.faults import Unsolvable
@@ -108,3 +110,60 @@ find: {{v: rope.velocity at off}}
         return
     hangs = 2 * float(share)
     assert solve(text).answers["v"].float == pytest.approx((9.8 * hangs * (2 - hangs)) ** 0.5)
+
+
+SPRING = """
+given: {m: 1 kg, g: 10 m/s^2, k: 20 N/m, mu: 0.2, u: U m/s}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: left}}
+connections: {base: {contact: [block, floor], friction: mu}, coil: {spring: [ground, block], stiffness: k}}
+states: {start: {coil.elongation: 0, block.velocity: u}, far: {block.velocity: 0}, back: {coil.elongation: 0}}
+find: {FIND}
+"""
+
+
+@pytest.mark.parametrize("size", [0.4, 0.9, 1.1, 1.5])
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_the_state_that_is_not_reached_is_the_one_that_is_named(size: float, side: str) -> None:
+    """A block on a spring with friction stops at k x = √(k m u² + (μ m g)²) − μ m g, and comes back by k x ≥ 4 μ m g/2 alone."""
+    text = SPRING.replace("U", str(size)).replace("moves: left", f"moves: {side}")
+    found = solve(text.replace("FIND", "x: coil.elongation at far, v: block.velocity at back"))
+    far = (math.sqrt(20 * size**2 + 4) - 2) / 20
+    assert abs(found.answers["x"].float) == pytest.approx(far)
+    if far > 2 * 2 / 20:
+        assert abs(found.answers["v"].float) == pytest.approx(math.sqrt(20 * far**2 - 2 * 2 * far))
+        return
+    (refused,) = found.derivation.refused
+    assert refused.fault.message == "`back` is never reached from `far`"
+    with pytest.raises(Unsolvable, match="`back` is never reached from `far`"):
+        solve(text.replace("FIND", "v: block.velocity at back"))
+
+
+def test_letters_answer_what_comes_before() -> None:
+    text = SPRING.replace("1 kg, g: 10 m/s^2, k: 20 N/m, mu: 0.2, u: U", "kg, k: N/m, mu: number, u:")
+    found = solve(text.replace("FIND", "x: coil.elongation at far, v: block.velocity at back"))
+    assert {case.exact for case in found.answers["x"].branches} == {"(μ m g − √(m (k u² + μ² m g²)))/k"}
+    assert "far` is never reached" not in str(found)
+    assert "there is no answer for v: `back` is never reached from `far`" in str(found).replace("\n  ", " ")
+
+
+STRUCK = """
+given: {M: 2 kg, L: 1 m, J: 1 N s, x: 0.9 m}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: rod.start}}
+states: {before: {rod.angle: -90 deg, at rest: all}, after: {}, level: {rod.angle: 0}}
+events: {blow: {impulse: J, on: rod.at(x), direction: right, from: before, to: after}}
+find: {w: rod.angular_velocity at level, P: pin.impulse.x during blow, E: change of rod.kinetic_energy during blow}
+"""
+
+
+def test_a_blow_on_the_way_is_answered() -> None:
+    """What the hinge gives, J (3 x/2 L − 1), and the energy, 3 J² x²/2 M L², are told before the rod turns back."""
+    found = solve(STRUCK)
+    assert found.answers["P"].float == pytest.approx(0.35)
+    assert found.answers["E"].float == pytest.approx(3 * 0.81 / 4)
+    (refused,) = found.derivation.refused
+    assert (refused.name, refused.fault.message) == ("w", "`level` is never reached from `after`")
+    letters = solve(STRUCK.replace("2 kg", "kg").replace("1 m,", "m,").replace("1 N s", "N s").replace("0.9 m", "m"))
+    assert not letters.answers["P"].answer.conditions
+    assert letters.answers["w"].answer.conditions

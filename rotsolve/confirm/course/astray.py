@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rotsolve.confirm.course.meeting import apart
 from rotsolve.confirm.course.node import Astray, Node
 
 TOUCHING = 1e-9  # metres: at the blow itself they are not yet through each other
@@ -21,18 +22,19 @@ class MeetAgain(Astray):
         super().__init__(f"`{pair[0]}` and `{pair[1]}` meet again on the way from `{first}` to `{last}`")
 
 
-def spaces(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
-    """How far apart those are that have bounced off each other, each with what it is small against."""
+def spaces(at: Node, *, rods: bool = False) -> dict[tuple[str, str], tuple[float, float]]:
+    """How far apart those are that have bounced off each other, each with what it is small against; rods too, if that is asked."""
     found = {}
     for met in at.placed.met:
-        (x, y), (ahead, above) = (at.pose.place(name, (0.0, 0.0)) for name in met.pair)
-        gap = (ahead.value - x.value) * met.way[0] + (above.value - y.value) * met.way[1]
-        found[met.pair] = (gap - met.apart + TOUCHING, abs(gap) + abs(met.apart) + TOUCHING)
+        if met.rod is not None and not rods:
+            continue
+        gap = apart(met, at.pose)
+        found[met.pair] = (gap + TOUCHING, abs(gap + met.apart) + abs(met.apart) + TOUCHING)
     return found
 
 
 def check_apart(at: Node, last: str) -> None:
     """MeetAgain where bodies have gone through each other."""
-    for pair, (gap, size) in spaces(at).items():
+    for pair, (gap, size) in spaces(at, rods=True).items():
         if gap < -1e-6 * size:
             raise MeetAgain(pair, at.model.acting.state.name, last)

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.blow import Struck, struck
+from rotsolve.confirm.course.meeting import met_through
 from rotsolve.confirm.course.node import Node, check_turns
-from rotsolve.confirm.instant import Met, Placed
+from rotsolve.confirm.instant import Placed
 from rotsolve.confirm.lines import bent
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.seating import seated
-from rotsolve.elements.events import Collides
 from rotsolve.language.elements import Event
 
 
@@ -26,32 +25,6 @@ def brought(before: Node, model: Model) -> Placed:
         if bent(name, model) is not None and bent(name, before.model) is None:
             q[seat.first : seat.turn] = seated(model)[seat.first : seat.turn]
     return replace(before.placed, q=q)
-
-
-def met_through(before: Node, event: Event, model: Model, speed: Sequence[float]) -> tuple[Met, ...]:
-    """Who has met up to an event and may not go through each other: bodies on one line; a later blow of theirs counts anew.
-
-    By the speeds after it one may have gone through the other, as a bullet does, if not both lie on something.
-    """
-    if not isinstance(event, Collides):
-        return before.placed.met
-    one, other = (ref.owner for ref in event.collides)
-    kept = tuple(met for met in before.placed.met if set(met.pair) != {one, other})
-    ways = [model.way(name) if name in model.seats else None for name in (one, other)]
-    if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
-        return kept
-    (x, y), (ahead, above) = (before.pose.place(name, (0.0, 0.0)) for name in (one, other))
-    way = ways[0]
-    closing = (x.rate - ahead.rate) * way[0] + (y.rate - above.rate) * way[1]
-    if closing == 0.0:
-        return kept
-    firsts = [model.seats[name].first for name in (one, other)]
-    parting = sum((speed[firsts[1] + k] - speed[firsts[0] + k]) * way[k] for k in (0, 1))
-    lying = {item.lying() for item in before.model.acting.connections}
-    through = parting * closing < -1e-9 * closing**2 and not lying.issuperset({one, other})
-    way = way if (closing > 0.0) != through else (-way[0], -way[1])
-    apart = (ahead.value - x.value) * way[0] + (above.value - y.value) * way[1]
-    return (*kept, Met((one, other), way, apart))
 
 
 class Blow:
@@ -66,7 +39,8 @@ class Blow:
             raise NotConfirmed(f"what holds through `{event.name}` can not hold together")
         changes = [now - old for now, old in zip(self.struck.placed.speed, before.placed.speed, strict=True)]
         check_turns(model, changes, self.struck.placed.open)
-        placed = replace(self.struck.placed, met=met_through(before, event, model, self.struck.placed.speed))
+        placed = self.struck.placed
+        placed = replace(placed, met=met_through(before, event, model, placed.pose(model)))
         self.after = Node(model, placed, before.budget)
 
     def on_body(self, owner: str, body: str) -> tuple[Way, float]:

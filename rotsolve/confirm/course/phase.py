@@ -7,20 +7,21 @@ have to pull though it only pushes ends it.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.astray import LetsGo, MeetAgain, spaces
+from rotsolve.confirm.course.astray import TOUCHING, LetsGo, MeetAgain, spaces
 from rotsolve.confirm.course.crossings import FAR, crossings, first_zero, sign_change
 from rotsolve.confirm.course.gauges import HOLDS, gauges
 from rotsolve.confirm.course.laps import FollowedPhase, Lap
+from rotsolve.confirm.course.meeting import beside_rod, gap_of
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.steps import PLACES, Law, TimeStep, adapted, is_constant
-from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Placed, gathered, moment, slip_speed
+from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Met, Placed, gathered, moment, slip_speed
 from rotsolve.confirm.rows import Grip
 from rotsolve.language.problem import State
 
@@ -28,6 +29,7 @@ SOON = (1e-4, 1e-3, 1e-2, 0.05)  # parts of a step after which bodies that have 
 APART = "apart "  # margins of bodies that have met
 MOST = 400  # steps of a phase
 VERGE = 1e-9  # part of a step that is no step at all
+LOOKS = 24  # parts of a step at which it is looked how what has hit a rod goes on beside it
 AGAIN = 1e-6  # share of all rates and accelerations within which they are those of the start
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
@@ -210,7 +212,22 @@ class NextState:
                     part = sign_change(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
                     least = min(least, (part, key), key=lambda one: one[0])
                     break
-        return least
+        return min((least, *self.hits(lap)), key=lambda one: one[0])
+
+    def hits(self, lap: Lap) -> Iterator[tuple[float, tuple[str, str]]]:
+        """The parts of a step at which what has bounced off a rod comes through it, between its ends."""
+        for met in (met for met in self.first.placed.met if met.rod is not None):
+
+            def ahead(at: Node, met: Met = met) -> float:
+                return gap_of(met, at.pose)[0] - met.apart + TOUCHING
+
+            parts = (0.0, *SOON, *(number / LOOKS for number in range(1, LOOKS + 1)))
+            for low, high in pairwise(parts):
+                if ahead(lap.at(low)) * ahead(lap.at(high)) < 0.0:  # from either side
+                    part = sign_change(ahead, lap, low, high)
+                    if beside_rod(met, lap.at(part).pose)[0] <= 0.0:
+                        yield part, (f"{APART}{met.pair[0]}", met.pair[1])
+                        break
 
     def within(self, key: tuple[str, str], lap: Lap) -> list[tuple[float, float]]:
         """How far something is from giving way, or from sticking, at the places of a step: as its law has told, or by how fast it slips."""

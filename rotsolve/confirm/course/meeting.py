@@ -1,0 +1,97 @@
+"""Meeting: who has bounced off whom, and how far apart they are from then on: along the line of both, or across a rod that turns."""
+
+from __future__ import annotations
+
+import math
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.instant import Met
+from rotsolve.confirm.model import Model
+from rotsolve.confirm.pose import Pose
+from rotsolve.elements.events import Collides
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Event
+
+THROUGH = 1e-9  # share of the speed of approach above which two go on to approach each other
+ROD = ("start", "end")
+
+
+def met_through(before: Node, event: Event, model: Model, after: Pose) -> tuple[Met, ...]:
+    """Who has met up to an event and may not go through each other; a later blow of theirs counts anew."""
+    if not isinstance(event, Collides):
+        return before.placed.met
+    pair = event.collides[0], event.collides[1]
+    kept = tuple(met for met in before.placed.met if set(met.pair) != {ref.owner for ref in pair})
+    found = met_on_line(before, pair, model, after)
+    return kept if found is None else (*kept, found)
+
+
+def met_on_line(before: Node, pair: tuple[PointRef, PointRef], model: Model, after: Pose) -> Met | None:
+    """Two that stay on one line, or a rod and what flies against it; None of others.
+
+    By the speeds afterwards one may have gone through the other, as a bullet does, if not both lie on something.
+    """
+    one, other = (ref.owner for ref in pair)
+    ways = [model.way(name) if name in model.seats else None for name in (one, other)]
+    if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
+        rods = [ref for ref in pair if ref.owner in model.seats and shape_of(model.body(ref.owner)).slender]
+        return met_rod(pair, rods[0], model, (before.pose, after)) if len(rods) == 1 else None
+    way, lying = ways[0], {item.lying() for item in before.model.acting.connections}
+    met = Met((one, other), way, 0.0)
+    closing, parting = (-gap_of(met, pose)[1] for pose in (before.pose, after))
+    if closing == 0.0:
+        return None
+    through = parting * closing > THROUGH * closing**2 and not lying.issuperset({one, other})
+    met = replace(met, way=way if (closing > 0.0) != through else (-way[0], -way[1]))
+    return replace(met, apart=gap_of(met, before.pose)[0])
+
+
+def met_rod(pair: tuple[PointRef, PointRef], rod: PointRef, model: Model, poses: tuple[Pose, Pose]) -> Met | None:
+    """A rod and what has hit it: that stays on its side of it as long as it is beside it."""
+    ball = pair[0] if rod is pair[1] else pair[1]
+    if ball.owner not in model.seats:
+        return None
+    try:
+        ends = tuple(model.drawn(PointRef(rod.owner, end)) for end in ROD)
+    except NotConfirmed:
+        return None
+    met = Met((ball.owner, rod.owner), (0.0, 1.0), 0.0, (ends[0], ends[1]))
+    closing, parting = (-gap_of(met, pose)[1] for pose in poses)
+    if closing == 0.0:
+        return None
+    through = parting * closing > THROUGH * closing**2
+    met = replace(met, way=(0.0, 1.0 if (closing > 0.0) != through else -1.0))
+    return replace(met, apart=gap_of(met, poses[1])[0])
+
+
+def gap_of(met: Met, pose: Pose) -> tuple[float, float]:
+    """How far the second of two is ahead of the first, and how fast that grows, whatever they were apart as they met."""
+    if met.rod is not None:
+        return beside_rod(met, pose)[1:]
+    (x, y), (ahead, above) = (pose.place(name, (0.0, 0.0)) for name in met.pair)
+    gap = (ahead - x) * met.way[0] + (above - y) * met.way[1]
+    return gap.value, gap.rate
+
+
+def beside_rod(met: Met, pose: Pose) -> tuple[float, float, float]:
+    """How far a body is beyond the nearer end of a rod, along it; how far the rod is ahead of it across that, and how fast that grows."""
+    assert met.rod is not None
+    name, rod = met.pair
+    start, end = (pose.place(rod, spot) for spot in met.rod)
+    x, y = pose.place(name, pose.seats[name].rigid.centre)
+    length = math.dist(*met.rod)
+    way: tuple[float, float] = ((end[0].value - start[0].value) / length, (end[1].value - start[1].value) / length)
+    across = ((end[0] - start[0]) * (y - start[1]) - (end[1] - start[1]) * (x - start[0])) * (-met.way[1] / length)
+    along = (x.value - start[0].value) * way[0] + (y.value - start[1].value) * way[1]
+    return max(-along, along - length), across.value, across.rate
+
+
+def apart(met: Met, pose: Pose) -> float:
+    """How far two are apart that have bounced off each other; negative where they have gone through each other."""
+    gap = gap_of(met, pose)[0] - met.apart
+    beyond = 0.0 if met.rod is None else beside_rod(met, pose)[0]
+    return gap if beyond <= 0.0 else math.hypot(gap, beyond)

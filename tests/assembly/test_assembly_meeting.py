@@ -1,0 +1,82 @@
+"""Meeting: what has bounced off a rod does not go through it later on: the assembly follows its place beside the rod as both move."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+
+HANGING = """
+given: {M: 1 kg, m: SIZE, L: 1 m, e: 0.05, u: 1 m/s, x: 0.5 m}
+bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: right}}
+connections: {pin: {hinge: rod.start}}
+states: {before: {rod.angle: -90 deg, at rest: rod, ball.velocity: u}, after: {}, far: {rod.angle: largest}}
+events: {hit: {collides: [ball, rod.at(x)], restitution: e, from: before, to: after}}
+find: {phi: rod.angle at far, w: rod.angular_velocity at after, v: ball.velocity at after}
+"""
+MIRRORED = HANGING.replace("moves: right", "moves: left").replace("largest", "smallest")
+SWAPPED = HANGING.replace("[ball, rod.at(x)]", "[rod.at(x), ball]")
+WIRE = """
+plane: horizontal
+given: {M: 1 kg, m: SIZE, L: 1 m, D: 100 N m/rad, e: 0.1, u: 1 m/s, x: 0.5 m}
+bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: up}}
+connections: {pin: {hinge: rod.start}, wire: {torsion: rod, stiffness: D}}
+states: {before: {rod.angle: 0, at rest: rod, ball.velocity: u}, after: {}, far: {rod.angle: largest}}
+events: {hit: {collides: [ball, rod.at(x)], restitution: e, from: before, to: after}}
+find: {phi: rod.angle at far, w: rod.angular_velocity at after, v: ball.velocity at after}
+"""
+LOOSE = """
+plane: horizontal
+given: {M: 1 kg, m: SIZE, L: 1 m, e: 0.3, u: 1 m/s, T: 3 s, b: 0.3 m}
+bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: up}}
+states: {before: {rod.angle: 0, at rest: rod, ball.velocity: u}, after: {}, far: {time: T}}
+events: {hit: {collides: [ball, rod.at(b)], restitution: e, from: before, to: after}}
+find: {phi: rod.rotation from after to far, w: rod.angular_velocity at after, v: ball.velocity at after}
+"""
+KINDS = {"hanging": HANGING, "mirrored": MIRRORED, "swapped": SWAPPED, "wire": WIRE, "loose": LOOSE}
+
+
+@pytest.mark.parametrize("text", KINDS.values(), ids=list(KINDS))
+def test_a_heavy_ball_catches_the_rod(text: str) -> None:
+    """It goes on nearly as fast as the rod there, which weight, a wire, or its turn slow down: only what is asked before holds."""
+    found = solve(text.replace("SIZE", "10 kg"))
+    assert set(found.answers) == {"w", "v"}
+    (refused,) = found.derivation.refused
+    assert refused.name == "phi"
+    assert "meet again on the way from `after` to `far`" in refused.fault.message
+
+
+@pytest.mark.parametrize("text", KINDS.values(), ids=list(KINDS))
+def test_a_light_ball_goes_back(text: str) -> None:
+    assert {item.holds for item in solve(text.replace("SIZE", "0.05 kg")).derivation.confirmed} == {True}
+
+
+def test_what_passes_below_the_end_meets_nothing() -> None:
+    """A ball at 0.98 L bounces well: the rod is out of its way, by which its end rises above it, before it comes there."""
+    text = HANGING.replace("SIZE", "1 kg").replace("e: 0.05", "e: 0.6").replace("x: 0.5 m", "x: 0.98 m")
+    assert {item.holds for item in solve(text.replace("u: 1", "u: 2")).derivation.confirmed} == {True}
+
+
+def test_a_bullet_goes_through() -> None:
+    """It is ahead of the rod afterwards, and faster."""
+    text = HANGING.replace("SIZE", "10 g").replace("u: 1 m/s", "u: 300 m/s, r: 200 m/s").replace("e: 0.05, ", "")
+    text = text.replace(", restitution: e", "").replace("after: {}", "after: {ball.velocity: r}")
+    found = solve(text.replace(", v: ball.velocity at after", ""))
+    assert {item.holds for item in found.derivation.confirmed} == {True}
+
+
+def test_letters_say_with_which_numbers() -> None:
+    """Of letters it is a notice: others may meet nothing."""
+    text = WIRE.replace("SIZE", "kg").replace("M: 1 kg", "M: kg").replace("L: 1 m", "L: m").replace("D: 100 N", "D: N")
+    found = solve(text.replace("e: 0.1", "e: number").replace("u: 1 m/s", "u: m/s").replace("x: 0.5 m", "x: m"))
+    verdicts = {item.name: item for item in found.derivation.confirmed}
+    assert "meet again" in verdicts["phi"].why
+    assert verdicts["phi"].astray
+    assert verdicts["w"].holds
+
+
+def test_nothing_is_left_where_only_that_is_asked() -> None:
+    text = HANGING.replace("SIZE", "10 kg").replace(", w: rod.angular_velocity at after, v: ball.velocity at after", "")
+    with pytest.raises(Unsolvable, match="`ball` and `rod` meet again"):
+        solve(text)
