@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.confirm.course.meeting import apart
+from rotsolve.confirm.course.meeting import clearance
 from rotsolve.confirm.course.node import Astray, Node
 
 TOUCHING = 1e-9  # metres: at the blow itself they are not yet through each other
@@ -28,7 +28,7 @@ def spaces(at: Node, *, rods: bool = False) -> dict[tuple[str, str], tuple[float
     for met in at.placed.met:
         if met.rod is not None and not rods:
             continue
-        gap = apart(met, at.pose)
+        gap = clearance(met, at.pose)
         found[met.pair] = (gap + TOUCHING, abs(gap + met.apart) + abs(met.apart) + TOUCHING)
     return found
 

@@ -90,7 +90,7 @@ def beside_rod(met: Met, pose: Pose) -> tuple[float, float, float]:
     return max(-along, along - length), across.value, across.rate
 
 
-def apart(met: Met, pose: Pose) -> float:
+def clearance(met: Met, pose: Pose) -> float:
     """How far two are apart that have bounced off each other; negative where they have gone through each other."""
     gap = gap_of(met, pose)[0] - met.apart
     beyond = 0.0 if met.rod is None else beside_rod(met, pose)[0]
