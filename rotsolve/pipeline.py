@@ -25,7 +25,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
 from rotsolve.profile import stage
 from rotsolve.scene.read import read_source, read_text
-from rotsolve.search.answering import Unanswered, needed_for
+from rotsolve.search.answering import Unanswered, letters_of, needed_for
 from rotsolve.search.answers import unsolvable
 from rotsolve.solution import Solution
 from rotsolve.solving import solved
@@ -131,6 +131,7 @@ def solved_without(error: Unsolvable, problem: Problem, solve: SolveFor) -> tupl
     known = refused_by(error, problem)
     for refused in (known,) if isinstance(error, NeverReached) else (known, None):
         refused = told_apart(problem, solve) if refused is None else refused
+        refused = {**taken_along(refused, problem), **refused}
         kept = tuple(find for find in problem.finds if find.name not in refused)
         if not kept or len(kept) == len(problem.finds):
             continue
@@ -150,6 +151,23 @@ def refused_by(error: Unsolvable, problem: Problem) -> Mapping[str, Unsolvable]:
         early = before(error.state, problem)
         return {find.name: error for find in problem.finds if early is None or find not in early.finds}
     return error.refused if isinstance(error, Unanswered) else {}
+
+
+def taken_along(refused: Mapping[str, Unsolvable], problem: Problem) -> dict[str, Unsolvable]:
+    """What else has no answer where the data leave none for an unknown that a state tells: what is asked of that state or later."""
+    asked = {given.name for given in problem.givens if given.asked}
+    found: dict[str, Unsolvable] = {}
+    for name, error in refused.items():
+        error = error.refused.get(name, error) if isinstance(error, Unanswered) else error
+        told = [state.name for state in problem.states if name in set(letters_of(state.conditions))]
+        if name not in asked or not told or not isinstance(error, Contradicted) or isinstance(error, NeverReached):
+            continue
+        early = before(told[0], problem)
+        for find in problem.finds:
+            block = asked_block(replace(problem, finds=(find,)))
+            if (early is None or find not in early.finds) and name in set(letters_of(block.states)):
+                found[find.name] = error
+    return found
 
 
 def told_apart(problem: Problem, solve: SolveFor) -> dict[str, Unsolvable]:

@@ -112,7 +112,14 @@ def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
         return RIGHT if there > here else (-1.0, 0.0)
     if wraps(ref, model):
         return None
-    return DOWN if there > here and below(item, there, model) else UP
+    return DOWN if slung(item, there, model) or (there > here and below(item, there, model)) else UP
+
+
+def slung(item: String, index: int, model: Known) -> bool:
+    """Whether a wheel between the ends of a string, which passes under it, travels up and down: its neighbours are above it."""
+    ref, between = item.string[index], 0 < index < len(item.string) - 1
+    way = line(ref.owner, model) if between and ref.owner in item.under and wraps(ref, model) else None
+    return way is not None and abs(way[1]) > 1e-9
 
 
 def held_aside(ref: PointRef, model: Known) -> bool:

@@ -9,6 +9,7 @@ A modifier and the clauses belong to the whole expression before them; a part in
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -241,10 +242,14 @@ class PhraseReader:
             part = self.read(opening + 1, closing, False)
             if part is None:
                 return None
-            name = stand_in(90 + len(inner), closing + 1 - opening)
+            called = bool(
+                re.search(r"\w\s*$", text[position:opening])
+            )  # the brackets of a function stay: sin(touch.angle at off)
+            first, last = (opening + 1, closing) if called else (opening, closing + 1)
+            name = stand_in(90 + len(inner), last - first)
             inner[name] = part
-            built += text[position:opening] + name
-            position = closing + 1
+            built += text[position:first] + name
+            position = last
         built += text[position:end]
         node = Text(built, self.node.part(start, end), True, self.node.exact)
         earlier = {name: dimension for name, dimension in self.answers.items() if name not in self.scope.choices}

@@ -128,3 +128,30 @@ find: {{a: one.acceleration at start, b: two.acceleration at start, d: base.acce
     a, b, d = F / (4 * m) - g, F / (4 * M) - g, F / (2 * k) - g
     found = [solution.answers[name].float for name in ("a", "b", "d", "om")]
     assert found == pytest.approx([a, b, d, (b - a) / (2 * r)])
+
+
+@pytest.mark.parametrize(
+    ("size", "backwards", "held"), list(product(("mass: 0", f"mass: {k} kg, inertia: 0 kg m^2"), *2 * ((False, True),)))
+)
+def test_a_wheel_slung_in_a_string_hangs_below_its_neighbours(size: str, backwards: bool, held: bool) -> None:
+    """The ends are lifted by forces, or one of them is held; each end goes as far from the wheel as the other comes nearer."""
+    names = ["one", "p", "ceiling" if held else "two"]
+    solution = solve(f"""title: A wheel in the bight of a string
+given: {{{NUMBERS}}}
+bodies:
+  one: {{mass: m, moves: up}}
+  two: {{mass: M, moves: {"right" if held else "up"}}}
+  p: {{{size}, radius: R, moves: up}}
+  load: {{mass: n, moves: up}}
+connections: {{cord: {{string: [{", ".join(names[::-1] if backwards else names)}], under: p}}, hook: {{string: [p.center, load]}}}}
+actions: {{lift: {{force: F, on: one, direction: up}}, other: {{force: F/2, on: two, direction: {"right" if held else "up"}}}}}
+states: {{start: {{at rest: all}}}}
+find: {{a: one.acceleration at start, b: load.acceleration at start, T: cord.tension at start}}
+""")
+    hung = n + (0.0 if size == "mass: 0" else k)
+    # 2 T − w g = w b, F − m g − T = m a, F/2 − M g − T = M c, b = (a + c)/2
+    free = F / m - g + (0.0 if held else F / (2 * M) - g)
+    T = (g + free / 2) / (2 / hung + 1 / (2 * m) + (0.0 if held else 1 / (2 * M)))
+    found = [solution.answers[name].float for name in "abT"]
+    assert found == pytest.approx([F / m - g - T / m, 2 * T / hung - g, T])
+    assert all(item.holds for item in solution.derivation.confirmed) and solution.derivation.confirmed

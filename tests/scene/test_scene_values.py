@@ -238,3 +238,27 @@ def test_turns_are_no_radians(asked: str, unit: str, said: str) -> None:
 def test_rates_of_turns(asked: str, unit: str, number: float) -> None:
     """4 Hz are 240 turns a minute, and 8π rad/s are 4 turns a second."""
     assert solve(TURNING.format(question=f"{asked} in {unit}")).answers["x"].float == pytest.approx(number)
+
+
+@pytest.mark.parametrize(
+    ("alone", "within"),
+    [
+        ("sin(x)", "sin(rod.angle at t)"),
+        ("2*cos(x)^2", "2*cos (rod.angle at t)^2"),
+        ("sqrt(abs(x))/2", "sqrt(abs(rod.angle at t))/2"),
+        ("sin(x) + x", "sin(rod.angle at t) + (rod.angle at t)"),
+        ("L*x", "L(rod.angle at t)"),
+        ("(sin(x))^2", "(sin(rod.angle at t))^2"),
+    ],
+)
+def test_the_brackets_of_a_function_may_hold_a_phrase(alone: str, within: str) -> None:
+    """The same number as with that quantity asked before."""
+    scene = """title: Swung
+given: {{m: 2 kg, L: 3}}
+bodies: {{rod: {{shape: rod, mass: m, length: 150 cm}}}}
+connections: {{pin: {{hinge: rod.start}}}}
+states: {{s: {{rod.angle: 10 deg, at rest: all}}, t: {{rod.angle: -50 deg}}}}
+find: {{x: rod.angle at t, y: "{0}"}}
+"""
+    first, second = (solve(scene.format(text)).answers["y"].float for text in (alone, within))
+    assert first is not None and first == pytest.approx(second)

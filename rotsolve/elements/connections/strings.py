@@ -173,7 +173,13 @@ class Routing(Struct, frozen=True, dict=True):
                 return self.leaving_reel(index, other)
             return unit(UP if ref.owner in self.under else DOWN)
         lower = other > index and neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
-        return unit(DOWN if lower else UP)
+        return unit(DOWN if lower or self.slung(other) else UP)
+
+    def slung(self, index: int) -> bool:
+        """Whether a wheel that travels up and down hangs in the string, which runs up from it on both sides."""
+        line = self.line(self.points[index].owner)
+        upright = line is not None and line.sin() != ZERO
+        return upright and self.wraps(index) and not self.at_end(index) and self.points[index].owner in self.under
 
     def leaving_reel(self, index: int, other: int) -> Vector | None:
         """Direction in which a string leaves what travels up and down and has its end wound on it: up, save where a body hangs from it."""
