@@ -204,7 +204,12 @@ def coefficients(value: Formula, name: str) -> list[Formula]:
     found = [value]
     for _ in range(power):
         found.append(differentiate(found[-1], name))
-    return [simplify(part.substitute({name: ZERO})) for part in found]
+    try:
+        return [simplify(part.substitute({name: ZERO})) for part in found]
+    except (
+        ZeroDivisionError
+    ):  # it stands within a function too, as in arcsin(sin β + 1 − sin β), whose slope has no value
+        return []
 
 
 def denominators(value: Formula) -> Iterator[Formula]:

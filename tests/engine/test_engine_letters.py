@@ -316,3 +316,14 @@ def test_the_side_of_a_limit_of_stability_hangs_on_the_numbers(angle: float) -> 
     """A little out, dα/dθ = −ω² cos 2θ + …: below 45° a faster shaft holds it the better, so that there is no largest ω."""
     with pytest.raises(Unsolvable, match="ask for the `smallest` one"):
         solve(OUT.format(angle=angle))
+
+
+def test_a_letter_within_a_function_makes_no_polynomial() -> None:
+    """β + arcsin(sin β + 1 − sin β) is straight in β, and yet has no slope that could be written."""
+    from rotsolve.algebra.formula import ONE, Symbol, call
+    from rotsolve.search.lettersigns import coefficients
+
+    beta = Symbol("beta")
+    sine = call("sin", beta)
+    assert coefficients(beta + call("asin", sine + (ONE - sine)), "beta") == []
+    assert len(coefficients(beta**2 - 3 * beta + 1, "beta")) == 3
