@@ -319,11 +319,11 @@ def test_the_side_of_a_limit_of_stability_hangs_on_the_numbers(angle: float) -> 
 
 
 def test_a_letter_within_a_function_makes_no_polynomial() -> None:
-    """β + arcsin(sin β + 1 − sin β) is straight in β, and yet has no slope that could be written."""
+    """β + arcsin(sin β + g (1 − sin β)/g) is straight in β, and yet has no slope that could be written."""
     from rotsolve.algebra.formula import ONE, Symbol, call
     from rotsolve.search.lettersigns import coefficients
 
-    beta = Symbol("beta")
+    beta, g = Symbol("beta"), Symbol("g")
     sine = call("sin", beta)
-    assert coefficients(beta + call("asin", sine + (ONE - sine)), "beta") == []
+    assert coefficients(beta + call("asin", sine + g * (ONE - sine) / g), "beta") == []
     assert len(coefficients(beta**2 - 3 * beta + 1, "beta")) == 3
