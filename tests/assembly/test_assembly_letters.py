@@ -104,6 +104,12 @@ connections: {t: {contact: [h, floor], friction: mu}, w: {weld: [h.rim, q]}}
 states: {start: {h.angle: 0, at rest: all}, end: {h.angle: -90 deg}}
 find: {v: h.velocity at end}
 """
+VERY_LIGHT = [  # they hop where M < 0.02 m
+    LOPSIDED.replace(", mu: number", "")
+    .replace("contact: [h, floor], friction: mu", "rolls: [h, floor]")
+    .replace("disc", shape)
+    for shape in ("disc", "ring")
+]
 SWUNG = [
     SHAKEN.replace("SIDES", sides).replace("WAY", way) for sides, way in (("[drum, load]", "b"), ("[load, drum]", "-b"))
 ]
@@ -112,6 +118,7 @@ SWUNG = [
 BETWEEN = {
     "loop": LOOP, "crate": CRATE, "shaken": SWUNG[0], "mirrored": SWUNG[1],
     "hoop down": HOOPS[0], "hoop up": HOOPS[1], "lopsided": LOPSIDED,
+    "very light disc": VERY_LIGHT[0], "very light hoop": VERY_LIGHT[1],
 }  # fmt: skip
 
 
