@@ -194,7 +194,7 @@ class FirstReached(Struct, frozen=True):
                     continue
                 places = [(k, root, (root - shift) / scale) for k, root in roots]
                 wound = travel.kind == "turn" and self.scene.instant(passage.end.state).wound(travel.body)
-                ways = self._along_wire(places, *begin) if wound else [self._way_to(*place, *begin) for place in places]
+                ways = self._along_wire(places, *begin) if wound else self._round(places, *begin)
                 first = min(ways, key=cmp_to_key(self._compared))
                 words: Words = ("the first place on the way where this holds",)
                 turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
@@ -260,6 +260,15 @@ class FirstReached(Struct, frozen=True):
         if found or self.numbers.side(rest) == 0:
             turns -= 1
         return WayToRoot(root, value, gap - turns * TURN, -way * turns)
+
+    def _round(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
+        """The ways to places on a circle. Of those found numerically all are told, so that one ahead needs no whole turns: with friction
+        or a couple they do not come again a turn later.
+        """
+        told = way and all(isinstance(root, Number) for _, root, _ in places)
+        gaps = [(k, root, place - start if way > 0 else start - place) for k, root, place in places] if told else []
+        ahead = [WayToRoot(k, root, gap) for k, root, gap in gaps if (self.numbers.of(gap) or 0.0) > SAME_PLACE]
+        return ahead or [self._way_to(*place, start, way) for place in places]
 
     def _along_wire(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
         """The ways to places none of which comes again a turn later: those ahead, else back to those behind."""

@@ -191,3 +191,25 @@ def test_a_wire_in_letters_has_no_cases_of_turns(load: bool) -> None:
     answers = solve(scene).answers
     assert not answers["phi"].otherwise
     assert len(answers["phi"].conditions) == load
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+@pytest.mark.parametrize(("friction", "couple"), [(0.5, 0.0), (0.0, -0.5), (0.0, 0.5), (0.0, 5.0), (0.3, 0.6)])
+def test_where_friction_or_a_couple_tells_turns_apart_the_first_place_is_meant(
+    friction: float, couple: float, mirrored: bool
+) -> None:
+    """A rod let go from level comes to rest at the first place at which its kinetic energy is gone: no place a turn later is like it."""
+    start, way = (math.pi, 1) if mirrored else (0.0, -1)
+    found = solve(f"""
+title: A rod let go from level
+bodies: {{rod: {{shape: rod, mass: 2 kg, length: 1 m}}}}
+connections: {{pin: {{hinge: rod.start, friction_torque: {friction} N m}}}}
+actions: {{turn: {{couple: {-couple * way} N m, on: rod}}}}
+states: {{start: {{rod.angle: {180 if mirrored else 0} deg, at rest: all}}, far: {{rod.angular_velocity: 0}}}}
+find: {{phi: rod.angle at far}}
+""")
+    gone = 1e-4
+    while 9.8 * math.sin(gone) > (friction + couple) * gone:
+        gone += 1e-4
+    assert found.answers["phi"].float == pytest.approx(start + way * gone, abs=2e-4)
+    assert all(item.holds for item in found.derivation.confirmed)

@@ -156,9 +156,8 @@ class RealBalls:
             if self.clip:
                 x = x.min(arb(1)).max(arb(-1))
             elif self.is_zero:
-                end = 1 if x > 0 else -1
-                if self.is_zero(node.arguments[0] - end):
-                    x = arb(end)
+                if self.is_zero(node.arguments[0] ** 2 - 1):  # of its square, so that a root over all needs no sign
+                    x = arb(1 if x > 0 else -1)
         return x.asin() if node.function == "asin" else x.acos()
 
     def _atan2(self, node: Call, y: Ball, x: Ball) -> Ball:

@@ -7,7 +7,7 @@ have to pull though it only pushes ends it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 
@@ -34,6 +34,7 @@ AGAIN = 1e-6  # share of all rates and accelerations within which they are those
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
 NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
+NEARLY, ROUNDS = 0.99, 3  # the place within a step beside its end, from which its end is set right, and how often
 LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and how much longer it would have to go on so
 
 
@@ -81,13 +82,13 @@ class NextState:
             before = step if cut == 1.0 else None
             lifts = way is not None and way[0] not in (FORWARD, BACK)
             if 0.0 < cut < 1.0 and not lifts:  # what lets go may be what the state says: it is looked for beyond it
-                lap = self.shortened(lap, cut)
+                lap, cut = self.arrived(lap, cut, None if way is None else partial(margin_in_step, way))
                 way = way if lap.step.width >= step.width * cut * (1.0 - 1e-9) else None  # else it is not there yet
             reached = self.reached(lap) if cut or lifts else None
             if cut and reached is None and way is not None and not lifts and self.holds_where(way[1], lap):
                 return self.ended(lap, way[1])
             if reached is not None and not (lifts and reached > cut + STILL):
-                last = self.shortened(lap, reached)
+                last, reached = self.arrived(lap, reached, self.gauges[0].value if self.gauges else None)
                 if last.step.width >= lap.step.width * reached * (1.0 - 1e-9):
                     return self.ended(last)
                 lap, before, way = last, None, None  # a shorter step was as far as one could go at once
@@ -207,6 +208,9 @@ class NextState:
             begins = key[0] in (FORWARD, BACK) and abs(start[key][0]) <= STILL * abs(value)
             if begins or key[0].startswith(APART):  # from rest, or from nothing at the blow, it grows first
                 known[1:1] = [(part, margin_in_step(key, lap.at(part))) for part in SOON]
+            known[1:] = [
+                one for one in known[1:] if one[1] > 0.0 or one[1] < -1e-7 * size
+            ]  # what is all but zero tells no sign
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:
                     part = sign_change(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
@@ -248,6 +252,20 @@ class NextState:
             return replace(lap, step=replace(step, width=width))
         law = self.law(lap.modes)
         return replace(lap, step=adapted(law, step.time, step.place, step.speed, width, step.pushes[0], step)[0])
+
+    def arrived(self, lap: Lap, part: float, gap: Callable[[Node], float] | None) -> tuple[Lap, float]:
+        """The lap up to where a function vanishes, nearly at a part of it, and that part: a shorter step is nearer to the motion."""
+        last = self.shortened(lap, part)
+        if gap is None or len(last.step.pushes) == 1 or part == 1.0:
+            return last, part
+        for _ in range(ROUNDS):
+            before, rest = gap(last.at(NEARLY)), gap(last.at(1.0))
+            further = (1.0 - NEARLY) * rest / (before - rest) if before != rest else 0.0
+            if abs(rest) <= 1e-10 * abs(before) or not abs(further) < 1.0 - NEARLY or part * (1.0 + further) > 1.0:
+                break
+            part *= 1.0 + further
+            last = self.shortened(lap, part)
+        return last, part
 
     def reached(self, lap: Lap) -> float | None:
         """The first part of a step at which all lines hold; None where they do not."""

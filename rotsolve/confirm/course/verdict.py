@@ -13,7 +13,7 @@ from itertools import chain, repeat
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Broken, Course
@@ -40,6 +40,7 @@ from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 NEARLY = SAME**0.5  # of roots of what is zero but for rounding, as speeds are where something just comes to rest
+CLOSELY = 2000  # bits to which a formula is reckoned where floats may have lost its digits
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 POINTS = {"right": (1.0, 0.0), "left": (-1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}  # by the word of an answer
 OTHER_WAY = "an assembly of all bodies' equations has it point the other way"
@@ -176,7 +177,7 @@ def at_numbers(
     asker = Asker(problem, Course(problem, known, budget))
     for several in answers:
         answer = holding(several, known)
-        said = {} if answer is None else said_of(answer, known)
+        said = {} if answer is None else said_of(answer, known) or said_of(answer, known, certified_number)
         if answer is None:
             yield AnswerConfirmation(several.name, None, NO_CASE)
             continue
@@ -184,6 +185,11 @@ def at_numbers(
             yield judged(finds[answer.name][0], said, asker, numbers)
             continue
         verdict = judged(finds[answer.name][0], said, asker, numbers, answer.direction)
+        if (
+            verdict.holds is False and (closer := said_of(answer, known, certified_number)) != said
+        ):  # arcsin next to 1 has few digits
+            said = closer
+            verdict = judged(finds[answer.name][0], said, asker, numbers, answer.direction)
         if (
             verdict.holds is False and (verdict.found or verdict.why == OTHER_WAY) and problem.states[1:]
         ):  # the forces of the last state may be those of the phase before it
@@ -245,22 +251,34 @@ def asked_letters(problem: Problem, numbers: Numbers, solved: Solved) -> dict[st
     return found
 
 
-def said_of(answer: Answer, numbers: Numbers) -> dict[str, float | str]:
+def said_of(
+    answer: Answer, numbers: Numbers, reckon: Callable[[Formula, Numbers], float] = value_of
+) -> dict[str, float | str]:
     """The numbers of an answer in SI units: '' for itself, else by the names of its parts; of a choice the word."""
     if answer.word:
         return {"": answer.word}
     said: dict[str, float | str] = {}
-    number = number_of(answer, numbers)
+    number = number_of(answer, numbers, reckon)
     if number is not None:
         said[""] = number
     for part in answer.components:
-        number = number_of(part, numbers)
+        number = number_of(part, numbers, reckon)
         if number is not None:
             said[part.name.removeprefix(f"{answer.name}_")] = number
     return said
 
 
-def number_of(answer: Answer, numbers: Numbers) -> float | None:
+def certified_number(formula: Formula, numbers: Numbers) -> float:
+    """The value of a formula, closely wherever floats lose digits; ValueError where it has none."""
+    from rotsolve.algebra.certified.ball import evaluate
+
+    known = {name: Number(Fraction(str(numbers[name]))) for name in formula.symbols() & numbers.keys()}
+    if formula.symbols() - known.keys():
+        raise NotConfirmed("a letter has no number")
+    return evaluate(formula, known, max_precision=CLOSELY).float
+
+
+def number_of(answer: Answer, numbers: Numbers, reckon: Callable[[Formula, Numbers], float] = value_of) -> float | None:
     """The number of an answer, by its closed form where the scene has letters without numbers."""
     if answer.value is not None:
         factor = answer.unit.factor if answer.unit is not None else None
@@ -269,7 +287,7 @@ def number_of(answer: Answer, numbers: Numbers) -> float | None:
     if formula is None:
         return None
     try:
-        return float(value_of(formula, numbers))
+        return float(reckon(formula, numbers))
     except (NotConfirmed, ArithmeticError, ValueError):
         return None
 
