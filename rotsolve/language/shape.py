@@ -79,6 +79,10 @@ class Shape(Element, frozen=True):
         """Width and height of what looks like a rectangle."""
         return ()
 
+    def outline(self) -> tuple[Place, ...]:
+        """The corners or ends with which it may stand on something, in its own axes; none of what is round or a point."""
+        return ()
+
     def rooms(self) -> Iterator[Limit]:
         """What has to be for its sizes to fit each other: of two radii the inner one is smaller."""
         radii = dict(getattr(self, "radii", ()))
@@ -117,3 +121,9 @@ class Shape(Element, frozen=True):
     def outer(self) -> Formula | None:
         """Radius of the rim of a round shape."""
         return getattr(self, "radius", None)
+
+
+def corners_of_box(width: Formula, height: Formula) -> tuple[Place, ...]:
+    """Those of a rectangle about its centre, counterclockwise from the lower left."""
+    x, y = width / 2, height / 2
+    return ((-x, -y), (x, -y), (x, y), (-x, y))

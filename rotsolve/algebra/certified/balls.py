@@ -8,6 +8,8 @@ from functools import reduce
 from operator import add, mul
 from typing import Any
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
@@ -27,6 +29,11 @@ from rotsolve.algebra.formula import (
 
 Ball = Any  # flint's arb or acb
 Values = Mapping[str, Formula | Fraction | int]
+
+SHARP, ROUGHLY = (
+    20,
+    300,
+)  # bits to which the ends of an integral are known at least, and evaluations of one between others
 
 
 class Undefined(ValueError):
@@ -155,9 +162,8 @@ class RealBalls:
         if not abs(x) <= 1:
             if self.clip:
                 x = x.min(arb(1)).max(arb(-1))
-            elif self.is_zero:
-                if self.is_zero(node.arguments[0] ** 2 - 1):  # of its square, so that a root over all needs no sign
-                    x = arb(1 if x > 0 else -1)
+            elif self.is_zero and self.is_zero(node.arguments[0] ** 2 - 1):  # its square: a root over all needs no sign
+                x = arb(1 if x > 0 else -1)
         return x.asin() if node.function == "asin" else x.acos()
 
     def _atan2(self, node: Call, y: Ball, x: Ball) -> Ball:
@@ -175,12 +181,24 @@ class RealBalls:
         if turning is not None:
             return turning
         lower, upper = self(node.lower), self(node.upper)
+        if node.integrand.holds("abs") and node.integrand != (signed := self.without_size(node, lower, upper)):
+            return self(replace(node, integrand=signed)) if signed is not None else arb.nan()
         outer = self
 
         def integrand(z: Ball, analytic: bool) -> Ball:
             return ComplexBalls(outer, {node.variable: z}, analytic)(node.integrand)
 
-        return acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit()).real
+        sharp = all(end.is_exact() or end.rel_accuracy_bits() >= SHARP for end in (lower, upper))
+        return acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit() if sharp else ROUGHLY).real
+
+    def without_size(self, node: Integral, lower: Ball, upper: Ball) -> Formula | None:
+        """The integrand with ±x for |x|, at whose kink no rule for smooth ones gets past; None where the sign of x may change."""
+        x = Symbol(node.variable)
+        size = Call("abs", (x,))
+        sign = 1 if lower >= 0 and upper >= 0 else -1 if lower <= 0 and upper <= 0 else 0
+        if not sign:
+            return None if any(part == size for part in node.integrand.walk("abs")) else node.integrand
+        return node.integrand.transform(lambda part: (x if sign == 1 else Negative(x)) if part == size else part, "abs")
 
     def vanishes(self, value: Formula) -> bool:
         """Whether a value is exactly zero."""

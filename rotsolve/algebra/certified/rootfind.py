@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 from msgspec import Struct
 
@@ -11,9 +12,11 @@ from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined, Values, with_values
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
-from rotsolve.algebra.formula import Formula, Number, formula
+from rotsolve.algebra.formula import Formula, Integral, Number, formula
 
 BUDGET = 3000  # intervals looked at
+INTEGRAL = 60  # as how many one counts where an integral has to be worked out for it
+KEPT = 64  # searches that are kept
 SPLIT = Fraction(489, 1000)  # not the middle, where roots of tidy problems are
 PLACES = [Fraction(place, 1009) for place in (-983, -744, -493, -239, 17, 251, 602, 891)]  # where an identity shows
 NARROW = 60  # bits of relative width below which an undecided interval is given up
@@ -59,10 +62,20 @@ def real_roots(
     """All simple roots of f = 0 for `name` from low to high, within bounded work."""
     decided_by_size()
     g = with_values(f, {key: value for key, value in values.items() if key != name})
-    function = _Function(g, differentiate(g, name), name)
-    bits = int(digits * BITS_PER_DIGIT) + 64
-    with Precision(bits):
+    with Precision(_bits(digits)):
         first, last = _end(low, values, False), _end(high, values, True)
+    return _roots(g, name, first, last, digits)
+
+
+def _bits(digits: int) -> int:
+    return int(digits * BITS_PER_DIGIT) + 64
+
+
+@lru_cache(KEPT)
+def _roots(f: Formula, name: str, first: Fraction, last: Fraction, digits: int) -> Roots:
+    """The same with all values put in: one that is looked for again, in another attempt at a scene, is not worked out again."""
+    function = _Function(f, differentiate(f, name), name)
+    with Precision(_bits(digits)):
         isolated, complete = _isolate(function, first, last)
         found = [_certify(function, piece, digits) for piece in isolated]
     return Roots(tuple(sorted(found, key=lambda root: root.float)), complete)
@@ -92,10 +105,11 @@ def _isolate(function: _Function, first: Fraction, last: Fraction) -> tuple[list
     found: list[tuple[Fraction, Fraction]] = [(x, x) for x in dict.fromkeys((first, last)) if _vanishes(function, x)]
     exact = {x for x, _ in found}
     stack, complete, work = [(first, last)], True, 0
+    each = INTEGRAL if function.f.holds(Integral) else 1
     limit = max(abs(first), abs(last), last - first) / (1 << NARROW)
     while stack:
         low, high = stack.pop()
-        work += 1
+        work += each
         if work > BUDGET:
             return found, False
         verdict = _look(function, low, high, exact)

@@ -69,7 +69,7 @@ class Course:
         if name not in self._nodes:
             try:
                 self._nodes[name] = node = self._reached(self.names.index(name))
-                self._standing(node)
+                self._standing(node, self._blows.get(name))
             except NotConfirmed as reason:
                 self._nodes[name] = reason
         found = self._nodes[name]
@@ -77,11 +77,17 @@ class Course:
             raise found
         return found
 
-    def _standing(self, node: Node) -> None:
-        """Whether all that stands with corners on something stays on them; loaded where a scene has corners."""
-        if any("corner1" in shape_of(body).points for body in self.problem.bodies):
-            from rotsolve.confirm.course.tipping import check_standing
+    def _standing(self, node: Node, blow: Blow | None) -> None:
+        """Whether all that stands with corners on something stays on them, through a blow too; loaded where a scene has corners."""
+        if any(
+            shape_of(item).outline()
+            for body in self.problem.bodies
+            for item in (body, *(part.body for part in body.parts))
+        ):
+            from rotsolve.confirm.course.tipping import check_standing, check_struck
 
+            if blow is not None:
+                check_struck(blow)
             check_standing(node)
 
     def _reached(self, number: int) -> Node:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice, zip_longest
 from operator import is_
@@ -42,6 +42,11 @@ WIDE = 10.0  # how far those of the pool do, of which APART are tried that are f
 POOL, APART = 256, 6
 WIDER = (0.05, 1.5)  # what bounded kinds have there
 LIGHT = 500.0  # by how much one of several masses is less than usual, where all is tried with it light
+DRIVING, STRONG = (
+    (kinds.FORCE, kinds.TORQUE, kinds.VELOCITY),
+    20.0,
+)  # what drives, and by how much more than usual, where it is strong
+ROUGH = 3.0  # a coefficient of friction there
 
 Numbers = Mapping[str, float]
 
@@ -81,13 +86,20 @@ def far_apart(problem: Problem, answers: Sequence[Answer]) -> list[Numbers]:
     return list(islice((numbers for row in zip_longest(*chosen) for numbers in row if numbers is not None), APART))
 
 
-def with_one_light(problem: Problem) -> Iterator[Numbers]:
-    """Sets with one of several masses or moments of inertia next to nothing: what is light may be lifted, or turned round."""
+def extremes(problem: Problem, admitted: Callable[[Numbers], bool]) -> Iterator[Numbers]:
+    """Sets with one of several masses or moments of inertia next to nothing, or all that drives very strong; and such as are rough besides.
+
+    What is light may be lifted, or turned round; what is rough tips over before it slips.
+    """
     open_ = letters_open(problem)
-    heavy = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
     usual = {given.name: number_drawn(given, 1, place) for place, given in enumerate(open_)}
-    for name in heavy if len(heavy) > 1 else ():
-        sizes = {**usual, name: usual[name] / LIGHT}
+    heavy = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
+    driven = {given.name: usual[given.name] * STRONG for given in open_ if given.dimension in DRIVING}
+    changes = [{name: usual[name] / LIGHT} for name in heavy if len(heavy) > 1] + ([driven] if driven else [])
+    coefficients = [given.name for given in open_ if given.dimension == kinds.NONE]
+    rough = {name: ROUGH for name in coefficients if admitted(with_givens(problem, {**usual, name: ROUGH}))}
+    for change in (*changes, *({**change, **rough} for change in changes if rough)):
+        sizes = {**usual, **change}
         yield with_givens(problem, {letter: in_few_digits(size) for letter, size in sizes.items()})
 
 

@@ -1,58 +1,108 @@
-"""Tipping: whether what stands with two corners on something level stays on both: where the force from below would have to act."""
+"""Tipping: whether what stands on something flat stays on its base, under forces and blows: where the push from below would have to act."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator, Mapping
+
 from msgspec import Struct
 
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import outline
+from rotsolve.confirm.course.blows import Blow
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.model import Model
+from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import rests, surface_of
 from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.shapes import shape_of
-from rotsolve.elements.surfaces import Level
-from rotsolve.language.bodies import PointRef
+
+LEVEL = 1e-9  # of its size: how far corners of one base lie apart
+BESIDE = 1e-7  # of all that is pushed: how far beside a base rounding may put a force
 
 
 class Stand(Struct, frozen=True):
-    """A contact on which a body with corners stands, and its corners."""
+    """A contact on which a body with corners stands, and those, in its axes."""
 
     name: str
     body: str
-    corners: tuple[PointRef, ...]
+    corners: tuple[Way, ...]
 
 
-def all_stands(model: Model) -> list[Stand]:
-    """What stands on something level by itself; what carries another body has that somewhere on its back."""
+class Push(Struct, frozen=True):
+    """What a contact gives a body, with its torque about the centre of mass; `normal` is the way in which it pushes."""
+
+    normal: Way
+    force: Way
+    torque: float
+
+
+def all_stands(model: Model) -> Iterator[Stand]:
+    """What stands on something flat by itself; what carries another body has that somewhere on its back."""
     touches = [item for item in model.acting.connections if isinstance(item, Touch)]
     carriers = {item.pair()[1].owner for item in touches}
-    found = []
     for item in touches:
-        name = item.lying()
-        corners = [point for point in shape_of(model.body(name)).points if point.startswith("corner")]
-        if corners and name not in carriers and rests(item, model) and isinstance(surface_of(item, model), Level):
-            found.append(Stand(item.name, name, tuple(PointRef(name, point) for point in corners)))
-    return found
+        name, surface = item.lying(), surface_of(item, model)
+        if name not in carriers and surface is not None and not surface.curved and rests(item, model):
+            corners = outline(model.body(name), model.value)
+            if len(corners) > 1:
+                yield Stand(item.name, name, tuple(corners))
 
 
-def room_on_base(stand: Stand, at: Node) -> tuple[float, float] | None:
-    """How far the force from below is from the nearer corner of the base, and how wide that is: x F_y − y F_x is its torque."""
-    spots = [[part.value for part in at.model.place(corner, at.pose)] for corner in stand.corners]
-    low, size = min(y for _, y in spots), max(abs(x - other) for x, _ in spots for other, _ in spots)
-    base = [x for x, y in spots if y - low < 1e-9 * size]
-    seat = at.model.seats[stand.body]
-    x, y = (part.value for part in at.pose.place(stand.body, seat.rigid.centre))
-    forces = [
-        sum(load.get(seat.first + k, 0.0) for owner, _, load in at.loads if owner == stand.name) for k in range(3)
-    ]
-    if len(base) < 2 or forces[1] <= 0.0:
-        return None
-    where = x + (forces[2] + (low - y) * forces[0]) / forces[1]
-    return min(where - min(base), max(base) - where), max(base) - min(base)
+def tips(stand: Stand, at: Node, push: Push) -> bool:
+    """Whether s of the force on the base, s N = τ − d f, is beyond its corners; d is how far below the centre of mass the base is.
+
+    As a contact says nothing of how a body is turned, one on a slope lies along it.
+    """
+    (nx, ny), seat = push.normal, at.model.seats[stand.body]
+    slanted = abs(nx) > LEVEL
+    across, up = ((1.0, 0.0), (0.0, 1.0)) if slanted else ((ny, -nx), (nx, ny))
+    places = [spot if slanted else placed(stand.body, spot, at) for spot in (seat.rigid.centre, *stand.corners)]
+    (x, y), *corners = places
+    spots = [((a - x) * across[0] + (b - y) * across[1], (a - x) * up[0] + (b - y) * up[1]) for a, b in corners]
+    low, size = min(rise for _, rise in spots), max(math.dist(one, spots[0]) for one in spots)
+    base = [along for along, rise in spots if rise - low < LEVEL * size]
+    normal = push.force[0] * nx + push.force[1] * ny
+    drag = push.force[0] * ny - push.force[1] * nx
+    if len(base) < 2 or normal < 0.0:
+        return False
+    moment, rounding = push.torque + low * drag, BESIDE * size * (normal + abs(drag) + abs(push.torque) / size)
+    return not min(base) * normal - rounding <= moment <= max(base) * normal + rounding
+
+
+def placed(body: str, spot: Way, at: Node) -> Way:
+    x, y = at.pose.place(body, spot)
+    return x.value, y.value
 
 
 def check_standing(at: Node) -> None:
     """Astray where something would tip over."""
     for stand in all_stands(at.model):
-        found = room_on_base(stand, at)
-        if found is not None and found[0] < -1e-7 * found[1]:
+        first = at.model.seats[stand.body].first
+        own = [load for owner, _, load in at.loads if owner == stand.name]
+        normal = next((load for owner, kind, load in at.loads if (owner, kind) == (stand.name, "normal")), {})
+        sums = [sum(load.get(first + k, 0.0) for load in own) for k in range(3)]
+        way = pointing(normal, first)
+        if way is None:
+            continue
+        if abs(way[0]) > LEVEL and any(load.get(first + 2) for owner, _, load in at.loads if owner != stand.name):
+            raise NotConfirmed(f"whether `{stand.body}` tips over on its slope")
+        if tips(stand, at, Push(way, (sums[0], sums[1]), sums[2])):
             raise Astray(f"`{stand.body}` tips over: the force of `{stand.name}` would have to act beside its base")
+
+
+def check_struck(blow: Blow) -> None:
+    """Astray where a blow would tip something over: what it stands on gives no impulse beside its base, and none that pulls."""
+    struck = blow.struck
+    for stand in all_stands(blow.after.model):
+        way = pointing(struck.columns.get((stand.name, "normal"), {}), blow.after.model.seats[stand.body].first)
+        if way is None or any(owner == stand.name for owner, _ in struck.open):
+            continue
+        if tips(stand, blow.after, Push(way, *blow.on_body(stand.name, stand.body))):
+            raise Astray(f"`{stand.body}` tips over in `{blow.event.name}`: `{stand.name}` would have to hold it down")
+
+
+def pointing(load: Mapping[int, float], first: int) -> Way | None:
+    """The way of a load on a body; None where there is none."""
+    x, y = load.get(first, 0.0), load.get(first + 1, 0.0)
+    size = math.hypot(x, y)
+    return (x / size, y / size) if size else None

@@ -22,6 +22,7 @@ from rotsolve.confirm.course.reading import Reckoned
 from rotsolve.confirm.course.samples import (
     SETS,
     Numbers,
+    extremes,
     far_apart,
     holding,
     letters_open,
@@ -30,7 +31,6 @@ from rotsolve.confirm.course.samples import (
     sets_of_numbers,
     sets_wanted,
     with_givens,
-    with_one_light,
     within_case,
 )
 from rotsolve.confirm.numbers import value_of
@@ -90,7 +90,7 @@ def confirmations(
     verdicts: dict[str, AnswerConfirmation] = {}
     seen = set[int]()  # the cases that have been tried
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
-    for kind, numbers in sets_tried(answers, problem, points):
+    for kind, numbers in sets_tried(answers, problem, admitted, points):
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
         limit = far_budget.portion(FAR_BUDGET) if kind == FAR else budget
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)) or (kind == OWN and cases <= seen):
@@ -109,7 +109,10 @@ def confirmations(
 
 
 def sets_tried(
-    answers: Sequence[Answer], problem: Problem, points: Sequence[Mapping[str, Fraction]]
+    answers: Sequence[Answer],
+    problem: Problem,
+    admitted: Callable[[Numbers], bool],
+    points: Sequence[Mapping[str, Fraction]],
 ) -> Iterator[tuple[int, Numbers]]:
     """The sets of numbers at which answers are held against the assembly, each with its kind; where all is a number, that one."""
     yield from zip(repeat(DRAWN), sets_of_numbers(problem))
@@ -121,7 +124,7 @@ def sets_tried(
     if sets_wanted(problem) < SETS:
         return
     far = far_apart(problem, answers)
-    yield from zip(repeat(FAR), chain(with_one_light(problem), far, near_edges(problem, answers, far)))
+    yield from zip(repeat(FAR), chain(extremes(problem, admitted), far, near_edges(problem, answers, far)))
 
 
 def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:

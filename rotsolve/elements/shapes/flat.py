@@ -11,7 +11,7 @@ from rotsolve.core.limits import Limit
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.language.keys import key
-from rotsolve.language.shape import Place, Shape
+from rotsolve.language.shape import Place, Shape, corners_of_box
 
 
 class Rectangle(Shape, frozen=True):
@@ -55,15 +55,11 @@ class Rectangle(Shape, frozen=True):
     def box(self) -> tuple[Formula, ...]:
         return self.sides
 
+    def outline(self) -> tuple[Place, ...]:
+        return corners_of_box(*self.sides)
+
     def locate(self, point: str, argument: Formula | None = None) -> Place:
-        width, height = self.sides[0] / 2, self.sides[1] / 2
-        places = {
-            "corner1": (-width, -height),
-            "corner2": (width, -height),
-            "corner3": (width, height),
-            "corner4": (-width, height),
-        }
-        return places.get(point, (ZERO, ZERO))
+        return dict(zip(self.points[1:], self.outline(), strict=True)).get(point, (ZERO, ZERO))
 
 
 class Cornered(Shape, frozen=True):
@@ -83,6 +79,9 @@ class Cornered(Shape, frozen=True):
         """From the means of x², y² and x y about the centroid: I_xx = M y², I_yy = M x², I_xy = −M x y."""
         xx, yy, xy = polygon_products(self.vertices(), mass)
         return InertiaTensor(yy, xx, self.moment(mass), negate(xy))
+
+    def outline(self) -> tuple[Place, ...]:
+        return self.vertices()
 
     def centroid(self) -> Place:
         return polygon_centroid(self.vertices())

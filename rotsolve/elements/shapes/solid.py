@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_axis, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.language.keys import key
-from rotsolve.language.shape import Shape, extent
+from rotsolve.language.shape import Place, Shape, corners_of_box, extent
 
 
 class Cone(Shape, frozen=True):
@@ -87,6 +87,9 @@ class Cuboid(Shape, frozen=True):
         x, (a, b, c) = coordinate("x"), self.sides
         element = ("plates of area ", b * c, " and thickness d", x)
         return on_line(element, Range(x, -a / 2, a / 2), b * c, (b**2 / 12, c**2 / 12))
+
+    def outline(self) -> tuple[Place, ...]:
+        return corners_of_box(*self.sides[:2])
 
     def measure(self) -> Formula:
         a, b, c = self.sides

@@ -68,6 +68,9 @@ class Rod(Shape, frozen=True):
     def reach(self) -> Formula | None:
         return self.length
 
+    def outline(self) -> tuple[Place, ...]:
+        return (self.locate("start"), self.locate("end"))
+
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         half = self.extent() / 2
         if point == "at" and argument is not None:
