@@ -134,13 +134,13 @@ def frame(part: Part, value: Value) -> tuple[Spot, float]:
     return (value(part.at[0]), value(part.at[1])), turn
 
 
-def outline(body: Body, value: Value) -> list[Spot]:
+def outline_of(body: Body, value: Value) -> list[Spot]:
     """The corners and ends of a body and of its parts, in its own axes."""
     own = [(value(x), value(y)) for x, y in shape_of(body).outline()]
     for part in body.parts:
         (left, low), turn = frame(part, value)
         across, up = math.cos(turn), math.sin(turn)
-        own += [(left + x * across - y * up, low + x * up + y * across) for x, y in outline(part.body, value)]
+        own += [(left + x * across - y * up, low + x * up + y * across) for x, y in outline_of(part.body, value)]
     return own
 
 

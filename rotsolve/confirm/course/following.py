@@ -14,6 +14,7 @@ from rotsolve.confirm.course.node import Budget, Node
 from rotsolve.confirm.instant import STICKS, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import Problem, State
@@ -79,11 +80,9 @@ class Course:
 
     def _standing(self, node: Node, blow: Blow | None) -> None:
         """Whether all that stands with corners on something stays on them, through a blow too; loaded where a scene has corners."""
-        if any(
-            shape_of(item).outline()
-            for body in self.problem.bodies
-            for item in (body, *(part.body for part in body.parts))
-        ):
+        whole = [part for body in self.problem.bodies for part in (body, *(part.body for part in body.parts))]
+        touches = any(isinstance(item, Touch) for item in self.problem.connections)
+        if touches and any(shape_of(body).outline() for body in whole):
             from rotsolve.confirm.course.tipping import check_standing, check_struck
 
             if blow is not None:

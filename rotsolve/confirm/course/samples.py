@@ -86,7 +86,7 @@ def far_apart(problem: Problem, answers: Sequence[Answer]) -> list[Numbers]:
     return list(islice((numbers for row in zip_longest(*chosen) for numbers in row if numbers is not None), APART))
 
 
-def extremes(problem: Problem, admitted: Callable[[Numbers], bool]) -> Iterator[Numbers]:
+def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool]) -> Iterator[Numbers]:
     """Sets with one of several masses or moments of inertia next to nothing, or all that drives very strong; and such as are rough besides.
 
     What is light may be lifted, or turned round; what is rough tips over before it slips.

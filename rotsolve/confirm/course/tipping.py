@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import outline
-from rotsolve.confirm.course.blows import Blow
+from rotsolve.confirm.bodies import outline_of
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import rests, surface_of
 from rotsolve.elements.connections.touch import Touch
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.course.blows import Blow
 
 LEVEL = 1e-9  # of its size: how far corners of one base lie apart
 BESIDE = 1e-7  # of all that is pushed: how far beside a base rounding may put a force
@@ -43,7 +46,7 @@ def all_stands(model: Model) -> Iterator[Stand]:
     for item in touches:
         name, surface = item.lying(), surface_of(item, model)
         if name not in carriers and surface is not None and not surface.curved and rests(item, model):
-            corners = outline(model.body(name), model.value)
+            corners = outline_of(model.body(name), model.value)
             if len(corners) > 1:
                 yield Stand(item.name, name, tuple(corners))
 
@@ -56,7 +59,7 @@ def tips(stand: Stand, at: Node, push: Push) -> bool:
     (nx, ny), seat = push.normal, at.model.seats[stand.body]
     slanted = abs(nx) > LEVEL
     across, up = ((1.0, 0.0), (0.0, 1.0)) if slanted else ((ny, -nx), (nx, ny))
-    places = [spot if slanted else placed(stand.body, spot, at) for spot in (seat.rigid.centre, *stand.corners)]
+    places = [spot if slanted else place_of(stand.body, spot, at) for spot in (seat.rigid.centre, *stand.corners)]
     (x, y), *corners = places
     spots = [((a - x) * across[0] + (b - y) * across[1], (a - x) * up[0] + (b - y) * up[1]) for a, b in corners]
     low, size = min(rise for _, rise in spots), max(math.dist(one, spots[0]) for one in spots)
@@ -69,7 +72,7 @@ def tips(stand: Stand, at: Node, push: Push) -> bool:
     return not min(base) * normal - rounding <= moment <= max(base) * normal + rounding
 
 
-def placed(body: str, spot: Way, at: Node) -> Way:
+def place_of(body: str, spot: Way, at: Node) -> Way:
     x, y = at.pose.place(body, spot)
     return x.value, y.value
 
@@ -81,7 +84,7 @@ def check_standing(at: Node) -> None:
         own = [load for owner, _, load in at.loads if owner == stand.name]
         normal = next((load for owner, kind, load in at.loads if (owner, kind) == (stand.name, "normal")), {})
         sums = [sum(load.get(first + k, 0.0) for load in own) for k in range(3)]
-        way = pointing(normal, first)
+        way = way_of_load(normal, first)
         if way is None:
             continue
         if abs(way[0]) > LEVEL and any(load.get(first + 2) for owner, _, load in at.loads if owner != stand.name):
@@ -94,14 +97,14 @@ def check_struck(blow: Blow) -> None:
     """Astray where a blow would tip something over: what it stands on gives no impulse beside its base, and none that pulls."""
     struck = blow.struck
     for stand in all_stands(blow.after.model):
-        way = pointing(struck.columns.get((stand.name, "normal"), {}), blow.after.model.seats[stand.body].first)
+        way = way_of_load(struck.columns.get((stand.name, "normal"), {}), blow.after.model.seats[stand.body].first)
         if way is None or any(owner == stand.name for owner, _ in struck.open):
             continue
         if tips(stand, blow.after, Push(way, *blow.on_body(stand.name, stand.body))):
             raise Astray(f"`{stand.body}` tips over in `{blow.event.name}`: `{stand.name}` would have to hold it down")
 
 
-def pointing(load: Mapping[int, float], first: int) -> Way | None:
+def way_of_load(load: Mapping[int, float], first: int) -> Way | None:
     """The way of a load on a body; None where there is none."""
     x, y = load.get(first, 0.0), load.get(first + 1, 0.0)
     size = math.hypot(x, y)

@@ -22,7 +22,7 @@ from rotsolve.confirm.course.reading import Reckoned
 from rotsolve.confirm.course.samples import (
     SETS,
     Numbers,
-    extremes,
+    extreme_sets,
     far_apart,
     holding,
     letters_open,
@@ -124,7 +124,7 @@ def sets_tried(
     if sets_wanted(problem) < SETS:
         return
     far = far_apart(problem, answers)
-    yield from zip(repeat(FAR), chain(extremes(problem, admitted), far, near_edges(problem, answers, far)))
+    yield from zip(repeat(FAR), chain(extreme_sets(problem, admitted), far, near_edges(problem, answers, far)))
 
 
 def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:
@@ -180,7 +180,7 @@ def at_numbers(
     asker = Asker(problem, Course(problem, known, budget))
     for several in answers:
         answer = holding(several, known)
-        said = {} if answer is None else said_of(answer, known) or said_of(answer, known, certified_number)
+        said = {} if answer is None else said_of(answer, known) or said_of(answer, known, closely_valued)
         if answer is None:
             yield AnswerConfirmation(several.name, None, NO_CASE)
             continue
@@ -189,7 +189,7 @@ def at_numbers(
             continue
         verdict = judged(finds[answer.name][0], said, asker, numbers, answer.direction)
         if (
-            verdict.holds is False and (closer := said_of(answer, known, certified_number)) != said
+            verdict.holds is False and (closer := said_of(answer, known, closely_valued)) != said
         ):  # arcsin next to 1 has few digits
             said = closer
             verdict = judged(finds[answer.name][0], said, asker, numbers, answer.direction)
@@ -271,7 +271,7 @@ def said_of(
     return said
 
 
-def certified_number(formula: Formula, numbers: Numbers) -> float:
+def closely_valued(formula: Formula, numbers: Numbers) -> float:
     """The value of a formula, closely wherever floats lose digits; ValueError where it has none."""
     from rotsolve.algebra.certified.ball import evaluate
 

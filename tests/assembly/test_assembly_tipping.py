@@ -1,0 +1,123 @@
+"""What stands on something flat tips over where the push from below would have to act beside its base: no answer of it is confirmed."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+
+CRATE = "{shape: rectangle, mass: 2 kg, sides: [1 m, 1 m], moves: right}"
+BRICK = """
+surfaces: {{ramp: {{slope: {slope} deg, down: {side}}}}}
+bodies: {{brick: {{shape: {shape}, mass: 2 kg, {sides}, moves: down}}}}
+connections: {{foot: {{contact: [brick, ramp], friction: 1}}}}
+states: {{start: {{at rest: all}}}}
+find: {{a: brick.acceleration at start}}
+"""
+BLOW = """
+surfaces: {{floor: level}}
+bodies: {{crate: {crate}{more}}}
+connections: {{foot: {{contact: [crate, floor], friction: 0.1}}}}
+states: {{start: {{at rest: crate{moving}}}, after: {{}}}}
+events: {{blow: {{{blow}, from: start, to: after}}}}
+find: {{v: crate.velocity at after}}
+"""
+STANDING = """
+surfaces: {{floor: level}}
+bodies: {{box: {box}}}
+connections: {{foot: {{contact: [box, floor], friction: 0.8}}}}
+actions: {{pull: {{force: {force} N, on: {point}, direction: {way} deg}}}}
+states: {{start: {{at rest: all}}}}
+find: {{N: foot.normal_force at start}}
+"""
+
+
+def brick(slope: int, side: str, shape: str, sides: str) -> str:
+    return BRICK.format(slope=slope, side=side, shape=shape, sides=sides)
+
+
+def blow(event: str, more: str = "", moving: str = "") -> str:
+    return BLOW.format(crate=CRATE, blow=event, more=more, moving=moving)
+
+
+def standing(box: str, force: float, point: str, way: int) -> str:
+    return STANDING.format(box=box, force=force, point=point, way=way)
+
+
+POLYGON = "{shape: polygon, mass: 2 kg, corners: [[0, 0], [1 m, 0], [TOP, 2 m], [LEFT, 2 m]], moves: right}"
+PARTS = "{moves: right, parts: {crate: {shape: rectangle, mass: 1 kg, sides: [1 m, 1 m]}, load: {mass: 1 kg, at: [0, HIGH]}}}"
+PLANK = "{shape: rod, mass: 2 kg, length: 1 m, moves: right}"
+BALL = ", ball: {mass: 1 kg, moves: right}"
+MOVING = ", ball.velocity: 2 m/s"
+SCENES = {  # what stands, and the same as it tips
+    "slope right": (
+        brick(40, "right", "rectangle", "sides: [1 m, 1 m]"),
+        brick(40, "right", "rectangle", "sides: [1 m, 3 m]"),
+    ),
+    "slope left": (
+        brick(40, "left", "rectangle", "sides: [1 m, 1 m]"),
+        brick(40, "left", "rectangle", "sides: [1 m, 3 m]"),
+    ),
+    "cuboid": (
+        brick(40, "left", "cuboid", "sides: [1 m, 1 m, 1 m]"),
+        brick(40, "left", "cuboid", "sides: [1 m, 3 m, 1 m]"),
+    ),
+    "blow": (
+        blow("impulse: 3 N s, on: crate.center, direction: right"),
+        blow("impulse: 3 N s, on: crate.corner3, direction: right"),
+    ),
+    "blow from above": (
+        blow("impulse: 3 N s, on: crate.corner4, direction: -60 deg"),
+        blow("impulse: 3 N s, on: crate.corner4, direction: -20 deg"),
+    ),
+    "joins": (blow("joins: [ball, crate]", BALL, MOVING), blow("joins: [ball, crate.corner4]", BALL, MOVING)),
+    "collides": (
+        blow("collides: [ball, crate], restitution: 0.5", BALL, MOVING),
+        blow("collides: [ball, crate.corner4], restitution: 0.5", BALL, MOVING),
+    ),
+    "polygon": (
+        standing(POLYGON.replace("TOP", "1.2 m").replace("LEFT", "0"), 1, "box.cm", 0),
+        standing(POLYGON.replace("TOP", "5 m").replace("LEFT", "4 m"), 1, "box.cm", 0),
+    ),
+    "parts": (
+        standing(PARTS.replace("HIGH", "0"), 8, "box", 0),
+        standing(PARTS.replace("HIGH", "2 m"), 8, "box", 0),
+    ),
+    "plank": (standing(PLANK, 5, "box.end", 90), standing(PLANK, 12, "box.end", 90)),
+    "plank at its start": (standing(PLANK, 5, "box.start", 90), standing(PLANK, 12, "box.start", 90)),
+}
+
+
+@pytest.mark.parametrize("kind", SCENES)
+def test_what_stands_is_confirmed_and_what_tips_over_is_withheld(kind: str) -> None:
+    stands, tips = (f"title: What stands, or tips\n{scene}" for scene in SCENES[kind])
+    found = solve(stands)
+    assert found.answers
+    assert all(item.holds for item in found.derivation.confirmed)
+    with pytest.raises(Unsolvable, match="tips over"):
+        solve(tips)
+
+
+@pytest.mark.parametrize(
+    ("width", "more", "link"),
+    [
+        ("2 m", "", "actions: {pull: {force: F, on: crate.center, direction: right}}"),
+        ("1.5 m", "", "actions: {pull: {force: F, on: crate.corner3, direction: right}}"),
+        ("3 m", ", load: {mass: P, moves: down}, wheel: {mass: 0, radius: 5 cm}", ""),
+    ],
+)
+def test_letters_with_which_what_stands_tips_over_are_told(width: str, more: str, link: str) -> None:
+    """Also where only what is very rough or drawn very hard does, since its sides are numbers."""
+    tie = ", ax: {axle: wheel}, cord: {string: [crate.corner3, wheel, load]}" if more else ""
+    found = solve(f"""
+title: A crate of known size
+given: {{M: kg, mu: number, {"P: kg" if more else "F: N"}}}
+surfaces: {{floor: level}}
+bodies: {{crate: {{shape: rectangle, mass: M, sides: [{width}, 1 m], moves: right}}{more}}}
+connections: {{foot: {{contact: [crate, floor], friction: mu}}{tie}}}
+{link}
+states: {{start: {{at rest: all}}}}
+find: {{a: crate.acceleration at start}}
+""")
+    assert any("not so with" in item.why and "tips over" in item.why for item in found.derivation.confirmed)
