@@ -10,7 +10,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import Mass, Spot, as_one, is_round, radius_of, rigid, side_of, spot_of
+from rotsolve.confirm.bodies import Mass, Spot, as_one, is_round, on_rim, part_of, radius_of, rigid, side_of, spot_of
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
@@ -159,8 +159,19 @@ class Model:
 
     def travelling(self, name: str) -> Spot:
         """The point of a body whose travel its `velocity` is: its centre of mass, of a wheel on a surface its centre."""
-        rolls = is_round(self.body(name)) and any(item.lying() == name for item in self.acting.connections)
-        return (0.0, 0.0) if rolls else self.seats[name].rigid.centre
+        hub = self.rolling(name)
+        return self.seats[name].rigid.centre if hub is None else self.spot(hub)
+
+    def rolling(self, name: str) -> PointRef | None:
+        """The centre of the rim on which a body lies: that of a part that is named, else its own."""
+        body = self.body(name)
+        for item in self.acting.connections:
+            if item.lying() == name and (
+                is_round(body) or (isinstance(item, Touch) and on_rim(body, item.pair()[0].point))
+            ):
+                part = isinstance(item, Touch) and part_of(body, item.pair()[0].point) is not None
+                return PointRef(name, item.pair()[0].point if part else None)
+        return None
 
     def tied(self, ref: PointRef) -> Spot:
         """Where what is tied to a body, or lies under it, meets it: a named point as drawn, else its middle."""
@@ -258,11 +269,10 @@ class Model:
     def lean(self, name: str) -> float:
         """What a body's `angle` is beyond its turn: that of a rod is its direction, of another body that hangs, or rolls out of balance,
         that from its hinge or its centre to the centre of mass of all that is welded to it."""
-        body, pivot = self.body(name), self.pivot(name)
-        rolls = any(item.lying() == name and is_round(body) for item in self.acting.connections)
-        if shape_of(body).slender or not (pivot or rolls):
+        body, pivot = self.body(name), self.pivot(name) or self.rolling(name)
+        if shape_of(body).slender or pivot is None:
             return 0.0
-        whole, centre = self.welded_mass(name), self.drawn(pivot) if pivot is not None else (0.0, 0.0)
+        whole, centre = self.welded_mass(name), self.drawn(pivot)
         if whole.whole == 0.0:
             return 0.0
         x, y = whole.x / whole.whole - centre[0], whole.y / whole.whole - centre[1]
