@@ -199,7 +199,7 @@ class CaseTeller(Struct, frozen=True):
             edge = self.edges.known_at(one, region)
             case = None if edge is None else self.edges.solved_at(edge)
             if case is None:
-                return one.strict
+                return one.strict or edge is not None  # of an edge that is not solved nothing is said
             if unanswered_in(case):
                 return why_no_answer(case) != why
             return not names or bool({answer.name for answer in told_in(case)}.intersection(names))
