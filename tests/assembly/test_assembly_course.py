@@ -12,6 +12,7 @@ from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.samples import sets_of_numbers
 from rotsolve.motion.complete import configured
+from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_source
 
 G = 9.8
@@ -284,3 +285,42 @@ states: {{start: {{bead.radius: b, bead.velocity.radial: 0, bar.angular_velocity
 find: {{w2: bar.angular_velocity at end}}
 """)
     assert found["w2"] == pytest.approx(0.07 * 0.062 / (0.06 + 0.002 * times**2), rel=1e-6)
+
+
+ACROSS = {  # what is asked across a blow that joins what has come from elsewhere, and what it is
+    "lost energy from start to rest": 0.5 * 2 * 36.0,
+    "lost potential_energy from start to rest": 0.0,
+    "b.displacement from start to rest": (2 * math.sqrt(36 - 2 * 1.96 * 2) / 5) ** 2 / (2 * 0.26 * 9.8),
+    "a.displacement from start to rest": 2 + (2 * math.sqrt(36 - 2 * 1.96 * 2) / 5) ** 2 / (2 * 0.26 * 9.8),
+}
+
+
+@pytest.mark.parametrize("asked_for", ACROSS)
+def test_what_has_come_to_be_joined_was_there(asked_for: str) -> None:
+    """The assembly puts a body that joins another where they meet; its way there, and its energy, are not those of that step."""
+    found = solve(f"""title: Across an event
+bodies: {{a: {{mass: 2 kg, moves: right}}, b: {{mass: 3 kg, moves: right}}}}
+surfaces: {{floor: level}}
+connections: {{fa: {{contact: [a, floor], friction: 0.2}}, fb: {{contact: [b, floor], friction: 0.3}}}}
+states: {{start: {{a.velocity: 6 m/s, b.velocity: 0}}, meet: {{a.displacement: 2 m}}, one: {{}}, rest: {{a.velocity: 0}}}}
+events: {{hit: {{joins: [a, b], from: meet, to: one}}}}
+find: {{x: {asked_for}}}
+""")
+    assert found.answers["x"].float == pytest.approx(ACROSS[asked_for])
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_the_height_that_a_body_has_come_from_is_lost_with_it(side: str) -> None:
+    """A block slides down a slope into another, which holds it: all its energy m g d sin β is lost."""
+    found = solve(f"""title: Down a slope into another
+bodies: {{a: {{mass: 2 kg, moves: down}}, b: {{mass: 3 kg, moves: down}}}}
+surfaces: {{ramp: {{slope: 20 deg, down: {side}}}}}
+connections: {{fa: {{contact: [a, ramp], friction: none}}, fb: {{contact: [b, ramp], friction: 0.9}}}}
+states: {{start: {{at rest: all}}, meet: {{a.displacement: 2 m}}, one: {{}}, rest: {{a.velocity: 0}}}}
+events: {{hit: {{joins: [a, b], from: meet, to: one}}}}
+find: {{s: b.displacement from one to rest, E: lost energy from start to rest, x: a.displacement.x from start to meet}}
+""")
+    s, slope = found.answers["s"].float, math.radians(20)
+    assert found.answers["E"].float == pytest.approx(9.8 * math.sin(slope) * (2 * 2 + 5 * s))
+    assert all(item.holds for item in found.derivation.confirmed)

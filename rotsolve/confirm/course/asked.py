@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from operator import ge, gt, le, lt, ne
 from typing import Any
 
@@ -120,7 +121,10 @@ class Asker:
         if term.modifier in ("change of", "lost"):
             start, end = self.ends(term)
             sign = -1.0 if term.modifier == "lost" else 1.0
-            return difference(self.read(start, term), self.read(end, term), sign)
+            pairs = [(met, put) for put, met in self.course.brought(start, end)]
+            changes = [(self.read(start, term), self.read(end, term))]
+            changes += [(reading(one, path, term), reading(other, path, term)) for one, other in pairs]
+            return changed(changes, sign)
         if term.modifier == "mean":
             return self.mean(term)
         if term.modifier == "total":
@@ -221,12 +225,13 @@ def related(left: float, sign: str, right: float) -> bool:
     return SIGNS[sign](left, right) if not same else sign not in ("<", ">")
 
 
-def difference(first: Reckoned, last: Reckoned, sign: float) -> Reckoned:
-    """The last less the first; of vectors by components."""
-    if "x" in first.values and "x" in last.values:
-        way = tuple(sign * (last.values[axis] - first.values[axis]) for axis in "xy")
-        return vector((way[0], way[1]))
-    return number(sign * (last.number - first.number), max(abs(first.number), abs(last.number)))
+def changed(changes: Sequence[tuple[Reckoned, Reckoned]], sign: float) -> Reckoned:
+    """The sum of the last less the first of each pair; of vectors by components."""
+    if all("x" in one.values for pair in changes for one in pair):
+        x, y = (sign * math.fsum(last.values[axis] - first.values[axis] for first, last in changes) for axis in "xy")
+        return vector((x, y))
+    size = max(abs(one.number) for pair in changes for one in pair)
+    return number(sign * math.fsum(last.number - first.number for first, last in changes), size)
 
 
 def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:

@@ -43,6 +43,11 @@ class Blow:
         placed = replace(placed, met=met_through(before, event, model, placed.pose(model)))
         self.after = Node(model, placed, before.budget)
 
+    @property
+    def joining(self) -> Node:
+        """The instant before it with what it joins where that meets: it was there, but nothing tells where it came from."""
+        return Node(self.before.model, replace(self.before.placed, q=self.struck.placed.q), self.before.budget)
+
     def on_body(self, owner: str, body: str) -> tuple[Way, float]:
         """Impulse, and angular impulse about the centre of mass, that an element or the event gives a body."""
         if any(name == owner for name, _ in self.struck.open):

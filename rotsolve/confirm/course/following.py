@@ -191,6 +191,12 @@ class Course:
         self.node(end)
         return self._blows.get(end) if self.event(start, end) is not None else None
 
+    def brought(self, start: str, end: str) -> list[tuple[Node, Node]]:
+        """The instants before the events between two states, each with what the event joins as it was put before and where it meets."""
+        names = self.names[self.names.index(start) : self.names.index(end) + 1]
+        blows = [blow for pair in pairwise(names) if (blow := self.blow(*pair)) is not None and blow.event.joined()]
+        return [(blow.before, blow.joining) for blow in blows]
+
     def settle(self, name: str) -> None:
         """All states are reached with the number of a letter that is asked for, and not with another one."""
         if name not in self.numbers:

@@ -42,8 +42,11 @@ def displaced(span: Between, term: Term) -> Reckoned:
     """How far a point has come: along the line of travel of its body, or as a vector."""
     path = term.path
     first, last = span.ends
-    before, after = (values(point_place(at, path.owner, path.point, path.argument)) for at in (first, last))
-    way = (after[0] - before[0], after[1] - before[1])
+    pairs = [(first, last), *((met, before) for before, met in span.course.brought(span.start, span.end))]
+    way = (0.0, 0.0)
+    for pair in pairs:
+        before, after = (values(point_place(at, path.owner, path.point, path.argument)) for at in pair)
+        way = (way[0] + after[0] - before[0], way[1] + after[1] - before[1])
     line = first.line(path.owner) if path.point is None else None
     circle = first.orbit_centre(path.owner) if path.point is None else None
     if circle is not None and path.component is None:
