@@ -10,6 +10,8 @@ from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import decided_by_size
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, call, negate, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
@@ -359,12 +361,27 @@ class RootChoice(Struct, frozen=True):
         """Without the place from which a motion along a line sets out from rest, where it is looked for at rest again."""
         for passage in self.scene.passages.values():
             for travel in passage.travels:
-                rests = travel.kind == "line" and travel.before == ZERO == travel.after
-                if rests and travel.pace == POSITION and isinstance(travel.end, Symbol) and travel.end.name == name:
+                asked = travel.pace == POSITION and isinstance(travel.end, Symbol) and travel.end.name == name
+                if asked and travel.kind == "line" and travel.before == ZERO and self._rests(travel.after, passage):
                     start = travel.start and self.numbers.with_answers(travel.start)
                     left = [(k, number) for k, number in real if not start or self.numbers.side(roots[k] - start) != 0]
                     return left or real
         return real
+
+    def _rests(self, rate: Formula, passage: Passage) -> bool:
+        """Whether a rate at the end of a phase is zero, as told or by what ties it to others."""
+        if not isinstance(rate, Symbol):
+            return rate == ZERO
+        ties = [rule.velocity[0] - rule.velocity[1] for rule in self.scene.facts(passage.end.state).rules]
+        names = {rate.name}
+        while len(more := names.union(*(tie.symbols() for tie in ties if tie.symbols() & names))) > len(names):
+            names = more
+        rates = of_kinds(names, RATES)
+        try:
+            found = solve_all([tie for tie in ties if tie.symbols() & names], rates)
+        except (NotLinear, Singular):
+            return False
+        return is_zero(found.get(rate.name, rate))
 
     def _expected(self, name: str) -> tuple[int, Words]:
         """The sign that a letter must have, also one that is a multiple of another, as a momentum is of a velocity, a work of a way."""

@@ -213,3 +213,22 @@ find: {{phi: rod.angle at far}}
         gone += 1e-4
     assert found.answers["phi"].float == pytest.approx(start + way * gone, abs=2e-4)
     assert all(item.holds for item in found.derivation.confirmed)
+
+
+@pytest.mark.parametrize("moves", ["down", "up"])
+@pytest.mark.parametrize("stretched", [0.1, 0.3])
+@pytest.mark.parametrize("asked", ["coil.elongation at top", "load.displacement from start to top"])
+def test_what_a_string_brings_to_rest_has_left_its_start(moves: str, stretched: float, asked: str) -> None:
+    """A load let go on a string over a pulley, held by a spring at its other end: it swings about m g/k = 0.196 m, and rests beyond that."""
+    found = value(
+        f"""title: A load held by a spring over a pulley
+bodies: {{load: {{mass: 2 kg, moves: {moves}}}, wheel: {{shape: disc, mass: 1 kg, radius: 0.1 m}}, hook: {{mass: 0, moves: up}}}}
+connections: {{ax: {{axle: wheel}}, rope: {{string: [hook, wheel, load]}}, coil: {{spring: [ground, hook], stiffness: 100 N/m}}}}
+states: {{start: {{coil.elongation: {stretched} m, at rest: all}}, top: {{load.velocity: 0}}}}
+find: {{x: {asked}}}
+""",
+        "x",
+    )
+    far = 2 * 0.196 - stretched
+    way = (far - stretched) * (1 if moves == "down" else -1)
+    assert found == pytest.approx(far if asked.startswith("coil") else way)
