@@ -35,14 +35,24 @@ def answer_where(search: Search, find: Find) -> None:
     condition = find.where
     if condition is None:
         extreme_value(search, find)
-    elif condition.word == "stable":
-        on_the_verge(search, find)
     elif condition.phrase is None:
-        on_the_point_of_slipping(search, find)
+        check_not_given(find, search)
+        (on_the_verge if condition.word == "stable" else on_the_point_of_slipping)(search, find)
     elif condition.word is not None:
         place_of_extremum(search, find)
     else:
         with_equation(search, find)
+
+
+def check_not_given(find: Find, search: Search) -> None:
+    """Refuse the verge of a letter that the scene gives, which is the same for all questions."""
+    letter = find.formula.name if isinstance(find.formula, Symbol) and not find.terms else ""
+    given = search.givens.get(letter)
+    if given is not None and not given.asked:
+        raise NotYet(
+            f"`{letter}` is given, so that no {modifier_of(find)} value of it is looked for",
+            help=f"ask for it in a scene that says `{letter}: unknown` under `given`",
+        )
 
 
 def with_equation(search: Search, find: Find) -> None:

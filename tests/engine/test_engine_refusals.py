@@ -283,3 +283,34 @@ def test_words_of_one_body_and_of_a_bounce_that_are_not_solved() -> None:
     )
     with pytest.raises((SceneError, Unsolvable), match="`friction` is not solved yet"):
         solve(f"{rod}{hit}find: {{w: rod.angular_velocity at after}}")
+
+
+VERGES = {  # a letter that is asked for where something is on the verge, and the scene
+    "kappa": """
+given: {M: 2 kg, L: 1 m, kappa: UNIT}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: rod.start}, wire: {torsion: rod, stiffness: kappa, rest_angle: 90 deg}}
+states: {up: {rod.angle: 90 deg, balance: true}}
+find: {k: smallest kappa where up is stable}
+""",
+    "mu": """
+given: {M: 2 kg, mu: UNIT}
+surfaces: {ramp: {slope: 20 deg}}
+bodies: {box: {mass: M, moves: down}}
+connections: {base: {contact: [box, ramp], friction: mu}}
+states: {now: {at rest: all}}
+find: {k: smallest mu where base sticks}
+""",
+}
+
+
+@pytest.mark.parametrize("letter", VERGES)
+def test_the_verge_of_a_letter_that_is_given_is_asked_for_as_the_help_says(letter: str) -> None:
+    scene = f"title: On the verge{VERGES[letter]}"
+    for unit in ("N m/rad", "30 N m/rad") if letter == "kappa" else ("number", "0.3"):
+        with pytest.raises(
+            Unsolvable, match=f"`{letter}` is given, so that no smallest value of it is looked for"
+        ) as refused:
+            solve(scene.replace("UNIT", unit))
+        assert f"`{letter}: unknown`" in refused.value.fault.help
+    assert solve(scene.replace("UNIT", "unknown")).answers["k"].float > 0
