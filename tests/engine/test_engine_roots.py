@@ -219,7 +219,7 @@ find: {{phi: rod.angle at far}}
 @pytest.mark.parametrize("stretched", [0.1, 0.3])
 @pytest.mark.parametrize("asked", ["coil.elongation at top", "load.displacement from start to top"])
 def test_what_a_string_brings_to_rest_has_left_its_start(moves: str, stretched: float, asked: str) -> None:
-    """A load let go on a string over a pulley, held by a spring at its other end: it swings about m g/k = 0.196 m, and rests beyond that."""
+    """A load let go on a string over a pulley, held by a spring at its other end: it swings about m g/k = 0.196 m and rests beyond it."""
     found = value(
         f"""title: A load held by a spring over a pulley
 bodies: {{load: {{mass: 2 kg, moves: {moves}}}, wheel: {{shape: disc, mass: 1 kg, radius: 0.1 m}}, hook: {{mass: 0, moves: up}}}}
