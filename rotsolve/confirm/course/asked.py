@@ -124,7 +124,7 @@ class Asker:
             pairs = [(met, put) for put, met in self.course.brought(start, end)]
             changes = [(self.read(start, term), self.read(end, term))]
             changes += [(reading(one, path, term), reading(other, path, term)) for one, other in pairs]
-            return changed(changes, sign)
+            return change_over(changes, sign)
         if term.modifier == "mean":
             return self.mean(term)
         if term.modifier == "total":
@@ -225,7 +225,7 @@ def related(left: float, sign: str, right: float) -> bool:
     return SIGNS[sign](left, right) if not same else sign not in ("<", ">")
 
 
-def changed(changes: Sequence[tuple[Reckoned, Reckoned]], sign: float) -> Reckoned:
+def change_over(changes: Sequence[tuple[Reckoned, Reckoned]], sign: float) -> Reckoned:
     """The sum of the last less the first of each pair; of vectors by components."""
     if all("x" in one.values for pair in changes for one in pair):
         x, y = (sign * math.fsum(last.values[axis] - first.values[axis] for first, last in changes) for axis in "xy")
