@@ -105,7 +105,7 @@ class Orbit(Struct, frozen=True):
     """The circle on which a connection makes a body's centre travel; the angle of `owner` tells where on it the body is.
 
     `radius` is None on a track of which only heights are known; `level` is the height of the circle's centre; `way` is +1 where the
-    positive travel goes counterclockwise.
+    positive travel goes counterclockwise; `hollow` is one inside which the body lies, which only pushes it towards the centre.
     """
 
     owner: str
@@ -113,6 +113,7 @@ class Orbit(Struct, frozen=True):
     level: Formula
     way: int
     words: str
+    hollow: bool = False
 
 
 class Ride(Struct, frozen=True):

@@ -56,15 +56,6 @@ def test_a_grip_that_a_stiff_spring_overcomes_is_not_taken_to_hold() -> None:
     assert found.derivation.answers[0].conditions or reasons(found)
 
 
-LOOP = """
-title: A bead in a loop, over the highest place down to the far side
-given: {m: kg, R: m, u: m/s}
-surfaces: {loop: {hollow: R}}
-bodies: {bead: {mass: m, moves: right}}
-connections: {touch: {contact: [bead, loop], friction: none}}
-states: {start: {touch.angle: -90 deg, bead.velocity: u}, far: {touch.angle: 180 deg}}
-find: {v: bead.velocity at far}
-"""
 CRATE = """
 title: A crate pushed at its upper corner
 given: {M: kg, b: m, h: m, F: N, mu: number}
@@ -116,7 +107,7 @@ SWUNG = [
 
 
 BETWEEN = {
-    "loop": LOOP, "crate": CRATE, "shaken": SWUNG[0], "mirrored": SWUNG[1],
+    "crate": CRATE, "shaken": SWUNG[0], "mirrored": SWUNG[1],
     "hoop down": HOOPS[0], "hoop up": HOOPS[1], "lopsided": LOPSIDED,
     "very light disc": VERY_LIGHT[0], "very light hoop": VERY_LIGHT[1],
 }  # fmt: skip

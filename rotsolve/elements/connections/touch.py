@@ -227,7 +227,7 @@ class Touch(Connection, frozen=True):
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
         way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
         turn = "forward along" if radius is None else "counterclockwise round" if way > 0 else "clockwise round"
-        return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}")
+        return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}", not surface.outside)
 
     def touching_angle(self, instant: Moment) -> Formula:
         """For a wheel on the floor the place of a corner settles it."""

@@ -1,0 +1,75 @@
+"""Over the highest place of a loop: what goes past it must still press there, also where no state of the scene is there."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+
+G = 9.8
+LOOP = """
+title: Over the highest place of a loop
+given: {given}
+surfaces: {{loop: {{hollow: R}}}}
+bodies: {{ball: {body}}}
+connections: {{touch: {touch}}}
+states: {{low: {{touch.angle: {low} deg, ball.velocity: u}}, far: {{touch.angle: {far} deg}}}}
+find: {{v: ball.speed at far, N: touch.normal_force at far}}
+"""
+BODIES = {  # the body, how it touches the loop, its 1 + I/(m r²), and how large it is
+    "bead": ("{mass: 2 kg, moves: WAY}", "{contact: [ball, loop], friction: none}", 1.0, 0.0),
+    "marble": ("{shape: sphere, mass: 2 kg, radius: 0.1 m, moves: WAY}", "{rolls: [ball, loop]}", 1.4, 0.1),
+    "hoop": ("{shape: ring, mass: 2 kg, radius: 0.2 m, moves: WAY}", "{rolls: [ball, loop]}", 2.0, 0.2),
+}
+WAYS = [("right", -90, 130), ("right", -90, 180), ("right", -90, 250), ("left", -90, -310), ("left", 270, 0)]
+
+
+def scene(kind: str, way: str, low: float, far: float, given: str) -> str:
+    body, touch, _, _ = BODIES[kind]
+    return LOOP.format(body=body.replace("WAY", way), touch=touch, low=low, far=far, given=given)
+
+
+@pytest.mark.parametrize("kind", BODIES)
+@pytest.mark.parametrize(("way", "low", "far"), WAYS)
+def test_what_passes_the_highest_place_presses_there(kind: str, way: str, low: int, far: int) -> None:
+    """Of κ = 1 + I/(m r²): u² ≥ (1 + 4/κ) g ρ on the circle ρ of its centre; with less it falls off on the way."""
+    _, _, share, size = BODIES[kind]
+    radius = 1.0 - size
+    least = math.sqrt((1 + 4 / share) * G * radius)
+    for part in (1.05, 0.95):
+        text = scene(kind, way, low, far, f"{{R: 1 m, u: {part * least} m/s}}")
+        if part < 1.0:
+            with pytest.raises(Unsolvable, match=r"lets go|contradicts"):
+                solve(text)
+            continue
+        found = solve(text)
+        high = radius * (1 + math.sin(math.radians(far)))
+        square = (part * least) ** 2 - 2 * G * high / share
+        press = 2 * (square / radius - G * math.sin(math.radians(far)))
+        assert found.answers["v"].float == pytest.approx(math.sqrt(square))
+        assert found.answers["N"].float == pytest.approx(press)
+        assert all(item.holds for item in found.derivation.confirmed)
+
+
+@pytest.mark.parametrize("kind", BODIES)
+@pytest.mark.parametrize("way", ["right", "left"])
+def test_in_letters_that_is_a_condition(kind: str, way: str) -> None:
+    low, far = (-90, 200) if way == "right" else (270, -20)
+    found = solve(scene(kind, way, low, far, "{R: m, u: m/s}"))
+    _, _, share, size = BODIES[kind]
+    limit = math.sqrt((1 + 4 / share) * G * (1 - size))
+    (one,) = [case for case in (found.derivation.answers[0], *found.derivation.answers[0].otherwise) if case.conditions]
+    from rotsolve.confirm.course.samples import holds
+
+    for part in (0.8, 0.99, 1.01, 3.0):
+        numbers = {"R": 1.0, "u": part * limit, "g": G, "R_ball": size}
+        assert all(holds(condition, numbers) for condition in one.conditions) == (part > 1), part
+
+
+def test_what_turns_back_below_the_highest_place_is_not_asked_to_pass_it() -> None:
+    found = solve(scene("bead", "right", -90, -10, "{R: 1 m, u: 5 m/s}"))
+    assert [state.name for state in found.problem.states] == ["low", "far"]
+    assert found.answers["v"].float == pytest.approx(math.sqrt(25 - 2 * G * (1 + math.sin(math.radians(-10)))))
