@@ -6,14 +6,15 @@ What is sure wherever the letters may be is no condition. Another case is looked
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Generic, TypeVar, cast
 
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import witnessed
-from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Call, Formula
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.search.lettersigns import Proviso
@@ -77,11 +78,19 @@ def case_at(point: Point, space: LetterSpace, solve: Solving[Found], put: Mappin
             found, objected = solve({**numbers_of(point), **put})
         except (Unsolvable, SceneError) as error:
             fault = error
-    supposed = {value.substitute(put): sign for value, sign in witness.supposed.items()} if put else witness.supposed
-    needed = {value.substitute(put): told for value, told in witness.needed.items()} if put else witness.needed
+    supposed = {with_put(value, put, space): sign for value, sign in witness.supposed.items()}
+    needed = {with_put(value, put, space): told for value, told in witness.needed.items()}
     conditions = tuple(one for one in space.provisos(supposed, point) if space.fails_somewhere(one, point))
     needs = tuple(needs_noted(needed, conditions, space, point))
     return Case(point, conditions, needs, found, fault, objected)
+
+
+def with_put(value: Formula, put: Mapping[str, Formula], space: LetterSpace) -> Formula:
+    """A formula with letters put in; its roots then written anew: √(4 m² u²) is 2 m u, without which no fraction with it can be reduced."""
+    if not put:
+        return value
+    roots = partial(simplify, positive=space.positive)
+    return value.substitute(put).transform(lambda node: roots(node) if isinstance(node, Call) else node, "sqrt")
 
 
 def needs_noted(

@@ -234,3 +234,16 @@ find: {{a: box.acceleration at start}}
     assert any("lets go" in why for why in reasons(solve(scene)))
     with pytest.raises(Unsolvable, match="lets go"):
         solve(scene.replace("m: kg, F: N, mu: number", "m: 1 kg, F: 30 N, mu: 0.2"))
+
+
+def test_a_value_beside_which_its_condition_holds_too_is_not_confirmed() -> None:
+    """A block that friction has brought to rest by T rests there with more friction as well."""
+    found = solve("""title: At rest late
+given: {m: 2 kg, u: 3 m/s, T: 2 s, mu: unknown}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: left}}
+connections: {touch: {contact: [block, floor], friction: mu}}
+states: {start: {block.velocity: u}, end: {time: T}}
+find: {mu: mu where block.velocity = 0 at end}
+""")
+    assert [item.why for item in found.derivation.confirmed] == ["its condition holds with other values too"]

@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from rotsolve.algebra.formula import Symbol
 from rotsolve.pipeline import solve
 from rotsolve.solution import AnswerView
 
@@ -180,3 +181,17 @@ def test_what_is_not_reached_on_the_edge_is_not_told_there() -> None:
     assert [case.conditions for case in found.answers["v"].branches] == [("M > m",)]
     said = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
     assert any(line.startswith("if M ≤ m there is no answer") for line in said)
+
+
+def test_on_an_edge_roots_of_squares_are_written_out() -> None:
+    """Where both masses of an Atwood machine are the same, √(4 m² u²) is 2 m u: it takes d/u, and not 0/0."""
+    found = solve("""title: When a thrown load is at a place
+given: {m: kg, M: kg, u: m/s, d: m, T: unknown}
+bodies: {left: {mass: m, moves: up}, right: {mass: M, moves: down}, wheel: {mass: 0, radius: 5 cm}}
+connections: {ax: {axle: wheel}, rope: {string: [left, wheel, right]}}
+states: {start: {left.velocity: u}, end: {time: T}}
+find: {T: T where left.displacement = d at end}
+""")
+    (answer,) = found.derivation.answers
+    (edge,) = [one for one in (answer, *answer.otherwise) if any(line.relation == "=" for line in one.conditions)]
+    assert edge.formula == Symbol("d") / Symbol("u")

@@ -12,6 +12,7 @@ from rotsolve.confirm.instant import STICKS
 from rotsolve.language.problem import EXTREMES, Condition, Find
 
 NEAR, BESIDE = 1e-5, 2e-3  # how far beside the answer a condition is tried, and an extreme
+NONE = 1e-9  # share of the gap on one side below which there is none on the other
 LEVEL = 0.06  # how far an extreme may lie from the middle of what lies beside it, as a share of the drop there
 
 Value = Callable[[Find, Course], float]
@@ -46,6 +47,8 @@ def zero(said: float, gap: Callable[[float], float]) -> None:
     """The gap changes its sign at the answer."""
     step = NEAR * (abs(said) or 1.0)
     low, high = gap(said - step), gap(said + step)
+    if min(abs(low), abs(high)) <= NONE * max(abs(low), abs(high)):
+        raise NotConfirmed("its condition holds with other values too")
     if low * high > 0 and abs(gap(said)) > 1e-3 * min(abs(low), abs(high)):
         raise Broken("its condition does not hold with it")
 
