@@ -17,7 +17,16 @@ from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.core.derivation import Check, Derivation, Refusal
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Contradicted, Fault, NeverReached, SceneError, Unsolvable
+from rotsolve.core.faults import (
+    CONTRADICTORY,
+    INCOMPLETE,
+    Contradicted,
+    Fault,
+    Impossible,
+    NeverReached,
+    SceneError,
+    Unsolvable,
+)
 from rotsolve.language.problem import Find, Problem, before
 from rotsolve.motion.block import asked_block
 from rotsolve.motion.complete import configured
@@ -160,12 +169,14 @@ def taken_along(refused: Mapping[str, Unsolvable], problem: Problem) -> dict[str
     for name, error in refused.items():
         error = error.refused.get(name, error) if isinstance(error, Unanswered) else error
         told = [state.name for state in problem.states if name in set(letters_of(state.conditions))]
-        if name not in asked or not told or not isinstance(error, Contradicted) or isinstance(error, NeverReached):
+        early = before(told[0], problem) if told else None
+        hopeless = isinstance(error, Impossible) or (isinstance(error, Contradicted) and told)
+        if name not in asked or not hopeless or isinstance(error, NeverReached):
             continue
-        early = before(told[0], problem)
         for find in problem.finds:
             block = asked_block(replace(problem, finds=(find,)))
-            if (early is None or find not in early.finds) and name in set(letters_of(block.states)):
+            spoken_of = (block.states, block.bodies, block.connections, block.actions)  # a place on a rod stands there
+            if (early is None or find not in early.finds) and name in set(letters_of(spoken_of)):
                 found[find.name] = error
     return found
 

@@ -124,6 +124,10 @@ class Contradicted(Unsolvable):
     kind = CONTRADICTORY
 
 
+class Impossible(Unsolvable):
+    """An asked letter that would have to be what it can not be: what hangs on it has no answer either."""
+
+
 class NeverReached(Contradicted):
     """A `state` to which the motion never gets: what is asked of the states before it may have an answer.
 

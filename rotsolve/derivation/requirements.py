@@ -45,6 +45,9 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))
             sign = sign_of(gap, need, place, search, letters)
+            if sign is None and need.kind.grips and not event and grips_by_what_nothing_tells(need, search):
+                told.add(key)
+                yield Check((f"whether {spoken(need.owner)} slips: nothing tells how hard it is pressed",), None)
             if sign is None:
                 continue
             told.add(key)
@@ -56,6 +59,13 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                 yield Check(objection(need, place, search, letters), False)
             elif sign == 0 and not event and not demanded(need, place, search):
                 yield Check(verge_words(need, place, search, letters), None)
+
+
+def grips_by_what_nothing_tells(need: Requirement, search: Search) -> bool:
+    """Whether friction is needed that is told, while what presses is not: a contact beside what carries its body as well."""
+    aside = search.apart()
+    most, needed = aside.settled(need.left), aside.settled(need.right)
+    return needed is not None and most is None and search.signs.sign(needed) != 0
 
 
 def sign_of(gap: Formula | None, need: Requirement, place: str, search: Search, letters: Letters) -> int | None:

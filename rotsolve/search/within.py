@@ -9,12 +9,11 @@ from msgspec import Struct
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol, negate
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Impossible, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.language.problem import Given
 from rotsolve.motion.limits import limits_of_scene
-from rotsolve.search.answers import unsolvable
 from rotsolve.search.search import Search
 
 
@@ -52,7 +51,8 @@ def out_of_bounds(search: Search) -> Iterator[Unsolvable]:
     for bound in bounds_of_asked(search):
         if beyond_its_bound(bound, search):
             message = f"no `{bound.asked.name}` that it can be makes it so: {bound.limit.words}"
-            yield unsolvable(problem, message, bound.asked.span, "check what the scene says of it")
+            help = "check what the scene says of it"
+            yield Impossible(message, span=bound.asked.span, help=help, lines=problem.lines, file=problem.file)
 
 
 def beyond_its_bound(bound: Bound, search: Search) -> bool:

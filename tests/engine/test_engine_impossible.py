@@ -55,3 +55,22 @@ def test_in_letters_it_has_forces_where_it_has_a_place(find: str) -> None:
     found = solution.evaluate_many({"m": masses, "M": 1.0, "R": 0.2, "beta": np.radians(slopes), "g": 10.0})
     for name in ("phi", "f"):
         assert list(np.isfinite(found[name])) == list(possible)
+
+
+BEAM = """
+title: A load on a beam that a force holds up
+given: {M: 1 kg, m: 1 kg, L: 1 m, F: FORCE, x: unknown}
+bodies: {beam: {shape: rod, mass: M, length: L}, load: {mass: m}}
+connections: {pin: {hinge: beam.start}, place: {weld: [beam.at(x), load]}}
+actions: {hold: {force: F, on: beam.end, direction: 120 deg}}
+states: {rest: {beam.angle: 0, balance: true}}
+find: {x: x, R: pin.force.y at rest}
+"""
+
+
+def test_what_hangs_on_a_place_that_there_is_none_of_has_no_answer_either() -> None:
+    """F sin 60° L = ½ M g L + m g x: with 40 N x would be beyond the beam, and no support holds what is not."""
+    found = solve(BEAM.replace("FORCE", "12 N"))
+    assert found.answers["R"].float == pytest.approx(2 * 9.8 - 12 * sin(radians(60)))
+    with pytest.raises(Unsolvable, match="no `x` that it can be"):
+        solve(BEAM.replace("FORCE", "40 N"))

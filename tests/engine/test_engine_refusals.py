@@ -314,3 +314,42 @@ def test_the_verge_of_a_letter_that_is_given_is_asked_for_as_the_help_says(lette
             solve(scene.replace("UNIT", unit))
         assert f"`{letter}: unknown`" in refused.value.fault.help
     assert solve(scene.replace("UNIT", "unknown")).answers["k"].float > 0
+
+
+UNTOLD = {  # contacts beside which something else carries the body as well, so that nothing tells how hard they are pressed
+    "guide": (
+        "cart: {mass: 10 kg, moves: SIDE}, wheel: {shape: disc, mass: 2 kg, radius: 0.3 m, turns: TURN}",
+        "ax: {axle: [cart, wheel]}, touch: {contact: [wheel, floor], friction: 0.1}",
+        "{couple: 100 N m, on: wheel, direction: TURN}",
+        "cart",
+    ),
+    "second contact": (
+        "cart: {mass: 10 kg, moves: SIDE}, wheel: {shape: disc, mass: 2 kg, radius: 0.3 m, turns: TURN}",
+        "base: {contact: [cart, floor]}, ax: {axle: [cart, wheel]}, touch: {contact: [wheel, floor], friction: 0.1}",
+        "{couple: 100 N m, on: wheel, direction: TURN}",
+        "cart",
+    ),
+    "string": (
+        "block: {mass: 2 kg, moves: SIDE}",
+        "touch: {contact: [block, floor], friction: 0.1}, cord: {string: [ceiling, block]}",
+        "{force: 50 N, on: block, direction: SIDE}",
+        "block",
+    ),
+}
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+@pytest.mark.parametrize("kind", UNTOLD)
+def test_that_nothing_tells_whether_something_slips_is_said(kind: str, side: str) -> None:
+    bodies, links, action, asked = UNTOLD[kind]
+    scene = f"""
+title: Nothing tells how hard it is pressed
+surfaces: {{floor: level}}
+bodies: {{{bodies}}}
+connections: {{{links}}}
+actions: {{push: {action}}}
+states: {{start: {{at rest: all}}}}
+find: {{a: {asked}.acceleration at start}}
+""".replace("SIDE", side).replace("TURN", "clockwise" if side == "right" else "counterclockwise")
+    said = [check for check in solve(scene).checks if check.holds is None and "whether touch slips" in str(check.words)]
+    assert said
