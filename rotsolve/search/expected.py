@@ -1,0 +1,154 @@
+"""Expected: the signs that the motion of a scene tells of: which way a body goes, and what is a size."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from msgspec import Struct
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.formula import ONE, Symbol, call, negate, sqrt
+from rotsolve.algebra.units.dimension import ANGLE
+from rotsolve.core.derivation import Words
+from rotsolve.core.facts import signed
+from rotsolve.core.passage import Passage, Travel
+from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
+from rotsolve.core.writing import spoken
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import Given
+from rotsolve.laws.groups import one_motion
+from rotsolve.search.numbers import Numbers
+
+
+class Expected(Struct, frozen=True):
+    """What the motion of a scene tells of signs."""
+
+    scene: SceneEquations
+    givens: Mapping[str, Given]
+    numbers: Numbers
+
+    def sign(self, name: str) -> tuple[int, Words]:
+        """The sign that a quantity must have, and why: (+1, −1 or 0 where nothing tells)."""
+        quantity = self.scene.registry.quantities.get(name)
+        if quantity is None:
+            return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
+        if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
+            return self._direction(quantity.kind, quantity.owner, quantity.when, name)
+        if quantity.kind == "velocity" and quantity.component == "radial":
+            return self._along_carrier(quantity.owner, quantity.when, name)
+        if quantity.kind == "velocity" and quantity.when in self.scene.configuration.timeline.order:
+            return self._by_turn(name, quantity)
+        if quantity.kind in ("displacement", "rotation"):
+            return self._onward(quantity.kind, quantity.owner, quantity.when)
+        if quantity.kind in ("time", "tension", "mass", "normal_force", "period", *OSCILLATING):
+            return 1, (Symbol(name), " > 0")
+        return 0, ()
+
+    def _is_size(self, name: str) -> bool:
+        """Whether a given has a dimension, so that it is meant to be positive."""
+        given = self.givens.get(name)
+        return given is not None and given.dimension is not None and not given.dimension.matches(ANGLE)
+
+    def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
+        """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed.
+
+        After an event, or at the first state, it is the way to the angle of the next state.
+        """
+        timeline = self.scene.configuration.timeline
+        midst = phase_midst(state)
+        if midst and (around := timeline.after(midst)) is not None:
+            whole = "rotation" if kind == "angular_velocity" else "displacement"
+            return self._onward(whole, owner, around.name)
+        if state not in timeline.order:
+            return 0, ()
+        before, after = timeline.before(state), timeline.after(state)
+        first = before is None or before.event is not None
+        phase = after if first and after is not None else before
+        wanted = "turn" if kind == "angular_velocity" else "line"
+        travel = self._travel(phase.name, owner, wanted) if phase is not None else None
+        if travel is None or phase is None:
+            return 0, ()
+        timed = 0 if first else self._in_time(travel, self.scene.passages[phase.name])
+        if timed:
+            return self._told(kind, owner, name, timed)
+        change = travel.end - travel.start if travel.start is not None and travel.end is not None else None
+        told = [change]
+        gone = travel.change if change is None else change
+        if not first and self.numbers.found(gone) == 0.0:  # it has come back
+            told = [negate(travel.before)]
+        elif not first:
+            told += [gone, travel.before, self.numbers.push(travel.initial)]
+        sign = self.numbers.sign(told)
+        return self._told(kind, owner, name, sign) if sign else (0, ())
+
+    def _in_time(self, travel: Travel, passage: Passage) -> int:
+        """Which way a body moves after a known time where the push changes evenly with the place: v₀ cos ω t + (a₀/ω) sin ω t."""
+        lead = next((one for one in passage.travels if one.leads and one.pace == POSITION), None)
+        if lead is None or not isinstance(lead.coordinate, Symbol) or self.numbers.found(passage.duration) is None:
+            return 0
+        rate, start = self.numbers.push(lead.acceleration), self.numbers.push(travel.initial)
+        slope = differentiate(rate, lead.coordinate.name) if rate is not None else None
+        if (
+            start is None and rate is not None and lead.start is not None and lead is travel
+        ):  # the push at its first place
+            start = rate.substitute({lead.coordinate.name: signed(lead.start, lead.sense)})
+        if slope is None or start is None or lead.coordinate.name in slope.symbols():
+            return 0
+        square = -(self.numbers.with_answers(slope) * lead.sense / lead.arm)
+        side, time = self.numbers.side(square), passage.duration
+        if side == 0:
+            return self.numbers.sign([travel.before + start * time])
+        omega = sqrt(square if side == 1 else -square)
+        grown, turned = call("exp", omega * time), [call(word, omega * time) for word in ("cos", "sin")]
+        if side == -1:
+            turned = [(grown + 1 / grown) / 2, (grown - 1 / grown) / 2]
+        return self.numbers.sign([travel.before * turned[0] + start / omega * turned[1]])
+
+    def _travel(self, interval: str, owner: str, kind: str) -> Travel | None:
+        """How a body goes along its line, or turns, in a phase."""
+        passage = self.scene.passages.get(interval)
+        travels = passage.travels if passage is not None else ()
+        return next((item for item in travels if item.body == owner and item.kind == kind), None)
+
+    def _told(self, kind: str, owner: str, name: str, sign: int) -> tuple[int, Words]:
+        """A sign with the words for it: "rod turns clockwise: ω > 0"."""
+        quantity = self.scene.registry.quantities[name]
+        verb = "turns" if kind == "angular_velocity" else "moves"
+        words = quantity.positive if sign > 0 else quantity.negative
+        return sign, (f"{spoken(owner)} {verb} {words}: ", Symbol(name), " > 0" if sign > 0 else " < 0")
+
+    def _by_turn(self, name: str, quantity: SceneQuantity) -> tuple[int, Words]:
+        """Which way a part of a velocity points: as the rules tie it to the turn of the body."""
+        rules = list(self.scene.facts(quantity.when).rules)
+        names = {letter for rule in rules for side in rule.velocity for letter in side.symbols()}
+        rates = of_kinds(names, RATES)
+        tied = (one_motion(rates, rules) or {}).get(name)
+        turns = of_kinds(tied.symbols(), RATES) if tied is not None else []
+        if tied is None or len(turns) != 1 or key_of(turns[0]).component:
+            return 0, ()
+        share = self.numbers.found(tied.substitute({turns[0]: ONE}))
+        sign, words = self.sign(turns[0])
+        return (0, ()) if not share else (sign if share > 0 else -sign, words)
+
+    def _along_carrier(self, rider: str, state: str, name: str) -> tuple[int, Words]:
+        """Which way a body slides along another: outwards where its distance from the axis has grown."""
+        configuration = self.scene.configuration
+        before = configuration.timeline.before(state) if state in configuration.timeline.order else None
+        if before is None:
+            return 0, ()
+        places = [getattr(configuration.body(rider, when).shape, "radius", None) for when in (before.start, state)]
+        grown = self.numbers.of(places[1] - places[0]) if places[0] is not None and places[1] is not None else None
+        if not grown:
+            return 0, ()
+        way, relation = ("outwards", " > 0") if grown > 0 else ("inwards", " < 0")
+        return (1 if grown > 0 else -1), (f"{spoken(rider)} slides {way}: ", Symbol(name), relation)
+
+    def _onward(self, kind: str, owner: str, interval: str) -> tuple[int, Words]:
+        """Which way a body goes in a phase: as it moves at the start, else as it is pushed."""
+        travel = self._travel(interval, owner, "line" if kind == "displacement" else "turn")
+        if travel is None:
+            return 0, ()
+        sign = self.numbers.sign((travel.before, self.numbers.push(travel.initial), travel.after))
+        return (sign, ("the way in which it starts to move",)) if sign else (0, ())

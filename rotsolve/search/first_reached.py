@@ -1,0 +1,153 @@
+"""First reached: of several places at which a condition of a state holds the one to which a motion comes first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from functools import cmp_to_key
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, add, negate
+from rotsolve.core.derivation import Words
+from rotsolve.core.passage import Travel
+from rotsolve.core.symbols import is_key
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.bodies import Orbit
+from rotsolve.search.numbers import Numbers
+from rotsolve.solver.steps import PickedRoot
+
+TURN = 2 * PI
+SAME_PLACE = 1e-9  # rad: how far numerical roots may be apart that are one place, whole turns apart
+
+
+class WayToRoot(Struct, frozen=True):
+    """How far it is to a root, and the whole turns by which its angle must be changed to lie on the way."""
+
+    root: int
+    value: Formula
+    gap: Formula
+    turns: int = 0
+
+
+class FirstReached(Struct, frozen=True):
+    """Follows the ways of bodies; `definition` tells what an asked letter stands for."""
+
+    scene: SceneEquations
+    numbers: Numbers
+    definition: Callable[[str], Formula | None]
+
+    def choose(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
+        """Of several angles the one that a body comes to first on its way; None where nothing tells where it starts.
+
+        The roots are all places in one turn at which the condition of the state holds, so that it holds at none before; of what a wire
+        turns back, whole turns are no way to come to one.
+        """
+        letter, scale, shift = self.place_behind(name)
+        for interval, passage in self.scene.passages.items():
+            for travel in passage.travels:
+                begin = self._begin(travel, letter, interval)
+                if begin is None:
+                    continue
+                places = [(k, root, (root - shift) / scale) for k, root in roots]
+                wound = travel.kind == "turn" and self.scene.instant(passage.end.state).wound(travel.body)
+                ways = self._along_wire(places, *begin) if wound else self._round(places, *begin)
+                first = min(ways, key=cmp_to_key(self._compared))
+                words: Words = ("the first place on the way where this holds",)
+                turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
+                return PickedRoot(first.root, words, turns)
+        return None
+
+    def _compared(self, one: WayToRoot, other: WayToRoot) -> int:
+        """Which way is shorter; from a summit it may go to either side, equally far: the smaller angle is told."""
+        nearer = self.numbers.side(one.gap - other.gap)
+        if isinstance(one.value, Number) and isinstance(other.value, Number):  # found numerically, as floats
+            nearer = nearer if abs(self.numbers.of(one.gap - other.gap) or 0.0) > SAME_PLACE else 0
+        return nearer or (one.turns != 0) - (other.turns != 0) or self.numbers.side(one.value - other.value) or 0
+
+    def _begin(self, travel: Travel, letter: str, interval: str) -> tuple[Formula, int] | None:
+        """Where the angle `letter` of a body at the end of a phase starts, and which way it goes: +1 where it grows, 0 where nothing tells.
+
+        What is only just nudged on a circle goes its positive way.
+        """
+        phase = self.scene.configuration.timeline.interval(interval)
+        place = self.scene.registry.quantities.get(letter)
+        if phase is None:
+            return None
+        if travel.kind == "line" and place is not None and place.kind == "angle" and place.when == phase.end:
+            circle = self.scene.instant(phase.end).orbit(travel.body)
+            start = self._entry(travel.body, circle, phase.start) if circle and circle.owner == place.owner else None
+            return None if circle is None or start is None else (start, circle.way * (self._onset(travel) or 1))
+        if travel.kind != "turn" or travel.start is None or travel.end is None or letter not in travel.end.symbols():
+            return None
+        found = self._linear(travel.end, letter)
+        start = self._known(travel.start)
+        if found is None or start is None:
+            return None
+        slope, rest = found
+        if self.numbers.side(slope**2 - 1) != 0:
+            return None
+        return (start - rest) / slope, (self.numbers.side(slope) or 0) * self._onset(travel)
+
+    def _linear(self, value: Formula, letter: str) -> tuple[Formula, Formula] | None:
+        """Slope and rest of a value that is slope · letter + rest; None of any other."""
+        at = [value.substitute({letter: Number(Fraction(number))}) for number in range(3)]
+        if self.numbers.side(add(at[2], at[0]) - 2 * at[1]) != 0 or not self.numbers.side(at[1] - at[0]):
+            return None
+        return at[1] - at[0], at[0]
+
+    def _onset(self, travel: Travel) -> int:
+        """Which way a coordinate sets out: as it moves at the start, else as it is pushed; 0 where nothing tells."""
+        return self.numbers.sign((travel.before, self.numbers.push(travel.initial)))
+
+    def _known(self, value: Formula) -> Formula | None:
+        """A value with the answers put in; None where that leaves it without a number."""
+        known = self.numbers.with_answers(value)
+        return None if self.numbers.of(known) is None else known
+
+    def _way_to(self, root: int, value: Formula, place: Formula, start: Formula, way: int) -> WayToRoot:
+        """The way to a place on a circle; a place at which it is already is a whole turn away."""
+        if not way:
+            ahead = self.numbers.side(place - start)
+            return WayToRoot(root, value, start - place if ahead == -1 else place - start)
+        gap = place - start if way > 0 else start - place
+        turns = self.numbers.whole(gap / TURN) or 0
+        rest = gap - turns * TURN
+        found = isinstance(value, Number) and abs(self.numbers.of(rest) or 0.0) < SAME_PLACE  # numerically, as a float
+        if found or self.numbers.side(rest) == 0:
+            turns -= 1
+        return WayToRoot(root, value, gap - turns * TURN, -way * turns)
+
+    def _round(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
+        """The ways to places on a circle. Of those found numerically all are told, so that one ahead needs no whole turns: with friction
+        or a couple they do not come again a turn later.
+        """
+        told = way and all(isinstance(root, Number) for _, root, _ in places)
+        gaps = [(k, root, place - start if way > 0 else start - place) for k, root, place in places] if told else []
+        ahead = [WayToRoot(k, root, gap) for k, root, gap in gaps if (self.numbers.of(gap) or 0.0) > SAME_PLACE]
+        return ahead or [self._way_to(*place, start, way) for place in places]
+
+    def _along_wire(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
+        """The ways to places none of which comes again a turn later: those ahead, else back to those behind."""
+        if not way:
+            return [self._way_to(*place, start, way) for place in places]
+        gaps = [(k, root, place - start if way > 0 else start - place) for k, root, place in places]
+        ahead = [WayToRoot(k, root, gap) for k, root, gap in gaps if self.numbers.side(gap) == 1]
+        return ahead or [WayToRoot(k, root, negate(gap)) for k, root, gap in gaps]
+
+    def _entry(self, body: str, circle: Orbit, state: str) -> Formula | None:
+        """Where on its circle a body is at the start of its way; a track leads into a bowl at its bottom, over a hill at its top."""
+        instant = self.scene.instant(state)
+        orbit = instant.orbit(body)
+        if orbit == circle:
+            return self._known(instant.place_on(circle))
+        return None if orbit is None else PI / 2 if circle.level == ZERO else -PI / 2
+
+    def place_behind(self, name: str) -> tuple[str, Formula, Formula]:
+        """The angle that an asked letter stands for, with the letter = scale · angle + shift."""
+        formula = self.definition(name)
+        angles = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
+        if formula is None or len(angles) != 1:
+            return name, ONE, ZERO
+        found = self._linear(formula, angles[0])
+        return (name, ONE, ZERO) if found is None else (angles[0], *found)
