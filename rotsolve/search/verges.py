@@ -51,7 +51,13 @@ def on_the_point_of_slipping(search: Search, find: Find) -> None:
     state = find.terms[0].at if find.terms and find.terms[0].at else configuration.timeline.states[-1].name
     verges = verges_of(contact, state, question, search)
     if not verges:
-        raise NotYet(f"`{spoken(contact)}` does not come to the point of slipping")
+        alone = not configuration.timeline.state(state).balance and len(rubs(configuration)) > 1
+        raise NotYet(
+            f"`{spoken(contact)}` does not come to the point of slipping" + (" by itself" if alone else ""),
+            help=f"with `balance: true` at `{state}` all that can give way is at it together"
+            if alone and state
+            else "",
+        )
     ends = [verge for verge in verges if verge.side in (0, 1 if word == "largest" else -1)]
     if not ends:
         bound = "large" if word == "largest" else "small"

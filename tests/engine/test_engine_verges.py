@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from fractions import Fraction
 
@@ -225,3 +226,25 @@ def test_roots_of_quotients_within_inverse_functions_are_compared() -> None:
     assert [item.fault.message[:38] for item in solution.derivation.refused] == [
         "too little is known to find `extra`: 1"
     ]
+
+
+def test_what_slips_only_with_another_is_asked_for_in_balance() -> None:
+    """Two blocks tied over two slopes slip together: the refusal names `balance: true`, with which M = m (sin α + μ cos α)/(sin β - ν cos β)."""
+    scene = """title: Two rough slopes
+given: {m: 2 kg, M: unknown}
+surfaces: {left_s: {slope: 20 deg, down: left}, right_s: {slope: 40 deg, down: right}}
+bodies: {a: {mass: m, moves: up}, b: {mass: M, moves: down}, wheel: {mass: 0, radius: 5 cm}}
+connections:
+  ca: {contact: [a, left_s], friction: 0.3}
+  cb: {contact: [b, right_s], friction: 0.2}
+  ax: {axle: wheel}
+  rope: {string: [a, wheel, b]}
+states: {start: STATE}
+find: {M: largest M where cb sticks}
+"""
+    with pytest.raises(Unsolvable, match="by itself") as refused:
+        solve(scene.replace("STATE", "at rest"))
+    assert "`balance: true` at `start`" in refused.value.fault.help
+    alpha, beta = math.radians(20), math.radians(40)
+    most = 2 * (math.sin(alpha) + 0.3 * math.cos(alpha)) / (math.sin(beta) - 0.2 * math.cos(beta))
+    assert solve(scene.replace("STATE", "{balance: true}")).answers["M"].float == pytest.approx(most)
