@@ -70,7 +70,7 @@ class Edges(Generic[Found]):
     def known_at(self, one: Proviso, rest: Sequence[Proviso]) -> Edge | None:
         """The edge of a condition within those of the rest, if it has been looked at."""
         rest = [other for other in rest if not same_edge(other.gap, one.gap)]
-        found = (edge for edge in self.known if same_edge(edge.gap, one.gap) or is_zero(edge.put(one.gap)))
+        found = (edge for edge in self.known if same_edge(edge.gap, one.gap) or is_zero_there(edge.put(one.gap)))
         return next((edge for edge in found if not self.fails(edge, rest)), None)
 
     def along(self, edge: Edge) -> Iterator[Edge]:
@@ -158,6 +158,14 @@ class Edges(Generic[Found]):
                 return None
             self.cases[place] = case_at(edge.point, self.space, self.solve, {edge.letter: edge.limit})
         return self.cases[place]
+
+
+def is_zero_there(value: Formula) -> bool:
+    """Whether a formula is exactly zero; not where it has no value at all."""
+    try:
+        return is_zero(value)
+    except ZeroDivisionError:
+        return False
 
 
 def same_edge(one: Formula, other: Formula) -> bool:

@@ -195,3 +195,16 @@ find: {T: T where left.displacement = d at end}
     (answer,) = found.derivation.answers
     (edge,) = [one for one in (answer, *answer.otherwise) if any(line.relation == "=" for line in one.conditions)]
     assert edge.formula == Symbol("d") / Symbol("u")
+
+
+def test_an_edge_on_which_a_logarithm_has_no_value_is_no_fault() -> None:
+    """Constant power against friction: t has ln((P - τ ω₀)/(P - τ ω₁)) in it, which is 0/0 where P = τ ω₀ = τ ω₁ is put in."""
+    found = solve("""title: Constant power against friction
+given: {I: kg m^2, P: W, tau: N m, w0: rad/s, w1: rad/s}
+bodies: {fly: {inertia: I, turns: clockwise}}
+connections: {axle: {axle: fly, friction_torque: tau}}
+actions: {motor: {power: P, on: fly}}
+states: {start: {fly.angular_velocity: w0}, end: {fly.angular_velocity: w1}}
+find: {t: time from start to end, n: fly.rotation from start to end, a: fly.angular_acceleration at end}
+""")
+    assert all(item.holds for item in found.derivation.confirmed)

@@ -229,7 +229,7 @@ def test_roots_of_quotients_within_inverse_functions_are_compared() -> None:
 
 
 def test_what_slips_only_with_another_is_asked_for_in_balance() -> None:
-    """Two blocks tied over two slopes slip together: the refusal names `balance: true`, with which M = m (sin α + μ cos α)/(sin β - ν cos β)."""
+    """Two blocks tied over two slopes slip together: the help is `balance: true`, with which M = m (sin α + μ cos α)/(sin β - ν cos β)."""
     scene = """title: Two rough slopes
 given: {m: 2 kg, M: unknown}
 surfaces: {left_s: {slope: 20 deg, down: left}, right_s: {slope: 40 deg, down: right}}
