@@ -255,6 +255,7 @@ class KnownBalls(Struct, frozen=True):
     found: dict[str, Ball]
     values: Mapping[str, Formula]
     free: frozenset[str] = frozenset()  # givens without a number, which have that of their case
+    sought: frozenset[str] = frozenset()  # givens that are unknown
 
     @staticmethod
     def known(search: Search) -> KnownBalls:
@@ -267,7 +268,8 @@ class KnownBalls(Struct, frozen=True):
                 letters[name] = value
         open_ = [given for given in search.givens.values() if given.value is None and not given.asked]
         free = {given.name: ONE if given.trial is None else given.trial for given in open_}
-        numbers = KnownBalls({}, {**free, **search.values}, frozenset(free))
+        sought = frozenset(given.name for given in search.givens.values() if given.asked)
+        numbers = KnownBalls({}, {**free, **search.values}, frozenset(free), sought)
         sizes = {name: numbers.size(value) for name, value in letters.items()}
         numbers.found.update((name, size) for name, size in sizes.items() if size is not None)
         together = [(name, found.number) for name, found in solver.solved.items() if found.number is not None]
@@ -275,8 +277,9 @@ class KnownBalls(Struct, frozen=True):
         return numbers
 
     def open_letters(self, equation: Equation) -> list[str]:
-        """Letters of the laws in an equation that have no value yet."""
-        return sorted(name for name in equation.symbols() if is_key(name) and name not in self.found)
+        """Letters of the laws, and unknown givens, in an equation that have no value yet."""
+        names = (name for name in equation.symbols() if is_key(name) or name in self.sought)
+        return sorted(name for name in names if name not in self.found)
 
     def size(self, value: Formula, **more: Ball) -> Ball | None:
         """A ball that holds the number; None where a letter has none, or it is not real."""

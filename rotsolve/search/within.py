@@ -8,13 +8,16 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.sign import real_where
 from rotsolve.algebra.formula import Formula, Symbol, negate
-from rotsolve.core.faults import Impossible, Unsolvable
+from rotsolve.core.faults import Impossible
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.language.problem import Given
 from rotsolve.motion.limits import limits_of_scene
-from rotsolve.search.search import Search
+from rotsolve.search.answers import NoAnswer
+from rotsolve.search.search import Search, asked_letter
+from rotsolve.solver.steps import Found
 
 
 class Bound(Struct, frozen=True):
@@ -45,24 +48,52 @@ def bounds_of_asked(search: Search) -> Iterator[Bound]:
             yield Bound(gap, limit, search.givens[names[0]])
 
 
-def out_of_bounds(search: Search) -> Iterator[Unsolvable]:
-    """Asked letters whose answer is none that they can be; of letters the case has the condition that they are."""
-    problem = search.scene.configuration.problem
+def out_of_bounds(search: Search) -> Iterator[Impossible]:
+    """Unknown letters, asked for or not, whose value is none that they can be; of letters the case has the condition that they are."""
     for bound in bounds_of_asked(search):
         if beyond_its_bound(bound, search):
-            message = f"no `{bound.asked.name}` that it can be makes it so: {bound.limit.words}"
-            help = "check what the scene says of it"
-            yield Impossible(message, span=bound.asked.span, help=help, lines=problem.lines, file=problem.file)
+            yield impossible_letter(bound.asked, f": {bound.limit.words}", search)
+    for given in search.givens.values():
+        if given.asked and given.name not in search.solver.solved and not real(given.name, search):
+            yield impossible_letter(given, ", with real numbers", search)
+
+
+def impossible_letter(given: Given, why: str, search: Search) -> Impossible:
+    """A letter that nothing that it can be makes fit, with its place in the file."""
+    problem, help = search.scene.configuration.problem, "check what the scene says of it"
+    message = f"no `{given.name}` that it can be makes it so{why}"
+    return Impossible(message, span=given.span, help=help, lines=problem.lines, file=problem.file)
+
+
+def value_found(name: str, search: Search) -> Found | None:
+    """What the answers make of a letter, or, of one that no question asks for, the laws aside; None where they do not tell it."""
+    found = search.solver.solved.get(name)
+    given = search.givens.get(name)
+    if found is not None or given is None or not given.asked:
+        return found
+    try:
+        return search.apart().answer(asked_letter(name)).found
+    except NoAnswer:
+        return None
+
+
+def real(name: str, search: Search) -> bool:
+    """Whether the laws have a real value for a letter that no question asks for, or do not tell it; of letters that is a condition."""
+    try:
+        value = search.apart().answer(asked_letter(name)).found.formula
+    except NoAnswer as error:
+        return error.equation is None  # else the data contradict each other, whatever it is
+    return value is None or all(search.numbers.side(limit) != -1 for limit in real_where(value))
 
 
 def beyond_its_bound(bound: Bound, search: Search) -> bool:
     """Whether the answers make negative what may not be, or zero."""
     value, roots = bound.gap, {}
-    for name in bound.gap.symbols() & search.solver.solved.keys():
-        found = search.solver.solved[name]
-        if found.formula is not None:
+    for name in bound.gap.symbols():
+        found = value_found(name, search)
+        if found is not None and found.formula is not None:
             value = value.substitute({name: found.formula})
-        elif found.number is not None:
+        elif found is not None and found.number is not None:
             roots[name] = found.number
     if roots:
         try:
