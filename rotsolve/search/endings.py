@@ -162,6 +162,7 @@ class Endings(Struct, dict=True):
     def within(self, interval: Interval) -> Ending | None:
         """What ends first in a phase, where that is before the phase does."""
         rubbing = [(rub, self.sense(rub)) for rub in rubs_at(self.configuration, interval.start)]
+        self.check_straight(interval, rubbing)
         resting, at = self.resting_first(interval, rubbing)
         if not resting:
             resting, at = self.turned(interval, rubbing)
@@ -203,6 +204,29 @@ class Endings(Struct, dict=True):
                 message = f"{spoken(rub.body)} comes to rest on the way from `{start}` to `{end}`, at a time without a closed form"
                 span, help = self.configuration.timeline.state(end).span, "let the scene end before that"
                 raise unsolvable(self.configuration.problem, f"{message}: what it does then is not solved", span, help)
+
+    def check_straight(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> None:
+        """What sets out at a speed that is sought goes as its friction says: not back by the end of a phase, nor the other way."""
+        senses = {rub.body: sense for rub, sense in rubbing if sense and stops(rub, self.search)}
+        for travel in self.scene.passages[interval.name].travels:
+            sought = {
+                name
+                for name in travel.before.symbols()
+                if name in self.search.givens and self.search.givens[name].asked
+            }
+            if travel.body not in senses or not (sought or self.settled(travel.before) is None):
+                continue
+            gone, ended = (self.settled(value) for value in (travel.change, travel.after))
+            sides = [None if value is None else self.side(value) for value in (gone, ended)]
+            start, end = self.configuration.timeline.told(interval)
+            how, help = "", ""
+            if {*sides} == {1, -1}:
+                how, help = "comes back", f"name where it turns back as a state between `{start}` and `{end}`"
+            elif sides[0] == -senses[travel.body]:
+                how, help = "goes the other way", "let its `moves` or `turns` say the way in which it sets out"
+            if how:
+                message = f"{spoken(travel.body)} {how} to `{end}`, and how fast it sets out is sought: its friction is not solved"
+                raise unsolvable(self.configuration.problem, message, self.configuration.timeline.state(end).span, help)
 
     def clock(self, state: str) -> Formula:
         """The time on the clock at a state, as far as it is told."""

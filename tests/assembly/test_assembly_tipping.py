@@ -50,7 +50,39 @@ PARTS = "{moves: right, parts: {crate: {shape: rectangle, mass: 1 kg, sides: [1 
 PLANK = "{shape: rod, mass: 2 kg, length: 1 m, moves: right}"
 BALL = ", ball: {mass: 1 kg, moves: right}"
 MOVING = ", ball.velocity: 2 m/s"
+STACK = """
+surfaces: {floor: level}
+bodies: {box: {shape: rectangle, mass: 2 kg, sides: [0.6 m, HIGH], moves: right}, top: {mass: 1 kg, moves: right}}
+connections: {base: {contact: [box, floor], friction: 0.9}, grip: {contact: [top, box], friction: 0.5}}
+states: {start: {top.velocity: SPEED, box.velocity: 0}}
+find: {A: top.acceleration at start}
+"""
+SWELLING = """
+surfaces: {floor: level}
+bodies: {box: {shape: rectangle, mass: 2 kg, sides: [0.6 m, HIGH], moves: right}}
+connections: {base: {contact: [box, floor], friction: none}}
+actions: {push: {force: 40 N/s^2 * time * (2 s - time), on: box.corner3, direction: right}}
+states: {start: {at rest: all}, end: {time: 2 s}}
+find: {v: box.velocity at end}
+"""
+SWUNG = """
+surfaces: {floor: level}
+bodies: {box: {shape: rectangle, mass: 2 kg, sides: [WIDE, 1 m], moves: right}, rod: {shape: rod, mass: 1 kg, length: 0.4 m}}
+connections: {base: {contact: [box, floor], friction: none}, pin: {hinge: [box.corner3, rod.start]}}
+states: {start: {rod.angle: 0, at rest: all}, low: {rod.angle: -90 deg}}
+find: {V: box.velocity at low}
+"""
+
+
+def both(scene: str, word: str, stands: str, tips: str) -> tuple[str, str]:
+    return scene.replace(word, stands), scene.replace(word, tips)
+
+
 SCENES = {  # what stands, and the same as it tips
+    "carries what slides": both(STACK.replace("SPEED", "3 m/s"), "HIGH", "0.4 m", "4 m"),
+    "carries what slides back": both(STACK.replace("SPEED", "-3 m/s"), "HIGH", "0.4 m", "4 m"),
+    "on the way": both(SWELLING, "HIGH", "0.1 m", "1 m"),
+    "swung": both(SWUNG, "WIDE", "3 m", "0.1 m"),
     "slope right": (
         brick(40, "right", "rectangle", "sides: [1 m, 1 m]"),
         brick(40, "right", "rectangle", "sides: [1 m, 3 m]"),

@@ -74,3 +74,57 @@ def test_what_hangs_on_a_place_that_there_is_none_of_has_no_answer_either() -> N
     assert found.answers["R"].float == pytest.approx(2 * 9.8 - 12 * sin(radians(60)))
     with pytest.raises(Unsolvable, match="no `x` that it can be"):
         solve(BEAM.replace("FORCE", "40 N"))
+
+
+UNKNOWN = {  # an unknown letter that no question asks for, with numbers that it can have, and such that leave it none
+    "mass": ("""
+given: {m: 2 kg, M: unknown, a: VALUE}
+bodies: {left: {mass: m, moves: up}, right: {mass: M, moves: down}, wheel: {shape: disc, mass: 1 kg, radius: 10 cm}}
+connections: {ax: {axle: wheel}, rope: {string: [left, wheel, right]}}
+states: {now: {left.acceleration: a}}
+find: {T: rope.right.tension}
+""", "3 m/s^2", ("15 m/s^2", "9.8 m/s^2")),
+    "friction": ("""
+given: {mu: unknown, u: VALUE}
+surfaces: {ramp: {slope: 20 deg}}
+bodies: {crate: {mass: 2 kg, moves: down}}
+connections: {base: {contact: [crate, ramp], friction: mu}}
+states: {start: {crate.velocity: u}, end: {crate.displacement: 2 m, crate.velocity: 2*u}}
+find: {W: base.work from start to end}
+""", "1 m/s", ("3 m/s",)),
+    "stiffness": ("""
+given: {k: unknown, u: VALUE}
+bodies: {load: {mass: 2 kg, moves: down}}
+connections: {coil: {spring: [ceiling, load], stiffness: k}}
+states: {start: {coil.elongation: 0, at rest: all}, end: {coil.elongation: 0.5 m, load.velocity: u}}
+find: {F: coil.force at end}
+""", "2 m/s", ("4 m/s",)),
+    "place": ("""
+given: {d: unknown, T: VALUE}
+bodies: {beam: {shape: rod, mass: 2 kg, length: 1 m}, man: {mass: 3 kg}}
+connections: {pin: {hinge: beam.start}, cord: {string: [ceiling, beam.end]}, stand: {weld: [beam.at(d), man]}}
+states: {now: {beam.angle: 0, balance: true, cord.tension: T}}
+find: {F: pin.force.y at now}
+""", "20 N", ("5 N", "50 N")),
+    "angle": ("""
+given: {beta: unknown, a: VALUE}
+surfaces: {ramp: {slope: beta}}
+bodies: {ball: {shape: sphere, mass: 2 kg, radius: 0.1 m, moves: down}}
+connections: {base: {rolls: [ball, ramp]}}
+states: {now: {ball.acceleration: a}}
+find: {f: size of base.friction_force at now}
+""", "3 m/s^2", ("8 m/s^2",)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", UNKNOWN)
+def test_an_unknown_that_no_question_asks_for_is_held_to_what_it_can_be(kind: str) -> None:
+    scene, fits, others = UNKNOWN[kind]
+    scene = f"title: An unknown {kind}{scene}"
+    assert solve(scene.replace("VALUE", fits)).answers
+    for value in others:
+        with pytest.raises(Unsolvable, match=r"that it can be makes it so|contradict"):
+            solve(scene.replace("VALUE", value))
+    units = {"m/s^2": "m/s^2", "m/s": "m/s", "N": "N"}
+    found = solve(scene.replace("VALUE", units[fits.split(" ")[1]]))
+    assert any(answer.conditions for answer in found.derivation.answers)

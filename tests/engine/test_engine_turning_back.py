@@ -199,3 +199,30 @@ def test_in_letters_it_comes_back_under_conditions(name: str) -> None:
     for speed, found in zip(speeds, solution.evaluate_many({"u": speeds})[name], strict=True):
         true = there_and_back(speed)
         assert math.isnan(found) if true is None else found == pytest.approx(true[name])
+
+
+@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+def test_what_comes_back_from_a_speed_that_is_sought_is_asked_where_it_turns(turns: str) -> None:
+    """A wheel with friction that a couple turns back: W = -τ φ would be that of a wheel that had gone straight there."""
+    back = "counterclockwise" if turns == "clockwise" else "clockwise"
+    scene = f"""title: Turned back
+given: {{Q: 3 N m, tau: 1 N m, w: unknown}}
+bodies: {{wheel: {{inertia: 1 kg m^2, turns: {turns}}}}}
+connections: {{ax: {{axle: wheel, friction_torque: tau}}}}
+actions: {{q: {{couple: Q, on: wheel, direction: {back}}}}}
+states:
+  start: {{wheel.angle: 0, wheel.angular_velocity: w}}
+  TURN
+  end: {{wheel.angle: ANGLE rad, wheel.angular_velocity: -2 rad/s}}
+find: {{W: ax.work from start to end, K: wheel.kinetic_energy at start}}
+"""
+    sign = -1 if turns == "clockwise" else 1  # angles are counted counterclockwise
+    scene = scene.replace("ANGLE", str(2 * sign))
+    with pytest.raises(Unsolvable, match="comes back to `end`") as refused:
+        solve(scene.replace("TURN", ""))
+    assert "a state between `start` and `end`" in refused.value.fault.help
+    found = solve(scene.replace("TURN", "turn: {wheel.angular_velocity: 0}"))
+    assert found.answers["W"].float == pytest.approx(-4)  # it turns at 3 rad: (Q - τ) · 1 = ½ 2²
+    assert found.answers["K"].float == pytest.approx(12)
+    with pytest.raises(Unsolvable, match="goes the other way to `turn`"):
+        solve(scene.replace("TURN", "turn: {wheel.angular_velocity: 0}").replace(f"turns: {turns}", f"turns: {back}"))

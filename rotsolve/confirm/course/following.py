@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,9 @@ from rotsolve.language.problem import Problem, State
 if TYPE_CHECKING:
     from rotsolve.confirm.course.blows import Blow
     from rotsolve.confirm.course.laps import FollowedPhase
+
+
+WITHIN = (0.5, 0.2, 0.8)  # parts of a step at which it is looked at whether something tips over
 
 
 class Broken(NotConfirmed):
@@ -78,16 +82,34 @@ class Course:
             raise found
         return found
 
-    def _standing(self, node: Node, blow: Blow | None) -> None:
-        """Whether all that stands with corners on something stays on them, through a blow too; loaded where a scene has corners."""
+    @cached_property
+    def standing(self) -> bool:
+        """Whether something stands with corners, or lies with ends, on something; what sees to it is loaded only then."""
         whole = [part for body in self.problem.bodies for part in (body, *(part.body for part in body.parts))]
         touches = any(isinstance(item, Touch) for item in self.problem.connections)
-        if touches and any(shape_of(body).outline() for body in whole):
+        if not touches or not any(shape_of(body).outline() for body in whole):
+            return False
+        from rotsolve.confirm.course.tipping import all_stands
+
+        return any(True for state in self.states for _ in all_stands(self.model(state.name)))
+
+    def _standing(self, node: Node, blow: Blow | None) -> None:
+        """Whether all that stands with corners on something stays on them, through a blow too."""
+        if self.standing:
             from rotsolve.confirm.course.tipping import check_standing, check_struck
 
             if blow is not None:
                 check_struck(blow)
             check_standing(node)
+
+    def _standing_between(self, phase: FollowedPhase) -> None:
+        """The same within the steps from one state to the next."""
+        if self.standing:
+            from rotsolve.confirm.course.tipping import check_standing
+
+            for lap in phase.laps:
+                for part in WITHIN if len(lap.step.pushes) > 1 else WITHIN[:1]:
+                    check_standing(lap.at(part))
 
     def _reached(self, number: int) -> Node:
         """A state by its event from the one before; by its own lines where it is the first or in balance; else by following the motion."""
@@ -101,13 +123,14 @@ class Course:
             return self._struck(before, event, model, state)
         from rotsolve.confirm.course.energy import by_energy
 
-        found = None if before.adrift else by_energy(before, state)
+        found = None if before.adrift or self.standing else by_energy(before, state)
         if found is not None:
             self._untimed.add(state.name)
             return Node(model, found.placed, self.budget)
         from rotsolve.confirm.course.phase import followed
 
         phase = followed(self.timed(self.names[number - 1]), state)
+        self._standing_between(phase)
         self._phases[self.names[number - 1]] = phase
         last = self.ending and number == len(self.states) - 1
         return Node(model, phase.end.placed, self.budget, phase.modes if last else None)
