@@ -54,7 +54,7 @@ def out_of_bounds(search: Search) -> Iterator[Impossible]:
         if beyond_its_bound(bound, search):
             yield impossible_letter(bound.asked, f": {bound.limit.words}", search)
     for given in search.givens.values():
-        if given.asked and given.name not in search.solver.solved and not real(given.name, search):
+        if given.asked and given.name not in search.solver.solved and not has_real_value(given.name, search):
             yield impossible_letter(given, ", with real numbers", search)
 
 
@@ -77,7 +77,7 @@ def value_found(name: str, search: Search) -> Found | None:
         return None
 
 
-def real(name: str, search: Search) -> bool:
+def has_real_value(name: str, search: Search) -> bool:
     """Whether the laws have a real value for a letter that no question asks for, or do not tell it; of letters that is a condition."""
     try:
         value = search.apart().answer(asked_letter(name)).found.formula
