@@ -17,7 +17,7 @@ from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
 from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
 from rotsolve.search.consistency import KnownBalls
-from rotsolve.search.endings import stops
+from rotsolve.search.openings import stops
 from rotsolve.search.search import Search
 
 

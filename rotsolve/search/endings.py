@@ -26,7 +26,7 @@ from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.consistency import KnownBalls, no_way
-from rotsolve.search.openings import Ending, resting_line, turning_line
+from rotsolve.search.openings import Ending, moving_words, resting_line, slider_of, stops, turning_line, words_for
 from rotsolve.search.search import Search
 
 if TYPE_CHECKING:
@@ -392,28 +392,3 @@ def not_in_time(search: Search, numbers: KnownBalls) -> None:
                 where = "there" if sides[2] else "back"
                 why = f"{spoken(travel.body)} does not come {where}"
                 raise never_reached(interval, endings.configuration, why)
-
-
-def stops(rub: Rub, search: Search) -> bool:
-    """Whether a body stands where it no longer slips: unless it rolls, or something carries it."""
-    if rub.item is None:
-        return True
-    wheel = search.scene.instant(rub.state).is_round(rub.body)
-    return rub.contact is not None and not (wheel or rub.contact.carrier(search.scene.configuration))
-
-
-def words_for(rub: Rub, search: Search) -> str:
-    """What happens, in words: "stone comes to rest", "ball no longer slips"."""
-    return f"{spoken(rub.body)} comes to rest" if stops(rub, search) else f"{slider_of(rub)} no longer slips"
-
-
-def slider_of(rub: Rub) -> str:
-    """What slips, in words: a body on what it lies on, else what rubs."""
-    return spoken(rub.body if rub.contact is not None else rub.name)
-
-
-def moving_words(rub: Rub, search: Search) -> str:
-    """What begins, in words: "wheel begins to turn", "block begins to slide", "roller begins to slip"."""
-    if rub.item is None:
-        return f"{spoken(rub.body)} begins to turn"
-    return f"{slider_of(rub)} begins to {'slide' if stops(rub, search) else 'slip'}"

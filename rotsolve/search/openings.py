@@ -1,5 +1,5 @@
-"""Openings: states that the scene does not name, at which a phase ends before it does: what they say, how long it takes to them, and how
-fast all moves at both ends of a phase."""
+"""Openings: states that the scene does not name, at which a phase ends before it does: what they say and are called, how long it takes to
+them, and how fast all moves at both ends of a phase."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import is_quantity
+from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, Problem, State
 from rotsolve.motion.rubs import Rub
 from rotsolve.motion.timeline import Interval
@@ -71,6 +72,31 @@ def resting_line(rub: Rub) -> Condition:
 def turning_line(travel: Travel) -> Condition:
     """What a state says where a motion turns back."""
     return Condition(Path(travel.body, "velocity" if travel.kind == "line" else "angular_velocity"), ZERO)
+
+
+def stops(rub: Rub, search: Search) -> bool:
+    """Whether a body stands where it no longer slips: unless it rolls, or something carries it."""
+    if rub.item is None:
+        return True
+    wheel = search.scene.instant(rub.state).is_round(rub.body)
+    return rub.contact is not None and not (wheel or rub.contact.carrier(search.scene.configuration))
+
+
+def words_for(rub: Rub, search: Search) -> str:
+    """What happens, in words: "stone comes to rest", "ball no longer slips"."""
+    return f"{spoken(rub.body)} comes to rest" if stops(rub, search) else f"{slider_of(rub)} no longer slips"
+
+
+def slider_of(rub: Rub) -> str:
+    """What slips, in words: a body on what it lies on, else what rubs."""
+    return spoken(rub.body if rub.contact is not None else rub.name)
+
+
+def moving_words(rub: Rub, search: Search) -> str:
+    """What begins, in words: "wheel begins to turn", "block begins to slide", "roller begins to slip"."""
+    if rub.item is None:
+        return f"{spoken(rub.body)} begins to turn"
+    return f"{slider_of(rub)} begins to {'slide' if stops(rub, search) else 'slip'}"
 
 
 def free_name(word: str, problem: Problem) -> str:
