@@ -112,7 +112,7 @@ class Endings(Struct, dict=True):
                 continue
             first, last = (place for place in places if place is not None)
             ahead = self.side(last - first)
-            if ahead != circle.way * self.numbers.sign((travel.before, self.numbers.push(travel.initial))):
+            if ahead != circle.way * self.numbers.sign((self.settled(travel.before), self.settled(travel.initial))):
                 continue  # it comes there the other way round: places are told up to whole turns
             tops = [HALF * PI * (1 + 4 * turns) for turns in (range(-2, 3) if ahead != -1 else range(2, -3, -1))]
             top = next((top for top in tops if self.side(top - first) == ahead == self.side(last - top)), None)

@@ -73,3 +73,22 @@ def test_what_turns_back_below_the_highest_place_is_not_asked_to_pass_it() -> No
     found = solve(scene("bead", "right", -90, -10, "{R: 1 m, u: 5 m/s}"))
     assert [state.name for state in found.problem.states] == ["low", "far"]
     assert found.answers["v"].float == pytest.approx(math.sqrt(25 - 2 * G * (1 + math.sin(math.radians(-10)))))
+
+
+def test_from_a_slide_it_takes_more_than_to_be_as_high() -> None:
+    """A bead let go at h on a track of any form passes the loop's highest place where R ≤ 2 h/5, not already where R < h/2."""
+    found = solve("""
+title: Down a slide and once round a loop
+given: {R: m, h: m}
+surfaces: {slide: profile unknown, loop: {hollow: R}}
+bodies: {bead: {mass: 2 kg, moves: right}}
+connections: {touch: {contact: [bead, slide, loop], friction: none}}
+states: {start: {bead.height: h, at rest: all}, low: {touch.angle: -90 deg}, again: {touch.angle: 270 deg}}
+find: {v: bead.velocity at again}
+""")
+    from rotsolve.confirm.course.samples import holds
+
+    for height, passes in ((2.6, True), (2.4, False), (2.1, False), (1.9, False)):
+        cases = [found.derivation.answers[0], *found.derivation.answers[0].otherwise]
+        numbers = {"R": 1.0, "h": height, "g": G}
+        assert any(all(holds(line, numbers) for line in case.conditions) for case in cases) == passes, height
