@@ -229,23 +229,29 @@ def _put_for(old: Formula, new: Formula, node: Formula) -> Formula:
 
 
 def agrees(found: Formula, integral: Integral, positive: Collection[str]) -> bool:
-    """Whether nothing tells an integral from what SymPy has for it, at three sets of numbers (SymPy 1.12: ∫₀ʷ dx/(1 + x |x|) = 0)."""
+    """Whether nothing tells an integral from what SymPy has for it, at sets of numbers at which it has a value.
+
+    SymPy 1.14 has 0 for ∫ₐᵇ −I/(Q + c x |x|) dx with letters of either sign, and logarithms of negative numbers for others.
+    """
     from rotsolve.algebra.certified.ball import Precision
     from rotsolve.algebra.certified.balls import RealBalls, Undefined
 
     letters = sorted(found.symbols() | integral.symbols())
-    for sign, step in ((1, 3), (1, 5), (-1, 7)):
-        sizes = [Fraction(4 + step * place % 11, 6) for place in range(1, len(letters) + 1)]
-        values = {
-            letter: Number(size if letter in positive else sign * size)
-            for letter, size in zip(letters, sizes, strict=True)
-        }
+    for step in range(1, TRIED + 1):
+        sizes = [Fraction(1 + step * place % 11, 4) for place in range(1, len(letters) + 1)]
+        signs = [1 if letter in positive or step % 2 else -1 for letter in letters]
+        values = {name: Number(sign * size) for name, sign, size in zip(letters, signs, sizes, strict=True)}
+        known = False
         try:
             with Precision(64):
-                one, other = (RealBalls(values)(side) for side in (found, integral))
+                wanted = RealBalls(values)(integral)
+                known = wanted.is_finite()
+                told = RealBalls(values)(found)
         except (Undefined, ZeroDivisionError):
+            if known:
+                return False
             continue
-        if one.is_finite() and other.is_finite() and not one.overlaps(other):
+        if known and told.is_finite() and not told.overlaps(wanted):
             return False
     return True
 
@@ -292,6 +298,7 @@ def _is_positive(end: Formula, positive: Collection[str]) -> bool:
 
 
 TWO = Number(Fraction(2))
+TRIED = 10  # sets of numbers at which an integral is held against what SymPy has for it
 Tidy = Callable[[Formula], Formula]
 
 

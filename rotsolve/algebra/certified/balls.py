@@ -30,10 +30,8 @@ from rotsolve.algebra.formula import (
 Ball = Any  # flint's arb or acb
 Values = Mapping[str, Formula | Fraction | int]
 
-SHARP, ROUGHLY = (
-    20,
-    300,
-)  # bits to which the ends of an integral are known at least, and evaluations of one between others
+SHARP = 20  # bits to which both ends of an integral are known where it is worth its work
+ROUGHLY = 300  # evaluations of one between other ends
 
 
 class Undefined(ValueError):

@@ -151,10 +151,12 @@ def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
 
 def begun_at(path: Path, first: Node, read: float) -> float:
     """Where a place round a circle begins: as the state before tells it, which counts turns, else as it is read."""
-    angle = (path.owner, "angle")
+    if path.quantity != "angle":
+        return read
+    own = (path.owner, path.quantity)
     for line in first.model.acting.state.conditions:
-        if line.path is not None and line.value is not None and (line.path.owner, line.path.quantity) == angle:
-            return first.model.value(line.value) if path.quantity == "angle" else read
+        if line.path is not None and line.value is not None and (line.path.owner, line.path.quantity) == own:
+            return first.model.value(line.value)
     return read
 
 

@@ -208,9 +208,8 @@ class NextState:
             begins = key[0] in (FORWARD, BACK) and abs(start[key][0]) <= STILL * abs(value)
             if begins or key[0].startswith(APART):  # from rest, or from nothing at the blow, it grows first
                 known[1:1] = [(part, margin_in_step(key, lap.at(part))) for part in SOON]
-            known[1:] = [
-                one for one in known[1:] if one[1] > 0.0 or one[1] < -1e-7 * size
-            ]  # what is all but zero tells no sign
+            # what is all but zero tells no sign
+            known[1:] = [one for one in known[1:] if one[1] > 0.0 or one[1] < -1e-7 * size]
             for (low, before), (high, after) in pairwise(known):
                 if low < least[0] and after < -1e-7 * size:
                     part = sign_change(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
