@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
@@ -15,6 +16,7 @@ from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved, Level, Slope, Wall
 from rotsolve.language.bodies import PointRef, Surface
+from rotsolve.language.elements import Connection
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
@@ -94,26 +96,62 @@ def grounded(model: Known) -> dict[str, tuple[str, PointRef]]:
 
 
 def carrier_of(item: Axle, model: Known) -> PointRef | None:
-    """The body that carries an axle: one of several that moves by itself; None where the axle is fixed."""
+    """The body that carries an axle: one of several that something else leads; None where the axle is fixed."""
     if len(item.axle) == 1:
         return None
-    return next((ref for ref in item.axle if ref.owner in model.seats and moves_by_itself(ref, item, model)), None)
+    beside = frozenset({item.name})
+    return next((ref for ref in item.axle if ref.owner in model.seats and led_on(ref.owner, ref, beside, model)), None)
 
 
-def moves_by_itself(ref: PointRef, axle: Axle, model: Known) -> bool:
-    """Whether a body `moves`, lies on something, is on a hinge of its own at another point, or hangs from its centre."""
-    body = model.body(ref.owner)
-    if body.moves is not None:
+def led_on(name: str, at: PointRef | None, beside: frozenset[str], model: Known) -> bool:
+    """Whether a body `moves`, lies on something, hangs from its centre, or goes with one that does; not by what is `beside`.
+
+    What holds its point `at`, and nothing else of it, does not lead it; nor does a body that a hinge hangs on it.
+    """
+    body = model.body(name)
+    if body.moves is not None or any(way for _, way, _ in body.moved):
         return True
     for item in model.acting.connections:
-        if isinstance(item, Touch) and item.lying() == ref.owner:
-            return True
-        if isinstance(item, Hinge) and any(own.owner == ref.owner and own.point != ref.point for own in item.hinge):
+        if item.name in beside:
+            continue
+        if isinstance(item, Touch) and item.lying() == name and not on_wheel(item, model):
             return True
         ends = (item.string[0], item.string[-1]) if isinstance(item, String) else getattr(item, "spring", ())
-        if not is_round(body) and any(own.owner == ref.owner and own.point in (None, "center") for own in ends):
+        if not is_round(body) and any(own.owner == name and own.point in (None, "center") for own in ends):
             return True
+        for own, carrier in carried_by(item, name, beside, model):
+            here = at is not None and (own.point or "center", own.argument) == (at.point or "center", at.argument)
+            if carrier is None and not here:
+                return True
+            if carrier is not None and led_on(carrier.owner, carrier if here else None, beside | {item.name}, model):
+                return True
     return False
+
+
+def on_wheel(item: Touch, model: Known) -> bool:
+    """Whether a body lies on the rim of a wheel."""
+    under = item.pair()[1].owner
+    return under in model.seats and is_round(model.body(under))
+
+
+def carried_by(
+    item: Connection, name: str, beside: frozenset[str], model: Known
+) -> Iterator[tuple[PointRef, PointRef | None]]:
+    """The points of a body that a connection holds, each with that of the body that carries it; None for the ground."""
+    if isinstance(item, Hinge) and item.hinge[-1].owner == name:
+        apart = len(item.hinge) > 1 and item.hinge[0].owner in model.seats
+        yield item.hinge[-1], item.hinge[0] if apart else None
+    elif isinstance(item, Shaft) and item.shaft[0].owner == name:
+        yield item.shaft[0], None
+    elif isinstance(item, Axle):
+        others = [ref for ref in item.axle if ref.owner in model.seats and ref.owner != name]
+        mounts = [ref for ref in others if led_on(ref.owner, ref, beside | {item.name}, model)]
+        for own in item.axle:  # an axle that several share aside of a body's centre is one that the body carries
+            if own.owner == name and (mounts or len(item.axle) == 1 or own.point in (None, "center", "cm")):
+                yield own, mounts[0] if mounts else None
+    elif item.joined():
+        first, second = item.joined()
+        yield from ((own, other) for own, other in ((first, second), (second, first)) if own.owner == name)
 
 
 def line(name: str, model: Known) -> Way | None:

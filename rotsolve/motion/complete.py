@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from typing import Any
 
 from msgspec.structs import replace
@@ -14,13 +13,14 @@ from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import has_quantities, paths_in
 from rotsolve.elements.connections import guide
-from rotsolve.elements.shapes import Graded, Particle, Shape, rim_radius, shape_of
+from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
 from rotsolve.motion.admissible import check, check_rigid
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.mounts import on_mounts
 from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import centre_of_mass, locate, pieces, place, tidy
@@ -88,42 +88,6 @@ def completed(problem: Problem) -> Problem:
     guides = [guide(body) for body in bodies if body.moved]
     connections = (*[item.completed(letters, held) for item in problem.connections], *guides)
     return replace(problem, bodies=tuple(bodies), connections=connections, givens=(*problem.givens, *letters.made))
-
-
-def on_mounts(problem: Problem) -> Problem:
-    """The problem with its connections as they stand among each other: an axle on a body that moves is no fixed one."""
-    bodies = {body.name: body for body in problem.bodies}
-    connections = []
-    for item in problem.connections:
-        moving = set()
-        if item.axial and len(item.touches()) > 1:
-            item = item.between_points(lambda ref: middle(ref, bodies))
-            others = [other for other in problem.connections if other is not item]
-            moving = {ref.owner for ref in item.touches() if ref.owner in bodies and moves(ref, others, bodies)}
-        connections.append(item.among(moving) if moving else item)
-    return replace(problem, connections=tuple(connections))
-
-
-def middle(ref: PointRef, bodies: Mapping[str, Body]) -> PointRef:
-    """The centre of mass for a body that is named alone and is put together of parts, save a wheel: that has its centre."""
-    body = bodies.get(ref.owner)
-    whole = ref.point is None and body is not None and bool(body.parts or body.holes)
-    return replace(ref, point="cm") if whole and body is not None and rim_radius(body, None) is None else ref
-
-
-def moves(ref: PointRef, others: Sequence[Connection], bodies: Mapping[str, Body]) -> bool:
-    """Whether the other connections, or its `moves`, let a point of a body move: what two hold at one point stands still."""
-    body = bodies[ref.owner]
-    for item in others:
-        held = [other for other in (*item.fixed_points(), *item.joint()) if other.owner == ref.owner]
-        under = bodies.get(item.places()[0].owner) if item.lying() == ref.owner else None
-        wheels = under is not None and rim_radius(under, None) is not None
-        on_rim = rim_radius(body, None) is not None
-        if any(other.point != ref.point for other in held) or (item.hangs(body) and not on_rim):
-            return True
-        if item.lying() == ref.owner and not wheels:
-            return True
-    return body.moves is not None
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:

@@ -6,6 +6,7 @@ from math import sqrt
 
 import pytest
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 
 G = 9.8
@@ -152,3 +153,92 @@ find: {{K: wheel.kinetic_energy, p: wheel.momentum.y}}
     answers = solve(scene, digits=9).answers
     assert answers["K"].float == pytest.approx(0.5 * 3 * (2 * arm) ** 2, rel=1e-8)
     assert answers["p"].float == pytest.approx(3 * 2 * arm, rel=1e-8)
+
+
+SIZES = "given: {I: 2 kg m^2, J: 1 kg m^2, m: 3 kg, M: 5 kg, L: 1 m, d: 40 cm, R: 50 cm, F: 10 N}\n"
+ROUND, SLIM = "{shape: disc, mass: m, radius: R}", "{shape: rod, mass: m, length: L}"
+ARM = (
+    SIZES + "bodies: {drum: {mass: M, inertia: I, radius: R, turns: clockwise}, load: {mass: m, moves: down}, "
+    "arm: {mass: M, inertia: J, points: {P: [d, 0]}}, BODIES}\nstates: {start: {at rest: all, LINES}}\n"
+    "connections: {x: {axle: [ORDER]}, rope: {string: [drum, load]}, MORE}\n"
+    "find: {k: arm.angular_acceleration, a: load.acceleration}\n"
+)
+CARRIED = {  # by what the arm carries: the bodies, how they hang from it, their angles, how often m is at its point P
+    "a rod": (f"rod: {SLIM}", "pin: {hinge: [arm.P, rod.start]}", "rod.angle: -90 deg", 1),
+    "a rod that is named first": (f"rod: {SLIM}", "pin: {hinge: [rod.start, arm.P]}", "rod.angle: -90 deg", 1),
+    "a wheel by its centre": (f"wheel: {ROUND}", "pin: {hinge: [arm.P, wheel.center]}", "", 1),
+    "a wheel on an axle": (f"wheel: {ROUND}", "spindle: {axle: [arm.P, wheel]}", "", 1),
+    "a wheel on an axle, named first": (f"wheel: {ROUND}", "spindle: {axle: [wheel, arm.P]}", "", 1),
+    "both": (
+        f"rod: {SLIM}, wheel: {ROUND}",
+        "pin: {hinge: [arm.P, rod.start]}, spindle: {axle: [arm.P, wheel]}",
+        "rod.angle: -90 deg",
+        2,
+    ),
+    "a load that is welded to it": ("bob: {mass: m}", "glue: {weld: [arm.P, bob]}", "", 1),
+}
+
+
+@pytest.mark.parametrize("order", ["drum, arm", "arm, drum", "arm.center, drum"])
+@pytest.mark.parametrize(("bodies", "more", "lines", "count"), CARRIED.values(), ids=CARRIED)
+def test_an_axle_stays_fixed_whatever_its_bodies_carry(
+    bodies: str, more: str, lines: str, count: int, order: str
+) -> None:
+    """Drum and arm turn on one axle, each by itself: what hangs from the arm does not let the axle fall."""
+    text = ARM.replace("BODIES", bodies).replace("MORE", more).replace("LINES", lines)
+    answers = solve(text.replace("ORDER", order)).answers
+    assert answers["k"].float == pytest.approx(-count * 3 * G * 0.4 / (1 + count * 3 * 0.4**2))
+    assert answers["a"].float == pytest.approx(3 * G * 0.5**2 / (2 + 3 * 0.5**2))
+
+
+CART = f"{SIZES}surfaces: {{rails: level}}\nactions: {{push: {{force: F, on: cart, direction: right}}}}\n"
+CART += f"bodies: {{cart: {{mass: M, moves: right}}, wheel: {ROUND}, BODIES}}\nstates: {{start: {{at rest: all}}}}\n"
+CART += "connections: {under: {contact: [cart, rails], friction: none}, MORE}\nfind: {a: cart.acceleration}\n"
+RODS = f"{SIZES}bodies: {{rod: {{shape: rod, mass: M, length: L}}, wheel: {ROUND}, BODIES}}\n"
+RODS += (
+    "connections: {MORE}\nstates: {start: {at rest: all, rod.angle: 0, LINES}}\nfind: {a: rod.angular_acceleration}\n"
+)
+LED = {  # what leads an axle by way of others: the scene, its bodies and connections, the angles, and what is asked
+    "welded to a cart": (CART, f"post: {SLIM}", "foot: {weld: [cart, post.start]}, x: {axle: [post.end, wheel]}", "", 10 / 11),
+    "on the axle of a cart": (CART, f"next: {ROUND}", "x: {axle: [wheel, cart]}, y: {axle: [next, wheel]}", "", 10 / 11),
+    "on that axle, named before it": (CART, f"next: {ROUND}", "y: {axle: [wheel, next]}, x: {axle: [cart, wheel]}", "", 10 / 11),
+    "at the elbow of two rods": (
+        RODS,
+        "next: {shape: rod, mass: M, length: L}",
+        "pin: {hinge: rod.start}, elbow: {hinge: [rod.end, next.start]}, x: {axle: [next.start, wheel]}",
+        "next.angle: -90 deg",
+        -(5 / 2 + 5 + 3) * G / (5 / 3 + 5 + 3),
+    ),
+    "on a rod hinged at a quarter": (
+        RODS,
+        "",
+        "pin: {hinge: rod.at(L/4)}, x: {axle: [rod.at(3*L/4), wheel]}",
+        "",
+        -(5 / 4 + 3 / 2) * G / (5 / 12 + 5 / 16 + 3 / 4),
+    ),
+    "on a rod on an axle of its own": (
+        RODS, f"next: {ROUND}", "x: {axle: [rod.end, wheel]}, y: {axle: [next, rod]}", "", -3 / 2 * G / (5 / 12 + 3 / 4),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("setting", "bodies", "more", "lines", "true"), LED.values(), ids=LED)
+def test_an_axle_goes_with_what_is_led_by_way_of_others(
+    setting: str, bodies: str, more: str, lines: str, true: float
+) -> None:
+    answers = solve(setting.replace("BODIES", bodies).replace("MORE", more).replace("LINES", lines)).answers
+    assert answers["a"].float == pytest.approx(true)
+
+
+@pytest.mark.parametrize(
+    ("setting", "bodies", "more", "named"),
+    [
+        (RODS, f"next: {ROUND}", "x: {axle: [rod.start, wheel]}, y: {axle: [rod.end, next]}", "which of `x` and `y` is fixed"),
+        (CART, f"rod: {SLIM}", "pin: {hinge: [rod.start, cart]}, x: {axle: [rod.end, wheel]}", "`rod` carries `cart`"),
+        (RODS, f"next: {SLIM}", "pin: {hinge: next.end}, elbow: {hinge: [rod.end, next.start]}, x: {axle: [rod.start, wheel]}",
+         "`rod` carries `next`"),
+    ],
+)  # fmt: skip
+def test_an_axle_that_may_be_fixed_or_carried_is_refused(setting: str, bodies: str, more: str, named: str) -> None:
+    with pytest.raises(Unsolvable, match=named):
+        solve(setting.replace("BODIES", bodies).replace("MORE", more).replace("LINES", ""))
