@@ -236,7 +236,8 @@ class SceneEquations(Struct, dict=True):
         for name, over in self.passages.items():
             start = over.start.state
             thought = self.facts(start, generic=True, virtual=True)
-            found[name] = OverPhase(over, name, tuple(self.leading_to(start)), thought, self.changes(over))
+            lasts = {rate.name: travel.after for travel, rate in self.thought_rates(over)}
+            found[name] = OverPhase(over, name, tuple(self.leading_to(start)), thought, self.changes(over), lasts)
         return found
 
     def _during(self, interval: Interval) -> Iterator[Equation]:
@@ -271,13 +272,20 @@ class SceneEquations(Struct, dict=True):
     def changes(self, passage: Passage, *, running: bool = False) -> dict[str, Formula]:
         """Displacements and angles turned by the letters of the rates that they come from, at a moment that is only thought of
         (the real rates may be given, and then have no letters); those up to any moment where they are `running`."""
-        thought = self.instant(passage.start.state, generic=True, virtual=True)
         result = {}
-        for travel in passage.travels:
-            change, rate = travel.running if running else travel.change, coordinate_rate(travel, thought)
-            if change is not None and isinstance(rate, Symbol):
+        for travel, rate in self.thought_rates(passage):
+            change = travel.running if running else travel.change
+            if change is not None:
                 result[rate.name] = change
         return result
+
+    def thought_rates(self, passage: Passage) -> Iterator[tuple[Travel, Symbol]]:
+        """The coordinates of a phase with the letters of their rates in a motion that is only thought of."""
+        thought = self.instant(passage.start.state, generic=True, virtual=True)
+        for travel in passage.travels:
+            rate = coordinate_rate(travel, thought)
+            if isinstance(rate, Symbol):
+                yield travel, rate
 
 
 def observed(state: State) -> Iterator[tuple[Condition, Term]]:

@@ -43,6 +43,15 @@ def rules_for_displacements(over: OverPhase) -> Iterator[Equation]:
             yield rule_equation(rule, (left, right), over.section, RULE_OF_WAYS)
 
 
+def rules_to_the_end(over: OverPhase) -> Iterator[Equation]:
+    """The rules for velocities of a phase at its end, where another phase with other rules begins: what friction has held is at rest."""
+    later = {rule.velocity for rule in over.passage.end.rules}
+    for rule in over.thought.rules:
+        left, right = (side.substitute(dict(over.lasts)) for side in rule.velocity)
+        if rule.linear and (left, right) not in later:
+            yield rule_equation(rule, (left, right), over.section)
+
+
 def elongations(over: OverPhase) -> Iterator[Equation]:
     """A spring's elongation grows by what its ends move apart."""
     start, end = over.passage.start.potentials, over.passage.end.potentials

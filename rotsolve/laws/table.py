@@ -111,6 +111,7 @@ class OverPhase(Struct, frozen=True):
     earlier: tuple[Passage, ...]
     thought: Facts
     changes: Mapping[str, Formula]
+    lasts: Mapping[str, Formula]
 
 
 class ThroughEvent(Struct, frozen=True):
@@ -179,6 +180,7 @@ LAWS = (
     Principle((MOMENTUM,), (PHASE,), "momentum:turning_without_torque"),
     Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
     Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
+    Principle((RULE,), (PHASE,), "rules:rules_to_the_end"),
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),
     Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:group_through_event"),
     Principle((BLOWS, TWISTS), (EVENT,), "momentum:bodies_through_event"),

@@ -272,7 +272,19 @@ class Trials:
         if told:
             return {rub.key: rub.mode(0) for rub in group}
         free = without_asked(group, self.configuration.problem)
-        return {} if free is None else Trials(Configuration(free)).by_motion(group)
+        if free is None:
+            self.check_told(group)
+            return {}
+        return Trials(Configuration(free)).by_motion(group)
+
+    def check_told(self, group: Sequence[Rub]) -> None:
+        """Unsolvable where nothing tells whether a wheel turns against its friction, and no question may tell it."""
+        problem = self.configuration.problem
+        wheels = [spoken(rub.body) for rub in group if rub.item is None]
+        sought = any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds)
+        if wheels and not sought:
+            state = f" from `{group[0].state}` on" if group[0].state else ""
+            raise unsolvable(problem, f"whether friction holds {wheels[0]}{state} is not told by the laws of motion")
 
     def by_trial(self, group: list[Rub]) -> dict[str, str]:
         """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where

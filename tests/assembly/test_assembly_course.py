@@ -324,3 +324,35 @@ find: {{s: b.displacement from one to rest, E: lost energy from start to rest, x
     s, slope = found.answers["s"].float, math.radians(20)
     assert found.answers["E"].float == pytest.approx(9.8 * math.sin(slope) * (2 * 2 + 5 * s))
     assert all(item.holds for item in found.derivation.confirmed)
+
+
+@pytest.mark.parametrize("turns", ["counterclockwise", "clockwise"])
+@pytest.mark.parametrize(("tau", "end"), [(6.0, 0.0), (2.0, 1.5)])
+def test_what_does_not_change_at_all_is_largest_from_the_first(tau: float, end: float, turns: str) -> None:
+    """A wheel that friction holds does not come nearer to any speed: its largest one is none, and nothing tells when that is."""
+    text = f"""
+given: {{I: 2 kg m^2, Q: 5 N m, c: 2 N m s, tau: {tau} N m}}
+bodies: {{wheel: {{inertia: I, turns: {turns}}}}}
+connections: {{axle: {{axle: wheel, friction_torque: tau}}}}
+actions: {{motor: {{couple: Q - c*wheel.angular_velocity, on: wheel}}}}
+states: {{start: at rest, mid: {{time: 0.5 s}}, end: {{wheel.angular_velocity: largest}}}}
+find: {{w: wheel.angular_velocity at end}}
+"""
+    assert asked(text)["w"] == pytest.approx(end, rel=CLOSE, abs=1e-9)
+    if not end:
+        with pytest.raises(NotConfirmed, match="nothing tells when"):
+            asked(text.replace("w: wheel.angular_velocity at end", "t: time from mid to end"))
+
+
+@pytest.mark.parametrize("small", [1e-2, 1e-3, 2e-4])
+def test_a_small_speed_that_is_only_approached_is_told_closely(small: float) -> None:
+    """(Q − τ)/c, whatever the size of Q − τ."""
+    text = f"""
+given: {{I: 2 kg m^2, Q: {1 + small} N m, c: 2 N m s, tau: 1 N m}}
+bodies: {{wheel: {{inertia: I}}}}
+connections: {{axle: {{axle: wheel, friction_torque: tau}}}}
+actions: {{motor: {{couple: Q - c*wheel.angular_velocity, on: wheel}}}}
+states: {{start: at rest, end: {{wheel.angular_velocity: largest}}}}
+find: {{w: wheel.angular_velocity at end}}
+"""
+    assert asked(text)["w"] == pytest.approx(small / 2, rel=1e-6)

@@ -7,6 +7,8 @@ import math
 
 import pytest
 
+from rotsolve.confirm.course.samples import holding
+from rotsolve.confirm.numbers import value_of
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 
@@ -226,3 +228,71 @@ def test_letters_of_a_fading_couple_tell_all_that_can_happen() -> None:
     ends, couples = [10.0, 14.0, 4.0, 25.0, 40.0], [15.0, 15.0, 15.0, 40.0, 40.0]
     many = solution.evaluate_many({"I": 2.0, "tau": 10.0, "c": 2.0, "Q": couples, "T": ends})["w"]
     assert list(many) == pytest.approx([0.0, -(1.5**2) / 2, 2.0, (30 * 25 - 25**2) / 2, -100.0])
+
+
+DRIVEN = {  # what is driven, its greatest friction R, and the mass or inertia that is set going
+    "an axle": ("bodies: {it: {inertia: M}}\nconnections: {pin: {axle: it, friction_torque: R}}", "couple"),
+    "a wheel the other way": (
+        "bodies: {it: {inertia: M, turns: clockwise}}\nconnections: {pin: {axle: it, friction_torque: R}}",
+        "couple",
+    ),
+    "a gear train": (
+        "bodies: {it: {inertia: 0.5*M, radius: 2 m}, other: {inertia: 0.125*M, radius: 1 m, turns: clockwise}}\n"
+        "connections: {pin: {axle: it, friction_torque: R}, second: {axle: other}, teeth: {gear: [it, other]}}",
+        "couple",
+    ),
+    "a brake": ("bodies: {it: {inertia: M, radius: 2 m}}\nconnections: {pin: {axle: it}}", "couple"),
+    "a contact": (
+        "surfaces: {floor: level}\nbodies: {it: {mass: M, moves: right}}\n"
+        "connections: {base: {contact: [it, floor], friction: R/(M*g)}}",
+        "force",
+    ),
+}
+BRAKE = ", block: {press: R, on: it.rim, friction: 0.5}"
+
+
+@pytest.mark.parametrize("kind", DRIVEN)
+@pytest.mark.parametrize("power", [1, 2])
+@pytest.mark.parametrize("states", ["mid: {time: T}", "mid: {time: 0.5*T}, more: {time: 0.5*T}"])
+def test_what_friction_holds_up_to_a_time_is_held_from_then_on(kind: str, power: int, states: str) -> None:
+    """v → ((Q − R)/c)^(1/n) where Q > R, by as much at T as M v̇ = Q − R − c vⁿ gives; else nothing moves at all."""
+    bodies, word = DRIVEN[kind]
+    speed = "velocity" if word == "force" else "angular_velocity"
+    size = "kg" if word == "force" else "kg m^2"
+    unit = ("N" if word == "force" else "N m", ("m" if word == "force" else "rad"))
+    along = ", direction: right" if word == "force" else ""
+    brake = BRAKE if kind == "a brake" else ""
+    last = states.split(":")[-3].split()[-1] if "more" in states else "mid"
+    solution = solve(f"""
+title: {kind}
+given: {{M: {size}, R: {"N" if brake else unit[0]}, Q: {unit[0]}, c: {unit[0]} s^{power}/{unit[1]}^{power}, T: s}}
+{bodies}
+actions: {{motor: {{{word}: Q, on: it{along}}}, air: {{{word}: -c*it.{speed}^{power}, on: it{along}}}{brake}}}
+states: {{start: at rest, {states}, end: {{it.{speed}: largest}}}}
+find: {{e: it.{speed} at end, v: it.{speed} at {last}}}
+""")
+    assert not solution.refused
+    assert any(check.holds and "assembly" in str(check.words) for check in solution.checks)
+    for held in (0.3, 0.99, 1.01, 2.5):
+        numbers = {
+            "g": G,
+            "M": 1.7,
+            "R": 2.0,
+            "Q": 2.0 * held,
+            "c": 0.9,
+            "T": 1.3,
+            "R_it": 2.0,
+            "R_other": 1.0,
+            "mu_block": 0.5,
+        }
+        end = max(0.0, 2.0 * held - 2.0) / 0.9
+        rate = 0.9 * 1.3 / 1.7
+        if power == 2:
+            end = math.sqrt(end)
+            right = {"e": end, "v": end * math.tanh(rate * end)}
+        else:
+            right = {"e": end, "v": end * (1 - math.exp(-rate))}
+        for name, true in right.items():
+            case = holding(solution.answers[name].answer, numbers)
+            assert case is not None and case.formula is not None
+            assert value_of(case.formula, numbers) == pytest.approx(true)

@@ -127,9 +127,13 @@ class Course:
         if found is not None:
             self._untimed.add(state.name)
             return Node(model, found.placed, self.budget)
-        from rotsolve.confirm.course.phase import followed
+        from rotsolve.confirm.course.phase import followed, stays
 
-        phase = followed(self.timed(self.names[number - 1]), state)
+        first = self.timed(self.names[number - 1])
+        if stays(first, state):
+            self._untimed.add(state.name)
+            return Node(model, first.placed, self.budget)
+        phase = followed(first, state)
         self._standing_between(phase)
         self._phases[self.names[number - 1]] = phase
         last = self.ending and number == len(self.states) - 1

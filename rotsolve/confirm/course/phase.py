@@ -23,7 +23,7 @@ from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.steps import PLACES, Law, TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Met, Placed, gathered, moment, slip_speed
 from rotsolve.confirm.rows import Grip
-from rotsolve.language.problem import State
+from rotsolve.language.problem import EXTREMES, State
 
 SOON = (1e-4, 1e-3, 1e-2, 0.05)  # parts of a step after which bodies that have bounced are seen to part
 APART = "apart "  # margins of bodies that have met
@@ -33,6 +33,7 @@ LOOKS = 24  # parts of a step at which it is looked how what has hit a rod goes 
 AGAIN = 1e-6  # share of all rates and accelerations within which they are those of the start
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
+STEADY = 1e-12  # share of the forces below which what they add up to is rounding
 NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
 NEARLY, ROUNDS = 0.99, 3  # the place within a step beside its end, from which its end is set right, and how often
 LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and how much longer it would have to go on so
@@ -41,6 +42,18 @@ LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and ho
 def followed(first: Node, state: State) -> FollowedPhase:
     """The motion from a node to the next state."""
     return NextState(first, state).phase()
+
+
+def stays(first: Node, state: State) -> bool:
+    """Whether a state is one at which a quantity is largest or smallest that does not change at all, so that it is so from the first."""
+    if len(state.conditions) != 1 or state.conditions[0].word not in EXTREMES:
+        return False
+    coming = NextState(first, state)
+    now = first.moment
+    if now.lifted or abs(coming.gauges[0].value(first)) > STEADY * max(map(abs, (*now.reactions.values(), 1.0))):
+        return False
+    at, push = first.placed, [*now.rates, *now.room.values()]
+    return is_constant(coming.law(now.modes), at.time, at.q, at.speed, 1.0, push)
 
 
 class NextState:
