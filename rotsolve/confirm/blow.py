@@ -11,9 +11,9 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.constraints import held_by
+from rotsolve.confirm.constraints import held_by, rows_of
 from rotsolve.confirm.forces import aimed
-from rotsolve.confirm.instant import BACK, FORWARD, OPEN, STICKS, Dynamics, Placed, balanced, slip_speed, split
+from rotsolve.confirm.instant import BACK, FORWARD, OPEN, STICKS, Dynamics, Placed, balanced, moment, slip_speed, split
 from rotsolve.confirm.jet import Slope, merged
 from rotsolve.confirm.lines import told
 from rotsolve.confirm.pose import Pose, Way, load
@@ -59,8 +59,22 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
         if all(lasts(grip, found, at) for grip in grips if grip.name not in held):
             rates = [old + change for old, change in zip(at.speed, found.rates, strict=True)]
             after = replace(at, speed=rates, open=found.open_rates | untouched(at, found), clash=0.0)
+            check_lifted(model, after, event)
             return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash)
     raise NotConfirmed(f"no way to stick and slip through `{event.name}` fits")
+
+
+def check_lifted(model: Known, after: Placed, event: Event) -> None:
+    """NotConfirmed where what goes round with another would go into what it lay on, at once or as it sets out along that."""
+    pose, size = after.pose(model), max(map(abs, after.speed), default=0.0)
+    for item in model.acting.lifted.get(event.name, ()):
+        row = next(row for row in split(rows_of(type(item))(item, pose, model))[0] if row.kind == "normal")
+        rise = sum([part * after.speed[index] for index, part in row.slope.items()])
+        if abs(rise) <= 1e-9 * size:
+            rates = moment(model, after).rates
+            rise = sum([part * rates[index] for index, part in row.slope.items()]) - (row.bend or 0.0)
+        if rise < -1e-9 * size:
+            raise NotConfirmed(f"`{item.name}` is in the way of what `{event.name}` takes along")
 
 
 def untouched(at: Placed, found: Dynamics) -> frozenset[int]:

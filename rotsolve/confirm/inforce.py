@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from msgspec.structs import replace
 
+from rotsolve.elements.connections.supports import Axle, Hinge
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body
 from rotsolve.language.elements import Action, Connection, Event
@@ -26,6 +28,9 @@ class InForce:
         self.index = self.order.get(state, 0)
         self.state = self.states[self.index]
         self.past = [event for event in problem.events if self.order.get(event.to or "", 0) <= self.index]
+        self.lifted: dict[
+            str, list[Connection]
+        ] = {}  # by event: the contacts of what goes round with another from then on
         self.gone = self._gone()
         self.connections = self._connections()
         self.actions = tuple(item for item in problem.actions if self._acts(item))
@@ -34,9 +39,14 @@ class InForce:
     def _gone(self) -> frozenset[str]:
         """What events have taken away, or have yet to begin; what the phase that follows does without."""
         gone = {name for event in self.problem.events for name in event.begins()}
+        passed: list[Event] = []
         for event in sorted(self.past, key=lambda event: self.order.get(event.to or "", 0)):
-            gone |= set(event.ends(self.problem.connections))
+            self.lifted[event.name] = taken_off(
+                event, passed, [item for item in self.problem.connections if item.name not in gone]
+            )
+            gone |= {*event.ends(self.problem.connections), *(item.name for item in self.lifted[event.name])}
             gone -= set(event.begins())
+            passed.append(event)
         if not any(self.order.get(event.from_ or "") == self.index for event in self.problem.events):
             following = [phase for phase in self.problem.phases if phase.start == self.state.name]
             gone |= {name for phase in following for name in phase.without}
@@ -71,6 +81,30 @@ class InForce:
     def joined(self) -> list[Event]:
         """The events by which bodies have become one."""
         return [event for event in self.past if event.joined()]
+
+
+def taken_off(event: Event, passed: Sequence[Event], present: Sequence[Connection]) -> list[Connection]:
+    """The contacts of what an event joins to a body that turns on a hinge or an axle: it goes round with that, off what it lies on."""
+    links = [[ref.owner for ref in item.joined()] for item in (*passed, *present) if item.joined()]
+    contacts = [item for item in present if isinstance(item, Touch)]
+    lying = {item.lying() for item in contacts}
+    turning = set()
+    for item in present:
+        refs = item.hinge if isinstance(item, Hinge) else item.axle if isinstance(item, Axle) else ()
+        owners = [ref.owner for ref in refs]
+        onto = lying.intersection(owners) or isinstance(item, Axle) or len(owners) == 1
+        turning |= set(owners if onto else owners[1:])
+    groups = []
+    for ref in event.joined():
+        group, size = {ref.owner}, 0
+        while size < len(group):
+            size = len(group)
+            group |= {name for link in links if group.intersection(link) for name in link}
+        groups.append(group)
+    for own, other in (groups, groups[::-1]) if groups else ():
+        if other & turning and not other & lying:
+            return [item for item in contacts if item.lying() in own]
+    return []
 
 
 def with_data(body: Body, word: str, line: Condition) -> Body:

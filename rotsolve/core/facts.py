@@ -217,6 +217,7 @@ class Need(Struct, frozen=True):
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
 APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
+LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 
 
 class Requirement(Struct, frozen=True):

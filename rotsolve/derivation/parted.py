@@ -1,14 +1,16 @@
 """Parted: two bodies that meet do not part faster than they came, and those that have bounced off each other on a line may not go
-through each other up to the next blow between them."""
+through each other up to the next blow between them; what is taken along off a surface does not go into that."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import APART, GAINS, Requirement
+from rotsolve.core.facts import APART, GAINS, LIFTS, Requirement
 from rotsolve.core.writing import spoken
 from rotsolve.motion.encounters import participants
+from rotsolve.motion.places import place_of_point
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 
@@ -104,3 +106,31 @@ def way_in(name: str, interval: Interval, search: Search) -> Formula | None:
     host = search.scene.instant(interval.start).host(name)
     travels = search.scene.passages[interval.name].travels
     return next((item.change for item in travels if (item.body, item.kind, item.axis) == (host, "line", "")), None)
+
+
+def liftings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What a body obeys that goes round with one to which it has been joined: away from what it lay on, v · n ≥ 0, or a · n ≥ 0 where it
+    sets out along that; and not back into it by a later state, (r − r₁) · n ≥ 0."""
+    scene, timeline = search.scene, search.scene.configuration.timeline
+    for name, contacts in scene.configuration.left.items():
+        interval = timeline.interval(name)
+        if interval is None:
+            continue
+        for item in contacts:
+            start, first, ref = scene.instant(interval.start), scene.instant(interval.end), item.slider()
+            away = item.away(start)
+            if away is None:
+                continue
+            rise = simplify(first.velocity(ref).along(away))
+            rise = rise if rise != ZERO else simplify(first.acceleration(ref).along(away))
+            lifts, falls = (
+                f"{spoken(ref.owner)} leaves what it lay on",
+                f"{spoken(ref.owner)} is pressed into what it lies on",
+            )
+            yield interval.end, (Requirement(name, LIFTS, rise, ZERO, lifts, f"{falls} at"),)
+            before = place_of_point(ref, away, first)
+            for state in timeline.states[timeline.order[interval.end] + 1 :]:
+                now = place_of_point(ref, away, scene.instant(state.name))
+                if before is not None and now is not None:
+                    back = f"{spoken(ref.owner)} comes back to what it lay on before"
+                    yield state.name, (Requirement(name, LIFTS, simplify(now - before), ZERO, lifts, back),)

@@ -112,6 +112,10 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
         from rotsolve.derivation.parted import partings
 
         yield from partings(search)
+    if any(scene.configuration.left.values()):
+        from rotsolve.derivation.parted import liftings
+
+        yield from liftings(search)
 
 
 def passing(state: str, search: Search) -> bool:
@@ -125,8 +129,17 @@ def passing(state: str, search: Search) -> bool:
 
 
 def let_go(search: Search) -> Iterator[Unsolvable]:
-    """A surface that would have to pull in an event, or a string to push: it lets go, and what comes then is another scene."""
+    """A surface that would have to pull in an event, or a string to push: it lets go, and what comes then is another scene; what would be
+    pressed into what it lies on is held up by that."""
     configuration = search.scene.configuration
+    if any(configuration.left.values()):
+        from rotsolve.derivation.parted import liftings
+
+        for state, needs in liftings(search):
+            for need in needs:
+                if negative_margin(need.left - need.right, search):
+                    message = f"{need.otherwise} `{state}`, by `{need.owner}`: not solved yet"
+                    yield unsolvable(configuration.problem, message, configuration.timeline.state(state).span)
     for name, encounter in search.scene.encounters.items():
         for need in encounter.requirements:
             met = concerns(need, search) or asked_after(need, name, search)

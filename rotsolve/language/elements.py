@@ -359,6 +359,10 @@ class Connection(ActingElement, frozen=True):
         """Whether one of its bodies can slip, against friction of a size that is known."""
         return False
 
+    def away(self, instant: Moment) -> Heading | None:
+        """The direction out of what it lays a body on."""
+        return None
+
     def slider(self) -> PointRef:
         """The body whose slip counts."""
         raise NotImplementedError

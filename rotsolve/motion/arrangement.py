@@ -19,7 +19,7 @@ from rotsolve.language.elements import Action, Connection, Event
 from rotsolve.language.problem import Problem
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
-from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, timeline
+from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, left_at, timeline
 
 if TYPE_CHECKING:
     from rotsolve.core.passage import Alteration
@@ -122,6 +122,13 @@ class Arrangement(Struct, frozen=True, dict=True):
     @cached_property
     def _absent(self) -> dict[str, frozenset[str]]:
         return absent(self.problem, self.timeline)
+
+    @cached_property
+    def left(self) -> dict[str, tuple[Connection, ...]]:
+        """By event: the contacts that bodies leave in it, since they go round with what they are joined to."""
+        timeline, gone = self.timeline, self._absent
+        events = (item for item in timeline.intervals if item.event is not None)
+        return {item.name: left_at(item, self.problem, timeline, gone[item.start]) for item in events}
 
     @cached_property
     def begun(self) -> tuple[Connection, ...]:

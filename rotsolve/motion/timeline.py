@@ -13,6 +13,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import INSIDE, OSCILLATING
 from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Path, Problem, State, references
+from rotsolve.motion.lifted import lifted
 
 OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
 
@@ -117,9 +118,19 @@ def absent(problem: Problem, timeline: Timeline) -> dict[str, frozenset[str]]:
     result = {timeline.states[0].name: gone}
     for interval in timeline.intervals:
         if interval.event is not None:
-            gone = gone.union(interval.event.ends(problem.connections)).difference(interval.event.begins())
+            left = (item.name for item in left_at(interval, problem, timeline, gone))
+            gone = gone.union(interval.event.ends(problem.connections), left).difference(interval.event.begins())
         result[interval.end] = gone
     return result
+
+
+def left_at(interval: Interval, problem: Problem, timeline: Timeline, gone: frozenset[str]) -> tuple[Connection, ...]:
+    """The contacts that bodies leave in an event, of those that are not `gone` before it."""
+    if interval.event is None:
+        return ()
+    earlier = timeline.intervals[: timeline.order[interval.start]]
+    present = [item for item in problem.connections if item.name not in gone]
+    return lifted(interval.event, present, [item.event for item in earlier if item.event is not None])
 
 
 def begun(problem: Problem) -> tuple[Connection, ...]:

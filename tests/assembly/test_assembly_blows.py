@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.blow import Struck, struck
 from rotsolve.confirm.instant import placed
 from rotsolve.confirm.model import Model
@@ -151,3 +152,29 @@ events: {hit: {joins: [clay, disc.rim], from: start, to: after}}"""
     x, y = 0.5 * (math.cos(math.radians(-40)) + 1), 0.5 * math.sin(math.radians(-40))
     inertia = 1.5 * 3 * 0.25 + 2 * (x * x + y * y)
     assert spin(model, found, "disc") == pytest.approx(-2 * 4 * x / inertia)
+
+
+LYING = """
+given: {{M: 3 kg, m: 2 kg, L: 1 m, u: 3 m/s}}
+surfaces: {{ice: level}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}, puck: {{mass: m, moves: right}}}}
+connections: {{pin: {{hinge: rod.start}}, base: {{contact: [puck, ice], friction: 0.3}}}}
+states: {{before: {{rod.angle: {angle} deg, at rest: rod, puck.velocity: {speed}}}, after: {{}}}}
+events: {{hit: {{joins: [{ends}], from: before, to: after}}}}"""
+
+
+@pytest.mark.parametrize("ends", ["puck, rod.end", "rod.end, puck"])
+@pytest.mark.parametrize(("angle", "speed"), [(-90, "u"), (-90, "-u"), (-50, "u"), (-130, "-u")])
+def test_what_lies_on_the_floor_goes_round_with_a_rod(angle: float, speed: str, ends: str) -> None:
+    """Angular momentum about the hinge: m u L sin φ = (M/3 + m) L² ω; the floor does not hold what lifts off it."""
+    model, found = through(LYING.format(angle=angle, speed=speed, ends=ends))
+    before = 2 * (3 if speed == "u" else -3) * -math.sin(math.radians(angle))
+    assert spin(model, found, "rod") == pytest.approx(before / (3 / 3 + 2))
+    assert spin(model, found, "puck") == pytest.approx(before / (3 / 3 + 2))
+    assert "base" not in {owner for owner, _ in found.impulses}
+
+
+@pytest.mark.parametrize(("angle", "speed"), [(-130, "u"), (-50, "-u"), (50, "u"), (90, "u")])
+def test_what_a_rod_would_push_into_the_floor_is_not_confirmed(angle: float, speed: str) -> None:
+    with pytest.raises(NotConfirmed, match="`base` is in the way"):
+        through(LYING.format(angle=angle, speed=speed, ends="puck, rod.end"))

@@ -281,6 +281,10 @@ class Touch(Connection, frozen=True):
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
+    def away(self, instant: Moment) -> Heading | None:
+        surface = self.surface(instant.configuration, instant.state)
+        return None if surface is None else self.normal(surface, instant)
+
     def touching_arm(self, instant: Moment) -> Vector:
         surface = self.surface(instant.configuration, instant.state)
         return NOWHERE if surface is None else contact_arm(self.pair()[0], self.normal(surface, instant), instant)
