@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Call, Formula, Symbol, total
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, total
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Potential, signed, square
 from rotsolve.core.faults import NeverReached
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.core.symbols import CONSTANT, RATE, RATES, TIME, has_quantities, is_key, key_of
+from rotsolve.core.symbols import CONSTANT, POSITION, RATE, RATES, TIME, has_quantities, is_key, key_of
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Path, State
 from rotsolve.laws.energy import energy
@@ -35,11 +35,14 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
     for name, found in search.solver.solved.items():
         if found.formula is not None and has_no_number(found.formula, search):
             yield never_reached(interval_of(name, search), configuration, "it would take a time that is no real number")
+    slowest = ""
     for interval in configuration.timeline.intervals:
         passage = search.scene.passages.get(interval.name)
+        if slowest:
+            yield never_reached(interval, configuration, f"{slowest} comes to `{interval.start}` ever more slowly")
         if passage is None:
             continue
-        end = configuration.timeline.state(interval.end)
+        end, slowest = configuration.timeline.state(interval.end), creeping(passage, search, aside)
         why = only_approached(passage, aside) or not_grown(interval, passage, end, aside)
         why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
         why = why or only_neared(passage, search, aside)
@@ -56,6 +59,20 @@ def only_neared(passage: Passage, search: Search, aside: Search) -> str:
             sides = [None if value is None else search.numbers.side(value) for value in (last, gone)]
             if sides[0] == 0 and sides[1]:
                 return f"nothing drives {spoken(travel.body)} where it would come to rest"
+    return ""
+
+
+def creeping(passage: Passage, search: Search, aside: Search) -> str:
+    """What comes to rest at the end of a phase where nothing drives it, at a place that no state tells: for ever on its way there, as a
+    pendulum to its upper balance. Only with the very numbers that are looked at: at the edge of a case of letters."""
+    for travel in passage.travels:
+        found = (
+            travel.pace == POSITION and travel.after == ZERO and travel.end is not None and has_quantities(travel.end)
+        )
+        last = push_at_end(travel, aside) if found else None
+        number = None if last is None else search.signs.at_trial(search.signs.with_asked(last))
+        if number is not None and not number.sign and search.numbers.side(aside.settled(travel.change) or ZERO):
+            return spoken(travel.body)
     return ""
 
 

@@ -121,6 +121,9 @@ class Course:
         before = self.node(self.names[number - 1])
         if event is not None:
             return self._struck(before, event, model, state)
+        earlier = self._phases.get(self.names[number - 2]) if number > 1 else None
+        if earlier is not None and (name := earlier.creeping()):
+            raise NotConfirmed(f"`{name}` comes to `{self.names[number - 1]}` ever more slowly")
         from rotsolve.confirm.course.energy import by_energy
 
         found = None if before.adrift or self.standing else by_energy(before, state)

@@ -16,6 +16,7 @@ LOBATTO = (
     (math.sqrt(3 / 7), 49 / 90),
     (1.0, 1 / 10),
 )  # offsets from the middle, with weights on either side
+FADED = 1e-3  # share of all it had at which a push is taken to fade away: where all stops, rounding decides on the rest of it
 
 
 class Lap(Struct, frozen=True):
@@ -38,6 +39,26 @@ class FollowedPhase(Struct, frozen=True):
     laps: list[Lap]
     end: Node
     modes: dict[str, str]
+
+    def creeping(self) -> str:
+        """A body that has come to rest where what drives it has faded, as upright on its hinge; '' where none has.
+
+        It takes for ever to come there, and where it goes on to is rounding.
+        """
+        steps = [lap.step for lap in self.laps]
+        if len(steps[-1].pushes) == 1:
+            return ""
+        speeds = [speed for step in steps for speed in (step.speed, step.at(0.5)[1])]
+        for name, seat in self.end.model.seats.items():
+            fastest, most, left = 0.0, 0.0, 0.0
+            for index in range(seat.first, seat.first + 3):
+                fastest = max(fastest, *(abs(speed[index]) for speed in speeds))
+                most = max(most, *(abs(push[index]) for step in steps for push in step.pushes))
+                left = max(left, abs(steps[-1].push(1.0)[index]))
+            places = self.end.placed.speed[seat.first : seat.first + 3]
+            if max(map(abs, places)) <= FADED * fastest and fastest > 0.0 and left <= FADED * most:
+                return name
+        return ""
 
     def integral(self, rate: Callable[[Node], float]) -> tuple[float, float]:
         """∫ rate dt and ∫ |rate| dt, by Lobatto's rule, whose ends see a corner next to them, on halves where it takes more."""

@@ -1,0 +1,120 @@
+"""What has just the energy for its upper balance comes there ever more slowly: no later state is reached."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.confirm.course.samples import holding
+from rotsolve.confirm.numbers import value_of
+from rotsolve.core.faults import NeverReached, Unsolvable
+from rotsolve.pipeline import solve
+
+ROD = "rod: {shape: rod, mass: M, length: L%s}"
+SCENES = {  # the letters with their numbers at the edge, g among them; the bodies; what holds them, what happens; how fast it is down there
+    "a rod": (
+        {"M": (2.0, "kg"), "L": (1.0, "m"), "w": (6.0, "rad/s"), "g": (6.0, "m/s^2")},
+        ROD,
+        "hinge: rod.start",
+        "start: {rod.angle: -90 deg, rod.angular_velocity: w}",
+        "",
+        -6.0,
+    ),
+    "a disc that hangs by its rim": (
+        {"M": (2.0, "kg"), "R": (1.0, "m"), "w": (4.0, "rad/s"), "g": (6.0, "m/s^2")},
+        "rod: {shape: disc, mass: M, radius: R%s}",
+        "hinge: rod.top",
+        "start: {rod.angle: -90 deg, rod.angular_velocity: w}",
+        "",
+        -4.0,
+    ),
+    "a rod with a lump": (
+        {"M": (3.0, "kg"), "L": (1.0, "m"), "m": (1.0, "kg"), "w": (6.0, "rad/s"), "g": (7.2, "m/s^2")},
+        f"{ROD}, lump: {{mass: m}}",
+        "hinge: rod.start}, tie: {weld: [rod.end, lump]",
+        "start: {rod.angle: -90 deg, rod.angular_velocity: w}",
+        "",
+        -6.0,
+    ),
+    "a rod that a dart hits": (
+        {"M": (1.0, "kg"), "L": (1.0, "m"), "m": (1.0, "kg"), "u": (4.0, "m/s"), "g": (2.0, "m/s^2")},
+        f"{ROD}, dart: {{mass: m, moves: WAY}}",
+        "hinge: rod.start",
+        "before: {rod.angle: -90 deg, at rest: rod, dart.velocity: u}, start: {}",
+        "events: {hit: {joins: [dart, rod.end], from: before, to: start}}",
+        -3.0,
+    ),
+    "a rod off which a ball bounces": (
+        {
+            "M": (1.0, "kg"),
+            "L": (1.0, "m"),
+            "m": (1.0, "kg"),
+            "u": (4.0, "m/s"),
+            "e": (0.5, "number"),
+            "g": (3.375, "m/s^2"),
+        },
+        f"{ROD}, ball: {{mass: m, moves: WAY}}",
+        "hinge: rod.start",
+        "before: {rod.angle: -90 deg, at rest: rod, ball.velocity: u}, start: {}",
+        "events: {hit: {collides: [ball, rod.end], restitution: e, from: before, to: start}}",
+        -4.5,
+    ),
+}
+TURNS = {"": ("largest", "right"), ", turns: clockwise": ("smallest", "left")}
+
+
+def scene(name: str, turns: str, top: str, **numbers: float) -> str:
+    """A scene in letters, or with numbers for them."""
+    letters, bodies, held, first, events, _ = SCENES[name]
+    given = ", ".join(
+        f"{one}: {f'{numbers[one]} {unit}'.removesuffix(' number') if numbers else unit}"
+        for one, (_, unit) in letters.items()
+    )
+    return f"""
+title: {name}
+given: {{{given}}}
+gravity: g
+bodies: {{{(bodies % turns).replace("WAY", TURNS[turns][1])}}}
+connections: {{pin: {{{held}}}}}
+states: {{{first}, top: {{{top}}}, back: {{rod.angle: -90 deg}}}}
+{events}
+find: {{v: rod.angular_velocity at back}}
+"""
+
+
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("turns", TURNS)
+def test_letters_leave_the_edge_out(name: str, turns: str) -> None:
+    letters, *_, right = SCENES[name]
+    (answer,) = solve(scene(name, turns, f"rod.angle: {TURNS[turns][0]}")).answers.values()
+    edge = {one: number for one, (number, _) in letters.items()}
+    for g, there in ((0.97, None), (1.0, None), (1.03, right), (2.0, right)):
+        numbers = {**edge, "g": g * edge["g"]}
+        case = holding(answer.answer, numbers)
+        assert (case is None) == (there is None), f"{answer} at {g} of the edge"
+        if case is not None and case.formula is not None:
+            assert value_of(case.formula, numbers) == pytest.approx(there)
+
+
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("turns", TURNS)
+@pytest.mark.parametrize("rests", [False, True])
+def test_numbers_on_the_edge_are_refused(name: str, turns: str, rests: bool) -> None:
+    """Whether the highest place is told as such, or as that at which it is at rest; a little less is answered."""
+    letters, *_, right = SCENES[name]
+    edge = {one: number for one, (number, _) in letters.items()}
+    top = "rod.angular_velocity: 0" if rests else f"rod.angle: {TURNS[turns][0]}"
+    with pytest.raises(NeverReached, match="is never reached"):
+        solve(scene(name, turns, top, **edge))
+    with pytest.raises(Unsolvable):
+        solve(scene(name, turns, top, **{**edge, "g": 0.97 * edge["g"]}))
+    solution = solve(scene(name, turns, top, **{**edge, "g": 1.03 * edge["g"]}))
+    assert solution.answers["v"].float == pytest.approx(right)
+    assert all(item.holds for item in solution.derivation.confirmed)
+
+
+def test_at_its_highest_it_is_up_there_also_on_the_edge() -> None:
+    """The highest place itself is told, as a speed is to which a drag leads: the limit."""
+    text = scene("a rod", "", "rod.angle: largest", M=2.0, L=1.0, w=6.0, g=6.0)
+    solution = solve(text.replace("find: {", "find: {phi: rod.angle at top, "))
+    assert solution.answers["phi"].float == pytest.approx(1.5707963)
+    assert "v" in solution.refused
