@@ -15,6 +15,13 @@ class LetsGo(Astray):
         super().__init__(f"`{owner}` lets go on the way from `{first}` to `{last}`")
 
 
+class GivesWay(Astray):
+    """What sticks would begin to slip on the way from a place where the least push decides, so that no steps tell how it goes on."""
+
+    def __init__(self, owner: str, first: str, last: str) -> None:
+        super().__init__(f"`{owner}` begins to slip on the way from `{first}` to `{last}`")
+
+
 class MeetAgain(Astray):
     """Two bodies that bounced off each other would go through each other on the way."""
 

@@ -6,14 +6,14 @@ That is cheap, and it is the only way away from a place where nothing pushes: a 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.constraints import held_by
-from rotsolve.confirm.course.astray import LetsGo, check_apart
-from rotsolve.confirm.course.node import Astray, Node
+from rotsolve.confirm.course.astray import GivesWay, LetsGo, check_apart
+from rotsolve.confirm.course.node import Astray, Node, unpushed
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, split
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.linear import solved
@@ -41,7 +41,7 @@ def by_energy(first: Node, state: State) -> Node | None:
     if way is None or goal == start or not heads_for(first, way, goal - start, target):
         return None
     whole = rate_energy(first, first.placed.speed) + stored(first)
-    q, before, done = list(first.placed.q), first, 0.0
+    q, before, done, looks = list(first.placed.q), first, 0.0, list[tuple[float, Node]]()
     for part in parts_of(first, line, goal - start):
         found = placed_at(first, q, line, start + part * (goal - start))
         if found is None:
@@ -55,10 +55,33 @@ def by_energy(first: Node, state: State) -> Node | None:
             check_reached(first, q, whole, state)
         if at is not None and part < 1.0:
             check_way(at, state)
-        if at is None or at.moment.lifted or not sticks(at):
+        if at is not None:
+            check_grips(first, at, state)
+        if at is None or at.moment.lifted or slips_at(at):
             return None
         before, done = at, part
-    return at
+        looks.append((part, at))
+    for part, near in tightest(looks) if unpushed(first) else ():
+        found = placed_at(first, near.placed.q, line, start + part * (goal - start))
+        at = with_its_speed(first, found, line, whole, goal - start) if found is not None else None
+        if at is not None:
+            check_grips(first, at, state)
+    return before
+
+
+def check_grips(first: Node, at: Node, state: State) -> None:
+    """Astray where something begins to slip on the way from where no steps in time tell how it goes on."""
+    if (slips := slips_at(at)) and unpushed(first):
+        raise GivesWay(slips, first.model.acting.state.name, state.name)
+
+
+def tightest(looks: Sequence[tuple[float, Node]]) -> Iterator[tuple[float, Node]]:
+    """Between three looks of which the one in the midst leaves friction the least to spare: where a parabola has least, with that look."""
+    for (_, one), (part, two), (later, three) in zip(looks, looks[1:], looks[2:], strict=False):
+        for key in two.moment.room:
+            low, least, high = (node.moment.room.get(key, math.inf) for node in (one, two, three))
+            if key[0] in (FORWARD, BACK) and least <= min(low, high) < max(low, high) < math.inf:
+                yield part + (later - part) / 2 * (low - high) / (low - 2 * least + high), two
 
 
 def parts_of(first: Node, line: Condition, gap: float) -> Sequence[float]:
@@ -122,11 +145,11 @@ def conserves(first: Node) -> bool:
     return not any(row.speed for row in now.rows.values()) and not now.lifted
 
 
-def sticks(at: Node) -> bool:
-    """Whether nothing begins to slip there, so that all that sticks has friction to spare."""
+def slips_at(at: Node) -> str:
+    """What begins to slip there, since friction has nothing to spare; "" where all sticks."""
     now = at.moment
-    room = [value for (mode, _), value in now.room.items() if mode in (FORWARD, BACK)]
-    return min(room, default=0.0) >= -1e-9 * max(map(abs, now.reactions.values()), default=0.0)
+    least = -1e-9 * max(map(abs, now.reactions.values()), default=0.0)
+    return next((name for (mode, name), room in now.room.items() if mode in (FORWARD, BACK) and room < least), "")
 
 
 def told_from(first: Node) -> Pose:

@@ -20,6 +20,7 @@ from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.problem import Term
 
 Load = tuple[str, str, Slope]
+NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
 
 
 class Astray(NotConfirmed):
@@ -258,3 +259,9 @@ class Node:
         names = [ref.owner for ref in item.torsion if ref.owner in self.model.seats]
         twist = self.angle(names[-1]) - (self.angle(names[0]) if len(names) == 2 else 0.0)
         return twist - (self.model.value(item.rest_angle) if item.rest_angle is not None else 0.0)
+
+
+def unpushed(at: Node) -> bool:
+    """Whether all is at rest, and pushed by rounding alone: then the least push decides."""
+    push = max(map(abs, at.pushes), default=0.0)
+    return not any(at.placed.speed) and push < NUDGE * max(at.model.gravity, 1.0)

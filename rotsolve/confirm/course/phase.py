@@ -19,7 +19,7 @@ from rotsolve.confirm.course.crossings import FAR, crossings, first_zero, sign_c
 from rotsolve.confirm.course.gauges import HOLDS, gauges
 from rotsolve.confirm.course.laps import FollowedPhase, Lap
 from rotsolve.confirm.course.meeting import beside_rod, gap_of
-from rotsolve.confirm.course.node import Astray, Node
+from rotsolve.confirm.course.node import Astray, Node, unpushed
 from rotsolve.confirm.course.steps import PLACES, Law, TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Met, Placed, gathered, moment, slip_speed
 from rotsolve.confirm.rows import Grip
@@ -34,7 +34,6 @@ AGAIN = 1e-6  # share of all rates and accelerations within which they are those
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
 STEADY = 1e-12  # share of the forces below which what they add up to is rounding
-NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
 NEARLY, ROUNDS = 0.99, 3  # the place within a step beside its end, from which its end is set right, and how often
 LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and how much longer it would have to go on so
 
@@ -68,8 +67,7 @@ class NextState:
         self.end_time = self.told_time()
         self.laps: list[Lap] = []
         self.node = first
-        push = max(map(abs, first.pushes), default=0.0)
-        if not any(first.placed.speed) and 0.0 < push < NUDGE * max(self.model.gravity, 1.0):
+        if unpushed(first) and any(first.pushes):
             raise NotConfirmed(
                 f"nothing moves what is at rest at `{first.model.acting.state.name}`: the least push decides"
             )

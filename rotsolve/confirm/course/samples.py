@@ -14,6 +14,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import related
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, Equality
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.problem import Given, Problem
 
 SETS, FEW = 5, 2  # sets of numbers for letters, and for those only that stand for what nothing is told of
@@ -47,6 +48,10 @@ DRIVING, STRONG = (
     20.0,
 )  # what drives, and by how much more than usual, where it is strong
 ROUGH = 3.0  # a coefficient of friction there
+ROUGH_SETS, SLIPPERY = (
+    12,
+    tuple(0.05 * 2.0**step for step in range(9)),
+)  # sets whose friction only just suffices; where that is sought
 
 Numbers = Mapping[str, float]
 
@@ -138,6 +143,30 @@ def near_edges(
                 ways = ((name, factor) for name in names for factor in (2.0, 0.5))
                 near = (near_edge(problem, condition, numbers, name, factor) for name, factor in ways)
                 yield from islice(filter(None, near), 1)
+
+
+def rough_enough(problem: Problem, answers: Sequence[Answer]) -> Iterator[Numbers]:
+    """Numbers far beyond the limits with a coefficient of friction only just so large that all answers hold: of what is asked at a state
+    it tells nothing that friction needs more on the way there."""
+    open_ = letters_open(problem)
+    told = [
+        size for item in problem.connections if isinstance(item, Touch) and (size := item.grip().static) is not None
+    ]
+    rough = {name for size in told for name in size.symbols()} & {given.name for given in open_}
+    for name in sorted(rough) if any(several.conditions for several in answers) else ():
+        for number in range(1, ROUGH_SETS + 1):
+            sizes = {given.name: number_drawn(given, number, place, WIDE) for place, given in enumerate(open_)}
+
+            def holds_with(size: float, sizes: Numbers = sizes, name: str = name) -> bool:
+                return None not in cases_at(answers, with_givens(problem, {**sizes, name: size}))
+
+            low, high = 0.0, next((size for size in SLIPPERY if holds_with(size)), 0.0)
+            for _ in range(CLOSER if high else 0):
+                middle = (low + high) / 2
+                low, high = (low, middle) if holds_with(middle) else (middle, high)
+            if high:
+                sizes = {letter: in_few_digits(size) for letter, size in {**sizes, name: high * (1.0 + EDGE)}.items()}
+                yield with_givens(problem, sizes)
 
 
 def on_edges(

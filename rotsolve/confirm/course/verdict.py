@@ -17,7 +17,7 @@ from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Broken, Course
-from rotsolve.confirm.course.node import Astray, Budget
+from rotsolve.confirm.course.node import Astray, Budget, unpushed
 from rotsolve.confirm.course.reading import Reckoned
 from rotsolve.confirm.course.samples import (
     SETS,
@@ -28,6 +28,7 @@ from rotsolve.confirm.course.samples import (
     letters_open,
     near_edges,
     on_edges,
+    rough_enough,
     sets_of_numbers,
     sets_wanted,
     with_givens,
@@ -125,6 +126,17 @@ def sets_tried(
         return
     far = far_apart(problem, answers)
     yield from zip(repeat(FAR), chain(extreme_sets(problem, admitted), far, near_edges(problem, answers, far)))
+    if poised(problem):
+        yield from zip(repeat(FAR), rough_enough(problem, answers))
+
+
+def poised(problem: Problem) -> bool:
+    """Whether all rests at first where nothing pushes: no steps then tell what gives way on the way, so that more is tried there."""
+    try:
+        course = Course(problem, next(sets_of_numbers(problem)), Budget(BUDGET))
+        return len(course.names) > 1 and unpushed(course.node(course.names[0]))
+    except (NotConfirmed, ArithmeticError, ValueError):
+        return False
 
 
 def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:
