@@ -230,11 +230,11 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
 
     def confirmation() -> tuple[AnswerConfirmation, ...]:
         from rotsolve.confirm.course.verdict import confirmations
+        from rotsolve.motion.limits import limits_of_scene
 
-        trace = solution.trace
-        return confirmations(
-            solution.derivation.answers, whole.problem, trace.letter, partial(may_be, problem, whole), trace.points
-        )
+        trace, admitted = solution.trace, partial(may_be, problem, whole)
+        limits = partial(limits_of_scene, whole)
+        return confirmations(solution.derivation.answers, whole.problem, trace.letter, admitted, trace.points, limits)
 
     return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
 

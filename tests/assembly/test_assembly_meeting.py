@@ -76,6 +76,38 @@ def test_letters_say_with_which_numbers() -> None:
     assert verdicts["w"].holds
 
 
+UNITS = {"M": "kg", "m": "kg", "L": "m", "D": "N m/rad", "e": "number", "u": "m/s", "T": "s", "x": "m", "b": "m"}
+
+
+def in_letters(text: str) -> str:
+    """A scene whose givens are letters without numbers."""
+    head, _, tail = text.partition("\ngiven: {")
+    given, _, rest = tail.partition("}\n")
+    names = [item.partition(":")[0].strip() for item in given.split(",")]
+    return f"{head}\ngiven: {{{', '.join(f'{name}: {UNITS[name]}' for name in names)}}}\n{rest}"
+
+
+@pytest.mark.parametrize("text", KINDS.values(), ids=list(KINDS))
+def test_letters_are_tried_with_numbers_with_which_they_meet(text: str) -> None:
+    """Whatever is asked of later is not confirmed for all letters; what the blow leaves is."""
+    found = solve(in_letters(text)).derivation.confirmed
+    (later,) = [item for item in found if item.name == "phi"]
+    assert later.holds is None
+    assert "meet again on the way from `after` to `far`" in later.why
+    assert all(item.holds for item in found if item is not later)
+
+
+def test_letters_of_what_never_meets_again_are_confirmed() -> None:
+    """A rod that turns freely goes on ahead of any ball; below its end nothing is in its way."""
+    free = in_letters(WIRE).replace(", wire: {torsion: rod, stiffness: D}", "").replace(", D: N m/rad", "")
+    free = free.replace("far: {rod.angle: largest}", "far: {rod.rotation: 80 deg}").replace(
+        "rod.angle at far", "time from after to far"
+    )
+    end = in_letters(HANGING).replace("rod.at(x)", "rod.end").replace(", x: m", "")
+    for text in (free, end):
+        assert {item.holds for item in solve(text).derivation.confirmed} == {True}
+
+
 def test_nothing_is_left_where_only_that_is_asked() -> None:
     text = HANGING.replace("SIZE", "10 kg").replace(", w: rod.angular_velocity at after, v: ball.velocity at after", "")
     with pytest.raises(Unsolvable, match="`ball` and `rod` meet again"):

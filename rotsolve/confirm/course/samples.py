@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice, zip_longest
 from operator import is_
@@ -14,7 +14,9 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import related
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, Equality
+from rotsolve.core.limits import Limit
 from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.events import Collides
 from rotsolve.language.problem import Given, Problem
 
 SETS, FEW = 5, 2  # sets of numbers for letters, and for those only that stand for what nothing is told of
@@ -47,6 +49,11 @@ DRIVING, STRONG = (
     (kinds.FORCE, kinds.TORQUE, kinds.VELOCITY),
     20.0,
 )  # what drives, and by how much more than usual, where it is strong
+HEAVY, SLOW = (
+    50.0,
+    20.0,
+)  # how many times as much as others has what is heavy beside them, or a fast one the speed of a slow one
+DULL = 0.05  # a coefficient of restitution of what hardly bounces
 ROUGH = 3.0  # a coefficient of friction there
 ROUGH_SETS, SLIPPERY = (
     12,
@@ -54,6 +61,7 @@ ROUGH_SETS, SLIPPERY = (
 )  # sets whose friction only just suffices; where that is sought
 
 Numbers = Mapping[str, float]
+Fits = Callable[[Numbers], bool]  # whether a scene may have some numbers, by its limits
 
 
 def letters_open(problem: Problem) -> list[Given]:
@@ -75,7 +83,34 @@ def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
         yield with_givens(problem, drawn)
 
 
-def far_apart(problem: Problem, answers: Sequence[Answer]) -> list[Numbers]:
+def fits_of(limits: Sequence[Limit]) -> Fits:
+    """Whether a scene may have some numbers for its letters, as far as its limits tell: no place beyond the end of its rod."""
+
+    def fits(numbers: Numbers) -> bool:
+        for limit in limits:
+            try:
+                gap = float(value_of(limit.gap, numbers))
+            except (NotConfirmed, ArithmeticError, ValueError):
+                continue
+            if gap < 0.0 or (limit.strict and not gap):
+                return False
+        return True
+
+    return fits
+
+
+def fitting_first(sets: Iterable[Numbers], fits: Fits) -> Iterator[Numbers]:
+    """The sets that a scene may have, then the others: an answer is an identity of its letters mostly, and they speak for it too."""
+    others = []
+    for numbers in sets:
+        if fits(numbers):
+            yield numbers
+        else:
+            others.append(numbers)
+    yield from others
+
+
+def far_apart(problem: Problem, answers: Sequence[Answer], fits: Fits) -> list[Numbers]:
     """Of a pool of sets that goes far beyond the limits some of each case: one next to an edge, others far from each other.
 
     What is next to nothing beside another, or goes wrong only on the way, is not seen with ordinary numbers.
@@ -85,19 +120,51 @@ def far_apart(problem: Problem, answers: Sequence[Answer]) -> list[Numbers]:
     for number in range(1, POOL if any(several.conditions or several.otherwise for several in answers) else 4 * APART):
         sizes = {given.name: number_drawn(given, number, place, WIDE) for place, given in enumerate(open_)}
         numbers = with_givens(problem, {name: in_few_digits(size) for name, size in sizes.items()})
+        if not fits(numbers):
+            continue
         cases = [case for case in cases_at(answers, numbers) if case is not None]
         regions.setdefault(tuple(map(id, cases)), []).append(numbers)
     chosen = [far_from_each_other(problem, answers, sets) for key, sets in regions.items() if key]
     return list(islice((numbers for row in zip_longest(*chosen) for numbers in row if numbers is not None), APART))
 
 
-def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool]) -> Iterator[Numbers]:
+def usual_sizes(problem: Problem, fits: Fits) -> dict[str, float]:
+    """Ordinary numbers for the letters, such as a scene may have where any that are drawn are."""
+    drawn = [
+        {given.name: number_drawn(given, number, place) for place, given in enumerate(letters_open(problem))}
+        for number in range(1, DRAWS)
+    ]
+    return next((sizes for sizes in drawn if fits(with_givens(problem, sizes))), drawn[0])
+
+
+def meeting_sets(problem: Problem, fits: Fits) -> Iterator[Numbers]:
+    """Where bodies hardly bounce off each other, sets with each mass in turn much larger than the others, and slow, or for long.
+
+    With these they may meet again: what is heavy goes on behind what is light, which weights or springs turn back, or that turns round.
+    """
+    bounces = [event for event in problem.events if isinstance(event, Collides)]
+    if not bounces:
+        return
+    open_, usual = letters_open(problem), usual_sizes(problem, fits)
+    dull = {name for event in bounces if event.restitution is not None for name in event.restitution.symbols()}
+    usual.update((name, DULL) for name in dull & usual.keys())
+    masses = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
+    slow = {given.name: usual[given.name] / SLOW for given in open_ if given.dimension == kinds.VELOCITY}
+    long = {given.name: usual[given.name] * SLOW for given in open_ if given.dimension == kinds.TIME}
+    for heavy in masses if len(masses) > 1 else [""]:
+        light = {name: usual[name] / HEAVY for name in masses if name != heavy}
+        for change in filter(None, (slow, long)):
+            yield with_givens(
+                problem, {name: in_few_digits(size) for name, size in {**usual, **light, **change}.items()}
+            )
+
+
+def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool], fits: Fits) -> Iterator[Numbers]:
     """Sets with one of several masses or moments of inertia next to nothing, or all that drives very strong; and such as are rough besides.
 
     What is light may be lifted, or turned round; what is rough tips over before it slips.
     """
-    open_ = letters_open(problem)
-    usual = {given.name: number_drawn(given, 1, place) for place, given in enumerate(open_)}
+    open_, usual = letters_open(problem), usual_sizes(problem, fits)
     heavy = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
     driven = {given.name: usual[given.name] * STRONG for given in open_ if given.dimension in DRIVING}
     changes = [{name: usual[name] / LIGHT} for name in heavy if len(heavy) > 1] + ([driven] if driven else [])

@@ -7,7 +7,7 @@ then has to make every line of the states hold.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, repeat
 
@@ -24,8 +24,11 @@ from rotsolve.confirm.course.samples import (
     Numbers,
     extreme_sets,
     far_apart,
+    fits_of,
+    fitting_first,
     holding,
     letters_open,
+    meeting_sets,
     near_edges,
     on_edges,
     rough_enough,
@@ -37,6 +40,7 @@ from rotsolve.confirm.course.samples import (
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, in_a_row
 from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
@@ -49,7 +53,7 @@ OTHERWISE = "an assembly of all bodies' equations gives another value"
 NO_CASE = "no numbers were found for its case"
 NO_NUMBER = "it has no real value there, and has one by an assembly of all bodies' equations"
 WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
-DRAWN, OWN, EDGE, ON, FAR = range(5)  # kinds of sets of numbers
+DRAWN, OWN, EDGE, ON, MEETING, FAR = range(6)  # kinds of sets of numbers
 BUDGET = 3000  # instants of one body that a scene may cost
 FAR_BUDGET = 2000  # those of one set that is far from the others, which together may cost as much again
 Solved = Callable[[str], "Formula | float | None"] | None
@@ -83,17 +87,20 @@ def confirmations(
     solved: Solved,
     admitted: Callable[[Numbers], bool],
     points: Sequence[Mapping[str, Fraction]] = (),
+    limits: Callable[[], Iterable[Limit]] = tuple,
 ) -> tuple[AnswerConfirmation, ...]:
-    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object.
+    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object; its
+    `limits` tell most of that at once.
 
     Cases of letters to which no set belongs that was drawn are tried at the `points` at which they were found, and near their edges.
     """
     verdicts: dict[str, AnswerConfirmation] = {}
     seen = set[int]()  # the cases that have been tried
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
-    for kind, numbers in sets_tried(answers, problem, admitted, points):
+    meeting = Budget(BUDGET)
+    for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
-        limit = far_budget.portion(FAR_BUDGET) if kind == FAR else budget
+        limit = far_budget.portion(FAR_BUDGET) if kind == FAR else meeting if kind == MEETING else budget
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)) or (kind == OWN and cases <= seen):
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit)}
@@ -114,18 +121,22 @@ def sets_tried(
     problem: Problem,
     admitted: Callable[[Numbers], bool],
     points: Sequence[Mapping[str, Fraction]],
+    limits: Callable[[], Iterable[Limit]],
 ) -> Iterator[tuple[int, Numbers]]:
     """The sets of numbers at which answers are held against the assembly, each with its kind; where all is a number, that one."""
-    yield from zip(repeat(DRAWN), sets_of_numbers(problem))
     if not letters_open(problem):
+        yield from zip(repeat(DRAWN), sets_of_numbers(problem))
         return
+    fits = fits_of(tuple(limits()))
+    yield from zip(repeat(DRAWN), fitting_first(sets_of_numbers(problem), fits))
     yield from ((OWN, with_givens(problem, within_case(problem, answers, point))) for point in points)
     yield from zip(repeat(EDGE), near_edges(problem, answers, points))
     yield from zip(repeat(ON), on_edges(problem, answers, points))
     if sets_wanted(problem) < SETS:
         return
-    far = far_apart(problem, answers)
-    yield from zip(repeat(FAR), chain(extreme_sets(problem, admitted), far, near_edges(problem, answers, far)))
+    yield from zip(repeat(MEETING), meeting_sets(problem, fits))
+    far = far_apart(problem, answers, fits)
+    yield from zip(repeat(FAR), chain(extreme_sets(problem, admitted, fits), far, near_edges(problem, answers, far)))
     if poised(problem):
         yield from zip(repeat(FAR), rough_enough(problem, answers))
 
