@@ -53,8 +53,15 @@ class InForce:
         return frozenset(gone)
 
     def _connections(self) -> tuple[Connection, ...]:
+        """Those that have not been taken away, nor a body with them; of several on one fixed axle the others stay."""
         added = [item for event in self.past for item in event.adds()]
-        return (*(item for item in self.problem.connections if item.name not in self.gone), *added)
+        found: list[Connection] = []
+        for item in (*(item for item in self.problem.connections if item.name not in self.gone), *added):
+            if type(item) is Axle and any(ref.owner not in self.gone for ref in item.axle):
+                item = replace(item, axle=tuple(ref for ref in item.axle if ref.owner not in self.gone))
+            if not any(ref.owner in self.gone for ref in item.touches()):
+                found.append(item)
+        return tuple(found)
 
     def _acts(self, item: Action) -> bool:
         """From its first state until before its last, save where the scene ends there."""
@@ -80,7 +87,9 @@ class InForce:
 
     def joined(self) -> list[Event]:
         """The events by which bodies have become one."""
-        return [event for event in self.past if event.joined()]
+        return [
+            event for event in self.past if event.joined() and not self.gone & {ref.owner for ref in event.joined()}
+        ]
 
 
 def taken_off(event: Event, passed: Sequence[Event], present: Sequence[Connection]) -> list[Connection]:

@@ -8,9 +8,23 @@ from functools import cached_property
 from itertools import permutations
 from typing import Any
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import Mass, Spot, as_one, is_round, on_rim, part_of, radius_of, rigid, side_of, spot_of
+from rotsolve.confirm.bodies import (
+    Mass,
+    Rigid,
+    Spot,
+    as_one,
+    is_round,
+    on_rim,
+    part_of,
+    radius_of,
+    rigid,
+    side_of,
+    spot_of,
+)
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
@@ -39,7 +53,7 @@ class Model:
         self.surfaces = {surface.name: surface for surface in problem.surfaces}
         free = {ride.rider.owner for item in problem.connections if (ride := item.ride()) is not None and ride.free}
         bodies = [as_one(body, body.name in free) for body in self.acting.bodies.values()]
-        self.seats = {body.name: Seat(rigid(body, self.value), PER_BODY * k) for k, body in enumerate(bodies)}
+        self.seats = {body.name: Seat(self._rigid(body), PER_BODY * k) for k, body in enumerate(bodies)}
         self.size = PER_BODY * len(self.seats)
         self.gravity = (
             self.value(problem.gravity) if problem.gravity is not None and problem.plane == "vertical" else 0.0
@@ -50,6 +64,11 @@ class Model:
         self._senses: dict[str, int] = {}
         self._legs: dict[str, list[StringPart]] = {}
         self._spots: dict[PointRef, Spot] = {}
+
+    def _rigid(self, body: Body) -> Rigid:
+        """Its mass, where that is and how it resists a turn; nothing of what has been taken away."""
+        found = rigid(body, self.value)
+        return replace(found, mass=0.0, inertia=0.0) if body.name in self.acting.gone else found
 
     def value(self, formula: Formula) -> float:
         """The number of a formula of givens."""

@@ -147,11 +147,18 @@ class Arrangement(Struct, frozen=True, dict=True):
 
     @remembered
     def connections(self, state: str) -> tuple[Connection, ...]:
-        """Connections that act at a state, those too by which events hold bodies."""
+        """Connections that act at a state, those too by which events hold bodies; none of a body that is taken away, save an axle for
+        the others on it."""
         after = self.timeline.after(state)
         gone = self._absent[state] | frozenset(after.without if after and after.event is None else ())
         added = [item for event in self.events(state) for item in event.adds()]
-        return (*[item for item in self.problem.connections if item.name not in gone], *added)
+        acting = (*[item for item in self.problem.connections if item.name not in gone], *added)
+        away = gone & self.bodies.keys()
+        return (
+            tuple(item for item in acting if item.axial or not away & {ref.owner for ref in item.touches()})
+            if away
+            else acting
+        )
 
     def connection(self, name: str, state: str) -> Connection | None:
         """The connection of that name, where it acts at a state."""
