@@ -125,11 +125,15 @@ class Answer(Struct, frozen=True):
 
 
 class Check(Struct, frozen=True):
-    """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed."""
+    """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed.
+
+    What is said of a letter that is `vanishing` goes for a case that holds however small it is.
+    """
 
     words: Words
     holds: bool | None = True
     label: str = ""
+    vanishing: str = ""
 
 
 class AnswerConfirmation(Struct, frozen=True):

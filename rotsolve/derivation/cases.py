@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from fractions import Fraction
 from functools import partial
 from itertools import zip_longest
 
@@ -17,8 +18,10 @@ from rotsolve.language.problem import Problem
 from rotsolve.search.cases import Needed
 from rotsolve.search.edges import Edge, Edges
 from rotsolve.search.lettersigns import Proviso
-from rotsolve.search.letterspace import LetterSpace
+from rotsolve.search.letterspace import Glance, LetterSpace
 from rotsolve.search.provisos import Region, condition_line, follows, limits_told, needed, shown, united
+
+NOTHING = Fraction(1, 10**6)  # share of a mass that is left of it where it is next to nothing
 
 
 class CaseTeller(Struct, frozen=True):
@@ -47,9 +50,15 @@ class CaseTeller(Struct, frozen=True):
         if len(told) > 1:
             sections = tuple(section for key, case in told.items() for section in headed(key, case, main.states))
         refused = tuple(item for item in main.refused if item.name not in named)
-        checks = (*main.checks, *self.failing(set(named)))
+        checks = (*(check for check in main.checks if self.goes_for(check, full[0])), *self.failing(set(named)))
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
         return replace(main, answers=answers, sections=sections, checks=checks, conventions=said, refused=refused)
+
+    def goes_for(self, check: Check, case: Solved) -> bool:
+        """Whether what is said of a letter that is next to nothing is said of a case that holds there."""
+        name = check.vanishing
+        place = {**case.point, name: case.point.get(name, Fraction(1)) * NOTHING} if name else {}
+        return not name or not Glance(self.space, place).fails(case.conditions)
 
     def headings(self, full: Sequence[Solved]) -> dict[tuple[Equality, ...], Solved]:
         """Of cases with the same answers the first, by where they hold."""

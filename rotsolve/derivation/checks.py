@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.units.dimension import MASS, TIME, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
@@ -44,7 +45,7 @@ SHORT = 3  # a limit is told when its value is no longer than this many nodes
 
 def limit_checks(search: Search) -> Iterator[Check]:
     """What becomes of an answer when a mass is left out or an angle is square: the most telling one."""
-    best: tuple[int, Words] | None = None
+    best: tuple[int, Check] | None = None
     for answered in search.wholes()[:2]:
         formula = answered.found.formula
         if answered.asked.find.runs or formula is None or not formula.symbols() or has_quantities(formula):
@@ -57,15 +58,18 @@ def limit_checks(search: Search) -> Iterator[Check]:
                 continue
             words: Words = (Symbol(given.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
             if value != ZERO and (best is None or length(value) < best[0]):
-                best = (length(value), words)
+                best = (length(value), Check(words, vanishing=given.name))
     if best is not None:
-        yield Check(best[1])
+        yield best[1]
 
 
 def limit(formula: Formula, name: str, search: Search) -> Formula | None:
-    """The formula with a letter set to zero, None where it has no value there."""
+    """The formula with a letter set to zero, None where it has no value there, such as 0/0."""
+    put = formula.substitute({name: ZERO})
     try:
-        return search.solver.simplify(formula.substitute({name: ZERO}))
+        if any(is_zero(node.denominator) for node in put.walk() if isinstance(node, Quotient)):
+            return None
+        return search.solver.simplify(put)
     except (ZeroDivisionError, ValueError):
         return None
 
