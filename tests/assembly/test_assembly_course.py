@@ -356,3 +356,20 @@ states: {{start: at rest, end: {{wheel.angular_velocity: largest}}}}
 find: {{w: wheel.angular_velocity at end}}
 """
     assert asked(text)["w"] == pytest.approx(small / 2, rel=1e-6)
+
+
+@pytest.mark.parametrize("tau", [1.0, 3.0, 3.999])
+def test_however_slow_it_is_followed_to_its_rest(tau: float) -> None:
+    """(Q − c t − τ)/I from rest: largest at (Q − τ)/c, at rest at twice that, wherever that is next to nothing."""
+    text = f"""
+given: {{I: 2 kg m^2, Q: 4 N m, c: 5 N m/s, tau: {tau} N m}}
+bodies: {{wheel: {{inertia: I}}}}
+connections: {{axle: {{axle: wheel, friction_torque: tau}}}}
+actions: {{motor: {{couple: Q - c*time, on: wheel}}}}
+states: {{start: at rest, top: {{wheel.angular_velocity: largest}}, end: {{wheel.angular_velocity: 0}}}}
+find: {{w: wheel.angular_velocity at top, t: time from start to end, n: wheel.rotation from start to end}}
+"""
+    found, left = asked(text), 4 - tau
+    assert found["w"] == pytest.approx(left**2 / 20, rel=1e-6)
+    assert found["t"] == pytest.approx(2 * left / 5, rel=1e-6)
+    assert found["n"] == pytest.approx(2 * left**3 / 150, rel=1e-6)

@@ -16,7 +16,6 @@ from rotsolve.confirm.model import Model
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 
 HOLDS = 1e-6  # how well all lines of a state have to hold at once
-SLOW = 300.0  # by how much a rate that is to vanish is less than 1 at first where it is small
 OWN = ("mass", "inertia", "gyration", "radius", "length")
 
 
@@ -41,7 +40,7 @@ def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
         elif line.path is not None and line.path.quantity == "time":
             continue
         elif line.word is not None:
-            found.append(word_gauge(line, model, first))
+            found.append(word_gauge(line, model))
         elif line.path is not None and line.path.quantity in OWN and line.path.owner in model.seats:
             found.append(riding_gauge(line, model))
         elif line.path is not None and line.value is not None:
@@ -81,7 +80,7 @@ def riding_gauge(line: Condition, model: Model) -> Gauge:
     return Gauge(gap, far, f"{owner}.radius")
 
 
-def word_gauge(line: Condition, model: Model, first: Node) -> Gauge:
+def word_gauge(line: Condition, model: Model) -> Gauge:
     """`rolls`, `sticks`: no slip; `leaves`, `slack`: nothing that pushes or pulls; `largest`: what does not change."""
     owner = line.owner or (line.path.owner if line.path is not None else "")
     if line.word in ("rolls", "sticks"):
@@ -90,8 +89,7 @@ def word_gauge(line: Condition, model: Model, first: Node) -> Gauge:
         return Gauge(lambda at: least(owner, at), 1.0, f"{owner}: {line.word}")
     if line.word in EXTREMES and line.path is not None:
         path = line.path
-        begun = SLOW * abs(rate(path, first))  # what only approaches its limit is there once little is left of it
-        return Gauge(lambda at: rate(path, at), min(begun, 1.0) or 1.0, f"{path.owner}.{path.quantity}: {line.word}")
+        return Gauge(lambda at: rate(path, at), 1.0, f"{path.owner}.{path.quantity}: {line.word}")
     raise NotConfirmed(f"a state that says `{owner}: {line.word}`")
 
 

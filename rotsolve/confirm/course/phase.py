@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import TOUCHING, LetsGo, MeetAgain, spaces
 from rotsolve.confirm.course.crossings import FAR, crossings, first_zero, sign_change
-from rotsolve.confirm.course.gauges import HOLDS, gauges
+from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
 from rotsolve.confirm.course.laps import FollowedPhase, Lap
 from rotsolve.confirm.course.meeting import beside_rod, gap_of
 from rotsolve.confirm.course.node import Astray, Node, unpushed
@@ -34,6 +34,7 @@ AGAIN = 1e-6  # share of all rates and accelerations within which they are those
 STILL = 1e-8  # share of the rates below which slip is rounding
 STOPPED = 1e-6  # the same of what has just been found to stop
 STEADY = 1e-12  # share of the forces below which what they add up to is rounding
+SLOW = 300.0  # by how much what is to vanish is less than its size at first where it is small
 NEARLY, ROUNDS = 0.99, 3  # the place within a step beside its end, from which its end is set right, and how often
 LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and how much longer it would have to go on so
 
@@ -63,10 +64,11 @@ class NextState:
             raise NotConfirmed(f"nothing tells how all bodies move at `{first.model.acting.state.name}`")
         self.first, self.state = first, state
         self.model = first.model
-        self.gauges = gauges(state, self.model, first)
+        self.gauges = finely(gauges(state, self.model, first), first)
         self.end_time = self.told_time()
         self.laps: list[Lap] = []
         self.node = first
+        self.most = max(map(abs, first.placed.speed), default=0.0)  # of all rates so far
         if unpushed(first) and any(first.pushes):
             raise NotConfirmed(
                 f"nothing moves what is at rest at `{first.model.acting.state.name}`: the least push decides"
@@ -108,13 +110,19 @@ class NextState:
             if cut:
                 self.laps.append(lap)
                 self.node = lap.at(1.0)
+                self.most = max(self.most, *(abs(rate) for part in (0.5, 1.0) for rate in lap.step.at(part)[1]))
                 if self.recurs(lap):
                     raise Astray(f"`{self.state.name}` is not reached: what moves comes back before it as it began")
                 self.check_coming()
             if way is not None:
                 held = modes.get(way[1]) == STICKS
-                self.node = giving_way(stilled(self.node, way[1]), self.let_go(way) if held else {})
+                self.node = giving_way(stilled(self.node, self.scale, way[1]), self.let_go(way) if held else {})
         raise NotConfirmed(f"`{self.state.name}` is not reached")
+
+    @property
+    def scale(self) -> float:
+        """What slip is small against: 1, or the largest of all rates where they are smaller."""
+        return min(self.most, 1.0) or 1.0
 
     def let_go(self, way: tuple[str, str]) -> dict[str, str]:
         """What gives way at once, and how: with it all that holds only as long as it does."""
@@ -210,7 +218,7 @@ class NextState:
 
         It is looked for within the step too: what holds may give way in its midst, and hold again at its end.
         """
-        start, end = (margins(lap.at(part)) for part in (0.0, 1.0))
+        start, end = (margins(lap.at(part), self.scale) for part in (0.0, 1.0))
         least: tuple[float, tuple[str, str] | None] = (1.0, None)
         for key, (value, size) in end.items():
             if key not in start:
@@ -303,7 +311,7 @@ class NextState:
         """Whether a state is that at which something has just ceased to slip, at the end of a lap: with that all its lines hold."""
         if self.end_time is not None or not self.gauges:
             return False
-        at = stilled(lap.at(1.0), stopped)
+        at = stilled(lap.at(1.0), self.scale, stopped)
         first = self.gauges[0]
         held = abs(first.value(at)) <= 1e-9 * first.size < abs(first.value(lap.at(0.5)))
         return held and all(abs(gauge.value(at)) <= HOLDS * gauge.size for gauge in self.gauges[1:])
@@ -311,18 +319,26 @@ class NextState:
     def ended(self, lap: Lap, stopped: str = "") -> FollowedPhase:
         """The phase up to where the state is reached."""
         self.laps.append(lap)
-        end = at_rest(stilled(lap.at(1.0), stopped), lap.at(0.5))
+        end = at_rest(stilled(lap.at(1.0), self.scale, stopped), lap.at(0.5))
         return FollowedPhase(self.laps, end, lap.modes)
 
 
-def stilled(at: Node, stopped: str = "") -> Node:
-    """The same instant where what has all but ceased to slip does not slip, as what has `stopped`: the rest is rounding."""
+def finely(found: list[Gauge], first: Node) -> list[Gauge]:
+    """What a state says alone with a size that is small where little is left of it at first: a slow speed that is to vanish."""
+    if len(found) != 1 or found[0].passing:
+        return found
+    begun = SLOW * abs(found[0].value(first))
+    return [replace(found[0], size=min(found[0].size, begun))] if begun else found
+
+
+def stilled(at: Node, scale: float, stopped: str = "") -> Node:
+    """The same instant where what has all but ceased to slip does not slip, as what has `stopped`: the rest is rounding, beside a scale."""
     speed = list(at.placed.speed)
     size = max(map(abs, speed), default=0.0)
     for grip in gathered(at.model, at.pose)[1]:
         slip, square = slip_speed(grip, speed), sum(part * part for part in grip.row.slope.values())
         small = STILL if grip.name != stopped else STOPPED
-        if slip and abs(slip) <= small * max(size, 1.0) * math.sqrt(square):
+        if slip and abs(slip) <= small * max(size, scale) * math.sqrt(square):
             for index, part in grip.row.slope.items():
                 speed[index] -= slip * part / square
     return Node(at.model, replace(at.placed, speed=speed), at.budget)
@@ -362,8 +378,9 @@ def slip_by_mode(mode: str, grip: Grip, at: Node) -> float:
     return slip_speed(grip, at.placed.speed) * (1.0 if mode == FORWARD else -1.0)
 
 
-def margins(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
-    """How far what slips is from sticking, what sticks from slipping, what pushes from pulling; each with what it is small against."""
+def margins(at: Node, scale: float = 1.0) -> dict[tuple[str, str], tuple[float, float]]:
+    """How far what slips is from sticking, what sticks from slipping, what pushes from pulling; each with what it is small against, slip
+    against a scale."""
     now: Dynamics = at.moment
     size = max([abs(value) for value in now.reactions.values()], default=0.0)
     open_ = {(f"push {kind}", owner) for owner, kind in now.open_reactions}
@@ -371,7 +388,7 @@ def margins(at: Node) -> dict[tuple[str, str], tuple[float, float]]:
     for grip in now.grips:
         mode = now.modes.get(grip.name, STICKS)
         if mode in (FORWARD, BACK):
-            found[mode, grip.name] = (slip_by_mode(mode, grip, at), 1.0)
+            found[mode, grip.name] = (slip_by_mode(mode, grip, at), scale)
     for (one, other), space in spaces(at).items():
         found[f"{APART}{one}", other] = space
     return found
