@@ -319,16 +319,27 @@ class Touch(Connection, frozen=True):
     def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
         """Of the touching point on what the body lies on, where that travels along a line."""
         motion, ground, forward = instant.motion(self.lying()), self.ground(instant), self.forward(instant)
+        arm = self.touching_arm(instant)
+        if self.leans_freely(instant):
+            rate = motion.acceleration_of(arm) - ground[1] if acceleration else motion.velocity_of(arm) - ground[0]
+            return rate.along(forward)
         if motion.heading is None:
             return None
-        arm = self.touching_arm(instant)
         if acceleration:  # what turns it about its centre is across the surface
             turning = arm.turned(90).times(motion.spin_rate)
             return (motion.acceleration + turning - ground[1]).along(forward)
         return (motion.velocity_of(arm) - ground[0]).along(forward)
 
+    def leans_freely(self, instant: Moment) -> bool:
+        """Whether a body leans on the surface with an end, and is free to turn about that."""
+        surface = self.surface(instant.configuration, instant.state)
+        plane = instant.motion(self.lying()).kind == "plane" and surface is not None and not surface.curved
+        return plane and not self.rests(instant.body(self.lying()))
+
     def drift(self, instant: Moment) -> Formula | None:
         motion = instant.motion(self.lying())
+        if self.leans_freely(instant):
+            return self.slip(instant)
         return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
