@@ -85,7 +85,7 @@ def solve_problem(
 
 def as_confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     """The derivation as it stands after its confirmation; what objects to answers goes on doing so where others are withheld."""
-    from rotsolve.confirm.course.verdict import confirmed
+    from rotsolve.confirm.verdicts import confirmed
 
     left = confirmed(derivation, problem)
     objections = (check for check in derivation.checks if check.holds is not True and check not in left.checks)
@@ -215,10 +215,7 @@ def solved_as_far(problem: Problem, law: str | None, digits: int, at: str | None
 def solved_together(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
     """Solve all questions of a problem in one derivation."""
     with stage("arrange", whole=True):
-        whole = configured(problem)
-        if changes_at_last(whole):
-            whole = configured(with_hereafter(problem))
-        configuration = block_of(whole)
+        whole, configuration = made_ready(problem)
     if any(given.value is None and not given.asked for given in configuration.problem.givens):
         solution = solved_by_cases(problem, whole.problem, configuration, law, digits, at)
     else:
@@ -229,7 +226,7 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
         return case_of(problem, values, law, digits, at)
 
     def confirmation() -> tuple[AnswerConfirmation, ...]:
-        from rotsolve.confirm.course.verdict import confirmations
+        from rotsolve.confirm.verdicts import confirmations
         from rotsolve.motion.limits import limits_of_scene
 
         trace, admitted = solution.trace, partial(may_be, problem, whole)
@@ -237,6 +234,19 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
         return confirmations(solution.derivation.answers, whole.problem, trace.letter, admitted, trace.points, limits)
 
     return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
+
+
+def made_ready(problem: Problem) -> tuple[Configuration, Configuration]:
+    """The whole scene made ready for the laws, and the part of it that is asked for."""
+    if problem.space:
+        from rotsolve.space.complete import configured_in_space
+
+        spatial = configured_in_space(problem)
+        return spatial, spatial
+    whole = configured(problem)
+    if changes_at_last(whole):
+        whole = configured(with_hereafter(problem))
+    return whole, block_of(whole)
 
 
 def case_of(
@@ -274,7 +284,7 @@ def solved_by_cases(
         return derivation, any(check.holds is False for check in derivation.checks)
 
     def confirming(found: Derivation, numbers: Mapping[str, float]) -> Collection[str]:
-        from rotsolve.confirm.course.verdict import confirmed_at
+        from rotsolve.confirm.verdicts import confirmed_at
 
         return confirmed_at(found.answers, whole, solutions[-1].trace.letter, numbers)
 

@@ -189,7 +189,7 @@ class Solution(Struct, frozen=True, dict=True):
 
     def confirmation_text(self) -> str:
         """Each answer with its number and that of the assembly that confirms or contradicts it."""
-        from rotsolve.confirm.course.verdict import confirmation_lines
+        from rotsolve.confirm.verdicts import confirmation_lines
 
         return confirmation_lines(() if self.trace.confirmation is None else self.trace.confirmation())
 

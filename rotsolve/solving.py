@@ -138,9 +138,9 @@ def prepared(configuration: Configuration, law: str | None) -> tuple[Decision | 
     """The scene as friction lets it move, ready to be asked."""
     try:
         with stage("friction", whole=True):
-            decision = decided(configuration)
+            decision = None if configuration.problem.space else decided(configuration)
         with stage("laws"):
-            scene = (decision and decision.scene) or SceneEquations(configuration)
+            scene = (decision and decision.scene) or scene_equations_of(configuration)
             return decision, Search(scene, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(configuration.problem, str(error), error.span, error.help) from None
@@ -148,6 +148,15 @@ def prepared(configuration: Configuration, law: str | None) -> tuple[Decision | 
         fault = error.fault
         told = unsolvable(configuration.problem, fault.message, fault.span, fault.help)
         raise error if error.lines else told from None
+
+
+def scene_equations_of(configuration: Configuration) -> SceneEquations:
+    """The scene with its equations: one in space by its own geometry, loaded when a scene is one."""
+    if configuration.problem.space:
+        from rotsolve.space.scene import SpaceEquations
+
+        return SpaceEquations(configuration)
+    return SceneEquations(configuration)
 
 
 def answered_fully(search: Search) -> Found | Unsolvable:

@@ -12,16 +12,14 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Number
 from rotsolve.arrays import NotForMany
-from rotsolve.confirm.course.asked import Asker
-from rotsolve.confirm.course.following import Course
-from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.samples import with_givens
-from rotsolve.confirm.course.verdict import BUDGET, asked_letters, judged
 from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.verdicts import judged_numbers
 from rotsolve.core.derivation import Answer
 from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
+from rotsolve.space.complete import configured_in_space
 
 LOOKS = 12  # sets beside those with the smallest and the largest value of a given
 
@@ -35,7 +33,7 @@ def hold_sets(
     inputs = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in values.values()))
     columns = {name: column.reshape(-1) for name, column in zip(values, inputs, strict=True)}
     results = {name: np.asarray(result).reshape(-1) for name, result in found.items()}
-    whole = configured(problem).problem
+    whole = (configured_in_space if problem.space else configured)(problem).problem
     for row in rows_held(columns):
         point = {name: float(column[row]) for name, column in columns.items()}
         for name, why in contradicted_at(
@@ -66,12 +64,11 @@ def contradicted_at(
     givens = tuple([replace(item, value=set_[item.name]) if item.name in set_ else item for item in problem.givens])
     own = replace(problem, givens=givens)
     numbers = with_givens(own, {})
-    known = {**numbers, **asked_letters(own, numbers, letter)}
-    asker = Asker(own, Course(own, known, Budget(BUDGET)))
+    sizes = {}
     for answer in answers:
         if not math.isnan(said[answer.name]):
             factor = 1.0 if answer.unit is None else float(value_of(answer.unit.factor, {}))
-            find = next(find for find in own.finds if find.group == answer.name)
-            verdict = judged(find, {"": said[answer.name] * factor}, asker, numbers)
-            if verdict.holds is False:
-                yield answer.name, "" if verdict.found else f" ({verdict.why})"
+            sizes[answer.name] = said[answer.name] * factor
+    for verdict in judged_numbers(answers, own, letter, numbers, sizes):
+        if verdict.holds is False:
+            yield verdict.name, "" if verdict.found else f" ({verdict.why})"

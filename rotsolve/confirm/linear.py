@@ -17,8 +17,61 @@ class Solved(Struct, frozen=True):
     clash: float
 
 
+class General(Struct, frozen=True):
+    """All solutions: one of them, the directions in which it may go on, and what is left of equations that say nothing new, 0 if true.
+
+    `size` is that of the largest number of the scaled equations, beside which what is left counts.
+    """
+
+    values: list[float]
+    free: list[list[float]]
+    left: list[float]
+    size: float
+
+
 def solved(rows: Sequence[dict[int, float]], right: Sequence[float], size: int) -> Solved:
-    """The solution of Σ rows[k][i] x[i] = right[k], x[i] of the unknowns that nothing tells 0.
+    """The solution of Σ rows[k][i] x[i] = right[k], x[i] of the unknowns that nothing tells 0."""
+    rows, right, scale, pivots = reduced(rows, right, size)
+    taken = dict(pivots)
+    values, loose = [0.0] * size, {index for index in range(size) if index not in taken}
+    for index, number in pivots:
+        values[index] = right[number]
+        if any(abs(part) > SMALL * 10 for other, part in rows[number].items() if other != index):
+            loose.add(index)
+    left, most = clashing(right, values, pivots)
+    clash = max(map(abs, left), default=0.0) / most
+    return Solved([value * part for value, part in zip(values, scale, strict=True)], frozenset(loose), clash)
+
+
+def solved_generally(rows: Sequence[dict[int, float]], right: Sequence[float], size: int) -> General:
+    """All solutions of such equations; what is left of each equation is linear in the right sides."""
+    rows, right, scale, pivots = reduced(rows, right, size)
+    taken, values, free = dict(pivots), [0.0] * size, []
+    for index, number in pivots:
+        values[index] = right[number]
+    for loose in (index for index in range(size) if index not in taken):
+        way = [0.0] * size
+        way[loose] = scale[loose]
+        for index, number in pivots:
+            way[index] = -rows[number].get(loose, 0.0) * scale[index]
+        free.append(way)
+    left, most = clashing(right, values, pivots)
+    return General([value * part for value, part in zip(values, scale, strict=True)], free, left, most)
+
+
+def clashing(
+    right: Sequence[float], values: Sequence[float], pivots: Sequence[tuple[int, int]]
+) -> tuple[list[float], float]:
+    """The right sides of the equations that were not needed, and the size of the largest number."""
+    used = {number for _, number in pivots}
+    most = max([abs(value) for value in values] + [abs(value) for value in right] + [1e-300])
+    return [value for number, value in enumerate(right) if number not in used], most
+
+
+def reduced(
+    rows: Sequence[dict[int, float]], right: Sequence[float], size: int
+) -> tuple[list[dict[int, float]], list[float], list[float], list[tuple[int, int]]]:
+    """The equations after elimination, with the scales of the unknowns and (unknown, row) for each pivot.
 
     Gauss–Jordan: rows and columns are scaled to the size 1 first, so that kilograms and metres do not decide what is small.
     """
@@ -28,26 +81,14 @@ def solved(rows: Sequence[dict[int, float]], right: Sequence[float], size: int) 
         for index, part in row.items():
             columns[index] = max(columns[index], abs(part))
     scale = [1.0 / part if part else 1.0 for part in columns]
-    weights = []
     for number, row in enumerate(rows):
         for index in row:
             row[index] *= scale[index]
         weight = max(map(abs, row.values()), default=0.0)
-        weights.append(weight)
         if weight:
             rows[number] = {index: part / weight for index, part in row.items()}
             right[number] /= weight
-    pivots = [pivot for group in linked(rows) for pivot in eliminated(group, rows, right)]
-    taken = dict(pivots)
-    values, loose = [0.0] * size, {index for index in range(size) if index not in taken}
-    for index, number in pivots:
-        values[index] = right[number]
-        if any(abs(part) > SMALL * 10 for other, part in rows[number].items() if other != index):
-            loose.add(index)
-    used = {number for _, number in pivots}
-    most = max([abs(value) for value in values] + [abs(value) for value in right] + [1e-300])
-    clash = max((abs(value) for number, value in enumerate(right) if number not in used), default=0.0) / most
-    return Solved([value * part for value, part in zip(values, scale, strict=True)], frozenset(loose), clash)
+    return rows, right, scale, [pivot for group in linked(rows) for pivot in eliminated(group, rows, right)]
 
 
 def linked(rows: Sequence[dict[int, float]]) -> list[list[int]]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from operator import ge, gt, le, lt, ne
 from typing import Any
 
 from rotsolve.algebra.formula import (
@@ -43,6 +44,8 @@ JETS: dict[str, Any] = {
     "atan2": lambda y, x: jet.arctangent(as_jet(y), as_jet(x)),
 }
 PANELS = 64
+CLOSE = 2e-6  # within which two quantities count as equal
+SIGNS: dict[str, Callable[[float, float], bool]] = {"<": lt, ">": gt, "≤": le, "≥": ge, "<=": le, ">=": ge, "≠": ne}
 
 
 def as_jet(value: Jet | float) -> Jet:
@@ -117,3 +120,11 @@ def integrated(formula: Integral, letters: Mapping[str, Any]) -> float:
             inside[formula.variable] = middle_of + half * (3.0 - s * s) * s / 2.0
             total += weight * 1.5 * (1.0 - s * s) * float(value_of(formula.integrand, inside))
     return total * half * width / 18.0
+
+
+def related(left: float, sign: str, right: float) -> bool:
+    """Whether a comparison holds; numbers that are the same but for rounding are equal."""
+    same = abs(left - right) <= CLOSE * max(abs(left), abs(right), 1e-9)
+    if sign == "=":
+        return same
+    return SIGNS[sign](left, right) if not same else sign not in ("<", ">")

@@ -124,6 +124,11 @@ CUT_TORQUES = Law("balance at a cut", "balance of torques about the cut, {body}"
 SUMMED_OVER_WAY = Law("summed over the way", "Newton's law summed over the {over}, {body}", NEWTON, 5)
 POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μₛ N", NEWTON)
 
+ANGULAR_MOMENTUM_IN_SPACE = Law("angular momentum in space", "angular momentum, {body}{about}, along {axis}", cost=1)
+RATE_IN_AXES = Law(
+    "rate of angular momentum in axes", "dL/dt = (dL/dt in the axes) + Ω × L, {body}{about}, along {axis}", NEWTON, 3
+)
+
 # energy
 
 CONSERVATION = Law("conservation of energy", "conservation of energy{since}, K₁ + U₁ = K₂ + U₂", ENERGY, 4)

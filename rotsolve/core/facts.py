@@ -11,17 +11,12 @@ from collections.abc import Mapping
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
+from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import Drive
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector
+from rotsolve.core.vectors.triple import square as square
 from rotsolve.core.writing import spoken
-
-
-def square(value: Formula) -> Formula:
-    """value², without a sign under the square."""
-    operand = value.operand if isinstance(value, Negative) else value
-    return ZERO if operand == ZERO else operand**2
 
 
 class Bend(Struct, frozen=True):

@@ -16,7 +16,8 @@ BODY, POINT, LINK, ACTION, EVENT, SYSTEM = "body", "point", "connection", "actio
 class QuantityKind(Struct, frozen=True):
     """A word of a path. `letter` is the textbook symbol as an ASCII name; `owners` are the kinds of things that have it.
 
-    `measures` names its kind in the table of kinds (algebra/units/dimension); `nonnegative` says that a scene gives it no negative value.
+    `measures` names its kind in the table of kinds (algebra/units/dimension); `nonnegative` says that a scene gives it no negative value,
+    `space` that only scenes in space have it.
 
     A connection, action or event has only those words that its class lists in `quantities`.
     """
@@ -30,6 +31,7 @@ class QuantityKind(Struct, frozen=True):
     later: bool = False
     measures: str = ""
     nonnegative: bool = False
+    space: bool = False
 
 
 def kind(
@@ -41,8 +43,11 @@ def kind(
     components: tuple[str, ...] = (),
     later: bool = False,
     nonnegative: bool = False,
+    space: bool = False,
 ) -> QuantityKind:
-    return QuantityKind(word, DIMENSIONS[measures], letter, owners, components, help, later, measures, nonnegative)
+    return QuantityKind(
+        word, DIMENSIONS[measures], letter, owners, components, help, later, measures, nonnegative, space
+    )
 
 
 QUANTITIES: dict[str, QuantityKind] = {
@@ -175,16 +180,48 @@ QUANTITIES: dict[str, QuantityKind] = {
         kind("bending_moment", "torque", "M", (POINT,), "inside a rod at a point; positive where it sags"),
         kind("shear", "force", "V", (POINT,), "across a rod at a point, from the part before it on the part beyond"),
         kind("compression", "force", "C", (POINT,), "along a rod at a point; negative where it is pulled"),
-        kind("precession", "angular velocity", "Omega", (BODY,), "rate at which the spin axis turns", later=True),
+        kind("tilt", "angle", "theta", (BODY,), "angle of the body's axis from the vertical", space=True),
+        kind(
+            "precession_angle",
+            "angle",
+            "phi",
+            (BODY,),
+            "angle about the vertical, of the line of nodes from x",
+            space=True,
+        ),
+        kind(
+            "spin_angle",
+            "angle",
+            "psi",
+            (BODY,),
+            "angle about the body's axis, of its own x from the line of nodes",
+            space=True,
+        ),
+        kind(
+            "precession",
+            "angular velocity",
+            "Omega",
+            (BODY,),
+            "rate at which the body's axis goes round the vertical; of a free body round its angular momentum",
+            space=True,
+        ),
+        kind("nutation", "angular velocity", "nu", (BODY,), "rate of the tilt", space=True),
         kind(
             "spin",
             "angular velocity",
             "s",
             (BODY,),
-            "rate about the symmetry axis, in the precessing frame",
-            later=True,
+            "rate about the body's axis, relative to the axes of the line of nodes, or to what carries it",
+            space=True,
         ),
-        kind("nutation", "angular velocity", "nu", (BODY,), "rate at which the spin axis nods", later=True),
+        kind(
+            "axial_rate",
+            "angular velocity",
+            "omega3",
+            (BODY,),
+            "component of the angular velocity along the body's axis, spin + precession · cos tilt",
+            space=True,
+        ),
         kind(
             "inertia_tensor",
             "moment of inertia",
@@ -193,12 +230,91 @@ QUANTITIES: dict[str, QuantityKind] = {
             "tensor about `cm`, or `about` a point; its products are −Σ m x y",
             ("xx", "yy", "zz", "xy", "yz", "zx"),
         ),
-        kind("principal_moments", "moment of inertia", "I", (BODY,), "eigenvalues of the inertia tensor", later=True),
-        kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
+        kind(
+            "principal_moments",
+            "moment of inertia",
+            "I",
+            (BODY,),
+            "eigenvalues of the inertia tensor, from the smallest on, about `cm` or `about` a point",
+            ("1", "2", "3"),
+            space=True,
+        ),
+        kind(
+            "principal_axis",
+            "number",
+            "e",
+            (BODY,),
+            "direction of the axis of a principal moment that no other equals",
+            space=True,
+        ),
+        kind(
+            "vertical",
+            "number",
+            "n",
+            (BODY,),
+            "the upward vertical in the body's own axes, as a state tells it",
+            SPACE,
+            space=True,
+        ),
+        kind("x_axis", "number", "e", (BODY,), "direction of the body's own x axis", SPACE, space=True),
+        kind("y_axis", "number", "e", (BODY,), "direction of the body's own y axis", SPACE, space=True),
+        kind("z_axis", "number", "e", (BODY,), "direction of the body's own z axis", SPACE, space=True),
+        kind(
+            "rotation_angle",
+            "angle",
+            "theta",
+            (BODY,),
+            "angle of the one rotation that all its turns come to, 0 to 180°",
+            space=True,
+        ),
+        kind("rotation_axis", "number", "n", (BODY,), "axis of that rotation", SPACE, space=True),
+        kind(
+            "freedoms",
+            "number",
+            "f",
+            (BODY, LINK),
+            "how many independent ways it can move, or a connection lets its body move",
+            ("translations", "rotations"),
+            space=True,
+        ),
+        kind(
+            "stability",
+            "squared rate",
+            "lambda2",
+            (BODY,),
+            "λ² of a small disturbance that goes as exp(λ t): the motion is stable where it is negative",
+            space=True,
+        ),
     )
 }
 INSIDE = ("bending_moment", "shear", "compression")  # what acts at a cut through a rod
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")  # of a phase
+VECTORS = (  # what has three components in space
+    "position",
+    "displacement",
+    "velocity",
+    "acceleration",
+    "angular_velocity",
+    "angular_acceleration",
+    "force",
+    "torque",
+    "impulse",
+    "angular_impulse",
+    "momentum",
+    "angular_momentum",
+)
+DIRECTED = (
+    *VECTORS,
+    "vertical",
+    "x_axis",
+    "y_axis",
+    "z_axis",
+    "rotation_axis",
+    "principal_axis",
+)  # between which there are angles
+INERTIAL = ("centrifugal", "euler", "coriolis")  # forces in a frame that turns
+FELT = {"force": INERTIAL}  # components that a quantity has beside its three in space
+OF_BEARINGS = ("force",)  # what is told of each bearing of a hinge
 OSCILLATING = {  # what is asked of swings, and how it is said
     "swing_period": "period",
     "frequency": "frequency",

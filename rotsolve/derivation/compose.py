@@ -21,7 +21,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of, title
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.results import LONG, Results, readable
-from rotsolve.language.problem import Problem, State, TimeValue
+from rotsolve.language.problem import Condition, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Ref, Step
@@ -31,20 +31,41 @@ def state_words(state: State, bare: str) -> Words:
     """What the scene says of a state, on one line; `bare` where it says nothing."""
     if state.opened:
         return (f"{spoken(state.name)}: {state.opened}",)
-    parts = []
+    parts, vectors = list[str](), dict[tuple[str, ...], list[str]]()
     for line in state.conditions:
         if line.rest:
             parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
-            owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            quantity, component = spoken(line.path.quantity), line.path.component or ""
-            said = OSCILLATING.get(line.path.quantity)
-            what = f"{said} of small swings" if said else quantity
-            kind, axis = ("", component) if component in ("x", "y") else (component, "")
-            parts.append(" ".join(word for word in (owner, kind, what, axis, value) if word))
+            whole = vector_words(line)
+            if whole:
+                vectors.setdefault(whole, []).append(value)
+                continue
+            parts.append(" ".join(word for word in (*line_words(line), value) if word))
+    parts += [f"{' '.join(words)} ({', '.join(values)})" for words, values in vectors.items()]
     parts += [word for word, so in (("in balance", state.balance), ("steady", state.steady)) if so]
     return (f"{spoken(state.name)}: " + (", ".join(parts) if parts else bare),)
+
+
+def line_words(line: Condition) -> tuple[str, ...]:
+    """Of what a line speaks: "block velocity x"."""
+    assert line.path is not None
+    owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
+    quantity, component = spoken(line.path.quantity), line.path.component or ""
+    said = OSCILLATING.get(line.path.quantity)
+    what = f"{said} of small swings" if said else quantity
+    kind, axis = ("", component) if component in ("x", "y", "z") else (component, "")
+    return (owner, kind, what, axis)
+
+
+def vector_words(line: Condition) -> tuple[str, ...]:
+    """The same of a vector of which a line in space tells a component of three; nothing for other lines."""
+    path = line.path
+    if path is None or not line.whole:
+        return ()
+    owner = spoken(".".join(part for part in (path.owner, path.point) if part))
+    seen = f"relative to {spoken(line.relative)}" if line.relative else f"in {line.axes} axes" if line.axes else ""
+    return tuple(word for word in (owner, spoken(path.quantity), seen) if word)
 
 
 def stated(value: Formula) -> str:
@@ -231,6 +252,7 @@ class DerivationComposer:
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(key_of(name).kind == "angle" for name in self.scene.registry.quantities)
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
+        said += self.scene.conventions()
         configuration = self.scene.configuration
         if configuration.mentions.functions:
             first = configuration.timeline.states[0].name

@@ -28,6 +28,7 @@ def facts_text(scene: SceneEquations, beside: Sequence[str] = ()) -> str:
     for state in scene.configuration.timeline.states:
         facts = scene.facts(state.name)
         lines.append(f"at {spoken(state.name)}" if state.name else "facts")
+        lines += [f"  {words_to_text(words, letters)}" for words in scene.diagram_words(state.name)]
         for body in facts.bodies:
             lines.append(f"  {spoken(body.name)}: {body.motion.kind}; positive: {body.positive or 'none'}")
             lines += [f"    {words_to_text(item.words, letters)}" for item in body.acting]

@@ -33,8 +33,16 @@ class AppliedForce(Action, frozen=True):
     word = "force"
     about = "a force on a point of a body; pulled off a wheel's rim with `over` or `under`"
     quantities = ("force", "torque", "work", "power", "impulse", "angular_impulse")
-    force: Formula | None = amount(
-        "size; `unknown` asks for it", "force", "F", varies=True, required=True, example="20 N"
+    spatial = True
+    force: Formula | None = key(
+        "amount",
+        "size; `unknown` asks for it; in space also `[Fx, Fy, Fz]`, or `any`: whatever it takes",
+        default=None,
+        dimension="force",
+        letter="F",
+        varies=True,
+        required=True,
+        example="20 N",
     )
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = aimed()
@@ -110,7 +118,16 @@ class AppliedCouple(Action, frozen=True):
     word = "couple"
     about = "a torque without a force, along the body's positive sense unless `direction` says otherwise"
     quantities = ("torque", "work", "power", "angular_impulse")
-    couple: Formula | None = amount("torque; `unknown` asks for it", "torque", "tau", varies=True, required=True)
+    spatial = True
+    couple: Formula | None = key(
+        "amount",
+        "torque; `unknown` asks for it; in space also `[Mx, My, Mz]`, or `any`: whatever it takes",
+        default=None,
+        dimension="torque",
+        letter="tau",
+        varies=True,
+        required=True,
+    )
     on: PointRef | None = key("point", "the body that it turns", required=True, example="wheel")
     direction: Direction | None = key(
         "direction", "clockwise or counterclockwise", default=None, choices=("clockwise", "counterclockwise")

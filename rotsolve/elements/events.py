@@ -89,9 +89,18 @@ class Impulse(Event, frozen=True):
     word = "impulse"
     about = "a blow: an impulse on a point of a body"
     quantities = ("impulse", "angular_impulse")
+    spatial = True
     impulse: Formula | None = amount("size; `unknown` asks for it", "impulse", "J", required=True)
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = aimed()
+
+    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]]:
+        assert self.on is not None
+        if not isinstance(self.direction, tuple) or len(self.direction) != 3:
+            help = "give it `direction: [x, y, z]`"
+            raise Unsolvable(f"in which direction `{self.name}` strikes nothing tells", span=self.on.span, help=help)
+        x, y, z = self.direction
+        return self.on, self.impulse or ZERO, (x, y, z)
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return (self.on,) if self.on is not None else ()

@@ -15,6 +15,7 @@ from rotsolve.language.keys import amount, key
 class Level(Surface, frozen=True):
     word = "level"
     about = "a level surface: `floor: level`"
+    spatial = True
     level = True
     away = "up"
     into = "down"

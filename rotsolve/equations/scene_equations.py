@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Span
@@ -66,6 +67,18 @@ class SceneEquations(Struct, dict=True):
             statements = Statements(Fixed(self.configuration, self.registry, self.modes))
             self.stated += statements.take()
             self.told += statements.told
+
+    def conventions(self) -> Iterator[Words]:
+        """What is to be said of its axes before the laws."""
+        return iter(())
+
+    def diagram_words(self, state: str) -> Iterator[Words]:
+        """What acts on each body of a scene in space, in words; nothing in the plane, whose facts say it."""
+        return iter(())
+
+    def unread_lines(self) -> Iterator[Condition]:
+        """The lines of states of which nothing has asked what they fix."""
+        return (line for key, line in self.told if key not in self.registry.spoken_of)
 
     def where(self, modes: Mapping[str, str]) -> SceneEquations:
         """The same scene with contacts in other modes: it shares all moments at which none of them acts, and what the laws say there.

@@ -17,15 +17,14 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.algebra.units.quantities import parse_quantity
-from rotsolve.confirm.course.verdict import against, confirmations
+from rotsolve.confirm.verdicts import against, confirmations
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.symbols import TIME
 from rotsolve.derivation.requirements import ROOT, SLIPS
 from rotsolve.language.problem import Given, Problem
-from rotsolve.motion.complete import configured
 from rotsolve.page.values import certified_digits
-from rotsolve.pipeline import solve_problem
+from rotsolve.pipeline import made_ready, solve_problem
 from rotsolve.scene.read import read_tree
 from rotsolve.scene.tree import Map, Node, compose
 from rotsolve.solution import Solution
@@ -188,7 +187,7 @@ def worked_anew(problem: Problem, solution: Solution) -> Worked:
 
 def hold_against_assembly(worked: Worked) -> None:
     """Unsuited where an assembly of all bodies' equations contradicts an answer: formulas are right only for what they were made."""
-    whole = configured(worked.problem).problem
+    whole = made_ready(worked.problem)[0].problem
     for verdict in confirmations(worked.answers, whole, worked.like.trace.letter, lambda _: True):
         if verdict.holds is False:
             raise Unsuited(against(verdict))

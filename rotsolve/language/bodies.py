@@ -13,6 +13,7 @@ from rotsolve.language.noted import Noted
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.core.faults import Span
+    from rotsolve.core.vectors.tensor import InertiaTensor
     from rotsolve.language.shape import Shape
 
 
@@ -25,13 +26,22 @@ class PointRef(Struct, frozen=True):
     owner: str
     point: str | None = None
     argument: Formula | None = None
-    place: tuple[Formula, Formula] | None = None
+    place: tuple[Formula, ...] | None = None
     span: Span | None = None
+
+
+class Turn(Struct, frozen=True):
+    """A rotation `by` an angle `about` a direction in space, counterclockwise as seen against it."""
+
+    about: tuple[Formula, Formula, Formula]
+    by: Formula
 
 
 class Body(Noted, frozen=True):
     """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later).
 
+    In space a body may have a symmetry `axis` (one of its own), a whole `tensor` (about `inertia_about`), and be `turned` from how it is
+    drawn, one turn after the other about axes that stay in space.
     `moved` is a motion that is prescribed: words such as `velocity`, their component ('' for a turn), formulas of `time`.
     """
 
@@ -52,6 +62,9 @@ class Body(Noted, frozen=True):
     turns: str | None = None
     span: Span | None = None
     moved: tuple[tuple[str, str, Formula], ...] = ()
+    axis: tuple[Formula, ...] = ()
+    tensor: InertiaTensor | None = None
+    turned: tuple[Turn, ...] = ()
 
 
 class Part(Struct, frozen=True):
@@ -65,6 +78,31 @@ class Part(Struct, frozen=True):
     start: tuple[Formula, Formula] | None = None
     end: tuple[Formula, Formula] | None = None
     angle: Formula | None = None
+    turned: tuple[Turn, ...] = ()
+
+
+class Joint(Struct, frozen=True):
+    """How a connection holds a body in space: `body` is the point held, at `carrier`, a point of another body or of the ground.
+
+    The body may turn about each of `turning` and slide along each of `sliding`, directions in the axes of what carries it, freely or, by
+    one about which a `drive` (angle, angular_velocity, angular_acceleration) turns it, as it is driven; `free` lets it turn about all.
+    `aligned` puts its symmetry axis along the axle, instead of leaving it as it is drawn. A screw goes `pitch` along its axis in one turn.
+    `bearings` are the places of two bearings along the axis. `rolls` has the body touch a surface at its lowest point, without slip;
+    `flat` has it lie on one with a face, so that it slides in two directions and turns about the third.
+    """
+
+    owner: str
+    carrier: PointRef
+    body: PointRef
+    turning: tuple[tuple[Formula, Formula, Formula], ...] = ()
+    sliding: tuple[tuple[Formula, Formula, Formula], ...] = ()
+    free: bool = False
+    drive: tuple[tuple[str, Formula], ...] = ()
+    aligned: bool = False
+    pitch: Formula | None = None
+    bearings: tuple[Formula, ...] = ()
+    rolls: bool = False
+    flat: bool = False
 
 
 class Surface(Element, frozen=True):
@@ -73,6 +111,8 @@ class Surface(Element, frozen=True):
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     later: ClassVar[bool] = False
+    planar: ClassVar[bool] = True
+    spatial: ClassVar[bool] = False
     held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
     level: ClassVar[bool] = False
     slanted: ClassVar[bool] = False

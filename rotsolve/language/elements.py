@@ -17,7 +17,7 @@ from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
-from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
+from rotsolve.language.bodies import Body, Joint, Orbit, PointRef, Ride, Surface
 from rotsolve.language.keys import Element, key
 
 Fact = Force | Couple | Rule | Requirement | Potential
@@ -136,6 +136,8 @@ class ActingElement(Element, frozen=True):
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
+    planar: ClassVar[bool] = True  # whether scenes in the plane have it
+    spatial: ClassVar[bool] = False  # whether scenes in space do
     name: str = ""
 
     def check(self, scene: Surroundings) -> None:
@@ -355,6 +357,10 @@ class Connection(ActingElement, frozen=True):
         """Whether its forces are as large as it takes even in an event."""
         return True
 
+    def joint_in_space(self) -> Joint | None:
+        """How it holds a body in space; None for what is no joint."""
+        return None
+
     def rubs(self) -> bool:
         """Whether one of its bodies can slip, against friction of a size that is known."""
         return False
@@ -391,6 +397,8 @@ class Event(Element, frozen=True):
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
+    planar: ClassVar[bool] = True
+    spatial: ClassVar[bool] = False
     bodily: ClassVar[bool] = False
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
@@ -418,6 +426,10 @@ class Event(Element, frozen=True):
     def joined(self) -> tuple[PointRef, ...]:
         """The two points, if any, that stay together from it on, so that their bodies are one."""
         return ()
+
+    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]]:
+        """The point that it strikes in a scene in space, how hard and in which direction."""
+        raise Unsolvable(f"`{self.name}` is not solved in space yet")
 
     def spot(self, ref: PointRef, instant: Moment) -> Vector:
         """Where it acts on the body of a point that takes part, from the body's reference."""

@@ -21,7 +21,7 @@ SECTIONS: dict[str, Key] = {
         letter="g",
     ),
     "plane": Key("choice", "`horizontal`: a table seen from above", choices=("vertical", "horizontal")),
-    "up": Key("choice", "`z`: a scene in space", choices=("y", "z"), later=True),
+    "up": Key("choice", "`z`: a scene in space", choices=("y", "z")),
     "surfaces": Key("map", "what bodies lie on: floors, slopes, walls"),
     "bodies": Key("map", "the rigid bodies; none where units are converted"),
     "connections": Key("map", "what touches what"),
@@ -29,7 +29,9 @@ SECTIONS: dict[str, Key] = {
     "states": Key("map", "named instants, in the order of time"),
     "phases": Key("map", "what differs between two states"),
     "events": Key("map", "what happens in no time between two states"),
-    "assume": Key("texts", "approximations", later=True),
+    "assume": Key(
+        "texts", "approximations: `fast spin` (in space): the spin of a top is much faster than its precession"
+    ),
     "find": Key("map", "what is asked", required=True),
     "answers": Key("map", "published answers, by the names of `find`"),
     "marking": Key("map", "how answers are marked, by the names of `find`, or `all`: points alone, or a map"),
@@ -51,7 +53,8 @@ BODY: dict[str, Key] = {
     ),
     "inertia": Key(
         "inertia",
-        "moment of inertia about `cm`, or `{value: I, about: POINT}`",
+        "moment of inertia about `cm`, or `{value: I, about: POINT}`; in space `{principal: [I1, I2, I3], about: POINT}` "
+        "or `{tensor: [[…], […], […]], about: POINT}`",
         dimension="moment of inertia",
         letter="I",
         limits="nonnegative",
@@ -65,8 +68,10 @@ BODY: dict[str, Key] = {
     "count": Key("count", "how many identical bodies stand for this one"),
     "moves": Key("choice", "positive direction of its motion (default right; up on a slope)", choices=SENSES),
     "turns": Key("choice", "positive sense of its rotation (default counterclockwise)", choices=TURNS),
-    "thickness": Key("quantity", "thickness", dimension="length", letter="d", limits="positive", later=True),
-    "axis": Key("axis", "symmetry axis in body coordinates", later=True),
+    "axis": Key("axis", "symmetry axis: one of the body's own axes, `x`, `y` or `z`", space=True),
+    "turned": Key(
+        "turns", "how it is turned from how it is drawn: `{about: x, by: 30 deg}`, or a list of such", space=True
+    ),
     "position": Key("motion", "prescribed place of its centre of mass", dimension="length", letter="r", varies=True),
     "velocity": Key("motion", "prescribed velocity `[vx, vy]`", dimension="velocity", letter="v", varies=True),
     "acceleration": Key(
@@ -86,13 +91,13 @@ PART: dict[str, Key] = {
     "start": Key("place", "where a rod begins"),
     "end": Key("place", "where a rod ends"),
     "angle": Key("quantity", "how far it is turned, counterclockwise", dimension="angle", letter="theta"),
+    "turned": Key("turns", "how it is turned in the body's axes: `{about: x, by: 30 deg}`", space=True),
 }
 
 PHASE: dict[str, Key] = {
     "from": Key("name", "the state before", refers=("state",), required=True),
     "to": Key("name", "the state after", refers=("state",), required=True),
     "without": Key("names", "connections that do not act in it", refers=("connection", "action")),
-    "constant": Key("text", "what stays constant", later=True),
 }
 
 MARKING: dict[str, Key] = {
@@ -119,16 +124,18 @@ DEDUCT: dict[str, Key] = {
     "followed": Key("deduction", "right by the student's own earlier answers alone (default 25 %)"),
 }
 
-CLAUSES = ("on", "about", "along", "by", "across", "relative", "at", "during", "from", "to", "where", "in")
-SPREAD = ("inertia", "gyration", "inertia_tensor")
+CLAUSES = ("about", "along", "by", "relative", "at", "during", "from", "to", "where", "in")
+SPREAD = ("inertia", "gyration", "inertia_tensor", "principal_moments", "principal_axis")
 SAID_OF = {  # the quantities of which a clause says something
     "about": (*SPREAD, "cm", "angular_momentum", "torque"),
     "along": ("inertia", "gyration"),
     "by": (*SPREAD, "cm", "mass"),
 }
-RESERVED_WORDS = (*CLAUSES, "is", "of", "unknown", "number")
+NAMED_AXES = ("space", "body", "node")  # in which components may be asked, beside those of a body that is named
+APPROXIMATIONS = ("fast spin",)
+RESERVED_WORDS = (*CLAUSES, "on", "across", "is", "of", "unknown", "number")
 SWINGS = {"period of": "swing_period", "frequency of": "frequency", "angular_frequency of": "angular_frequency"}
 WHICH, IS = "which of", "is"  # of several options: `{which of: {a: PHRASE, b: PHRASE}, is: largest}`
 ALONE = ("lost", "total", "mean", "largest", "smallest")  # modifiers without `of`
-LATER_MODIFIERS = ("angle of",)
-MODIFIERS = ("size of", "change of", *ALONE, *SWINGS, *LATER_MODIFIERS, WHICH)
+ANGLE_OF = "angle of"  # of two vectors in space: `angle of A from B`
+MODIFIERS = ("size of", "change of", *ALONE, *SWINGS, ANGLE_OF, WHICH)

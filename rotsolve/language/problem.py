@@ -14,6 +14,7 @@ from rotsolve.core.letters import Given as Given
 from rotsolve.language.bodies import Body as Body
 from rotsolve.language.bodies import Part as Part
 from rotsolve.language.bodies import PointRef as PointRef
+from rotsolve.language.bodies import Turn as Turn
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
@@ -40,6 +41,8 @@ class Path(Struct, frozen=True):
 class Condition(Struct, frozen=True):
     """One line of a state, event or `where`: path = value; a word (`grip: rolls`, `string: slack`, `… : largest`) is in `word`.
 
+    In space components are along `axes` ('' for those of space), and may be `relative` to a body whose axes turn;
+    a line of three components is three of these, which are `whole`.
     `rest` = True for `at rest` (owner 'all' or one body), path None. After `where` a quantity with its clauses is in `phrase`, path None.
     """
 
@@ -50,6 +53,9 @@ class Condition(Struct, frozen=True):
     owner: str = ""
     span: Span | None = None
     phrase: Find | None = None
+    axes: str = ""
+    relative: str = ""
+    whole: bool = False
 
 
 class State(Struct, frozen=True):
@@ -86,6 +92,8 @@ class Term(Struct, frozen=True):
     """One operand of a `find`: a path with its modifier and its own time.
 
     modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest'; of the periods and frequencies of swings
+    In space components are asked in `axes` (space, body, node, or those of a body that is named) and `relative` to a body; of an
+    `angle of` two vectors `other` is the second.
     'small swings' (`at` an equilibrium) or 'swings' (from `start`).
     A `time from A to B` has path.quantity 'time'. `at` names one state or is ANY_TIME, `during` a phase or event, `start`/`end` two states.
     """
@@ -97,8 +105,11 @@ class Term(Struct, frozen=True):
     start: str | None = None
     end: str | None = None
     about: PointRef | None = None
-    along: Formula | str | None = None
+    along: Formula | str | tuple[Formula, ...] | None = None
     by: str | None = None
+    axes: str | None = None
+    relative: str | None = None
+    other: Term | None = None
 
 
 class Option(Struct, frozen=True):
@@ -211,6 +222,7 @@ class Problem(Struct, frozen=True):
     givens: tuple[Given, ...] = ()
     gravity: Formula | None = None
     plane: str = "vertical"
+    space: bool = False  # whether it is a scene in space, with z up
     surfaces: tuple[Surface, ...] = ()
     bodies: tuple[Body, ...] = ()
     connections: tuple[Connection, ...] = ()

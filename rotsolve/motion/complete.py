@@ -56,7 +56,7 @@ def check_path(item: Connection | Action, path: tuple[str, str, str], instant: I
         raise Unsolvable(message, span=held[-1].span)
 
 
-class _Letters:
+class MadeLetters:
     """Makes letters that are not taken, and remembers them as givens without a value."""
 
     def __init__(self, problem: Problem) -> None:
@@ -77,12 +77,14 @@ def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
     problem = on_mounts(problem)
     check(problem)
-    letters, held = _Letters(problem), {ref.owner for item in problem.connections for ref in item.fixed_points()}
+    letters, held = MadeLetters(problem), {ref.owner for item in problem.connections for ref in item.fixed_points()}
     wheels = {name for item in problem.connections for name in item.turned()}
     riders = {ride.rider.owner for item in problem.connections if (ride := item.ride()) is not None}
     bodies = []
     for body in problem.bodies:
-        bodies.append(_rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels))
+        bodies.append(
+            _rider(body, letters) if body.name in riders else complete_body(body, letters, body.name in wheels)
+        )
     if problem.states:
         versions(bodies, problem.states)  # refuses what can't differ between states
     guides = [guide(body) for body in bodies if body.moved]
@@ -90,13 +92,17 @@ def completed(problem: Problem) -> Problem:
     return replace(problem, bodies=tuple(bodies), connections=connections, givens=(*problem.givens, *letters.made))
 
 
-def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
+def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body:
     shape = _shape(body.shape, body, letters) if body.shape is not None else None
     mass = body.mass
     parts = body.parts and tuple([_part(part, letters) for part in body.parts])
     holes = body.holes and tuple([_hole(hole, shape) for hole in body.holes])
     if shape is not None:
         shape = shape.following(letters.positive)
+    if body.tensor is not None or (
+        body.axis and body.inertia is not None
+    ):  # in space the point stays that of the scene
+        return body if mass is not None else replace(body, mass=letters.make("m", body.name, "mass"))
     if body.density is not None and shape is not None and has_quantities(body.density):
         shape = Graded(letters.positive, shape, body.density)
         mass = shape.measure()
@@ -118,11 +124,11 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
     return _central(body)
 
 
-def _rider(body: Body, letters: _Letters) -> Body:
+def _rider(body: Body, letters: MadeLetters) -> Body:
     """A body that rides on another is a particle at its `radius` from the axis."""
     own = shape_of(body).centroid()[0]
     radius = (own if own != ZERO else body.radius) or letters.make("r", body.name, "length")
-    return _body(replace(body, shape=Particle(radius), radius=None), letters, False)
+    return complete_body(replace(body, shape=Particle(radius), radius=None), letters, False)
 
 
 def _central(body: Body) -> Body:
@@ -134,14 +140,14 @@ def _central(body: Body) -> Body:
     return replace(body, inertia=simplify(body.inertia - body.mass * distance.dot(distance)))
 
 
-def _part(part: Part, letters: _Letters) -> Part:
+def _part(part: Part, letters: MadeLetters) -> Part:
     shape = part.body.shape
     straight = shape is not None and shape.slender and shape.reach() is None
     if shape is not None and straight and part.start is not None and part.end is not None:
         gap = place(part.end) - place(part.start)
         size: dict[str, Any] = {"length": simplify(sqrt(gap.dot(gap)), positive=letters.positive)}
         part = replace(part, body=replace(part.body, shape=replace(shape, **size)))
-    return replace(part, body=_body(part.body, letters, False))
+    return replace(part, body=complete_body(part.body, letters, False))
 
 
 def _hole(hole: Part, shape: Shape | None) -> Part:
@@ -152,7 +158,7 @@ def _hole(hole: Part, shape: Shape | None) -> Part:
     return replace(hole, body=replace(hole.body, shape=replace(cut, **{"length": length})))
 
 
-def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
+def _shape(shape: Shape, body: Body, letters: MadeLetters) -> Shape:
     changes: dict[str, Any] = {}
     for name, declared in shape.declared.items():
         if name not in ("radius", "length") or getattr(shape, name) is not None or declared.kind != "quantity":

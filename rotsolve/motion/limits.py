@@ -12,6 +12,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, call, negate, sqrt, total
 from rotsolve.core.limits import Limit
 from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.vectors.tensor import ONE_AXIS, displaced
 from rotsolve.elements.shapes import Shape
 from rotsolve.language.bodies import Part
 from rotsolve.language.problem import Body, Problem, references
@@ -67,6 +68,7 @@ def body_limits(body: Body) -> Iterator[Limit]:
     """What its shape asks of its sizes, and those of its parts, and that its holes lie within it beside each other."""
     for part in (body, *(part.body for part in (*body.parts, *body.holes))):
         yield from part.shape.rooms() if part.shape is not None else ()
+    yield from tensor_limits(body)
     for hole in body.holes:
         for gap in hole_margins(hole, body.shape):
             yield Limit(gap, f"the hole `{hole.body.name}` sticks out of `{body.name}`")
@@ -80,6 +82,21 @@ def body_limits(body: Body) -> Iterator[Limit]:
     if sizes and sizes[0] is not None:
         left = total([sizes[0], *(negate(size) for size in sizes[1:] if size is not None)])
         yield Limit(left, f"the holes leave nothing of `{body.name}`", strict=True)
+
+
+def tensor_limits(body: Body) -> Iterator[Limit]:
+    """Of the moments of inertia about the centre of mass none is larger than the other two together: each Σ m x² is positive."""
+    tensor, mass = body.tensor, body.mass
+    if tensor is None:
+        return
+    away = dict(body.points).get(body.inertia_about or "", (ZERO, ZERO, ZERO))
+    x, y, z = (*away, ZERO)[:3]
+    off = displaced(mass or ZERO, (x, y, z))
+    own = [simplify(tensor.entry(word) - off.entry(word)) for word in ONE_AXIS]
+    words = f"no body has the moments of inertia of `{body.name}`: about its centre of mass one would be larger than the other two together"
+    for number in range(3):
+        rest = [moment for place, moment in enumerate(own) if place != number]
+        yield Limit(simplify(rest[0] + rest[1] - own[number]), words)
 
 
 def hole_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:

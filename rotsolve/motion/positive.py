@@ -55,8 +55,11 @@ def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:
 
 
 def limits_of(element: Element) -> Iterator[tuple[Formula | None, str]]:
-    """The values of an element under keys that limit them."""
+    """The values of an element under keys that limit them; what nobody wrote is as its class has it."""
+    own = dict(zip(reversed(element.__struct_fields__), reversed(element.__struct_defaults__), strict=False))
     for field, declared in element.declared.items():
         value = getattr(element, field) if declared.limits else None
+        if value is own.get(field):
+            continue
         sizes = (value,) if isinstance(value, Formula) or not isinstance(value, Struct) else astuple(value)
         yield from ((size, declared.limits) for size in sizes)

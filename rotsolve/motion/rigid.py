@@ -12,13 +12,29 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Number, Quotient, Sum, add, call, negate, sqrt, total
+from rotsolve.algebra.formula import (
+    HALF,
+    ONE,
+    ZERO,
+    Formula,
+    Number,
+    Quotient,
+    Sum,
+    add,
+    call,
+    multiply,
+    negate,
+    sqrt,
+    total,
+)
 from rotsolve.core.derivation import Words
 from rotsolve.core.facts import Sweep, Whirl, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
 from rotsolve.core.vectors.tensor import Place as Spot
+from rotsolve.core.vectors.triple import Rows, in_turn
+from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.shapes import Shape, rim_radius, rims, round_part, shape_of
 from rotsolve.language.problem import Body, Part, PointRef
@@ -44,6 +60,7 @@ class RigidPiece(Struct, frozen=True):
     measure: Formula | None = None
     heading: Heading = RIGHT
     whole: bool = False
+    rows: Rows | None = None  # how it is turned in space
 
     def place(self) -> Spot:
         """Where its centre of mass is, in the axes of the body."""
@@ -53,6 +70,9 @@ class RigidPiece(Struct, frozen=True):
     def weighing(self, mass: Formula) -> RigidPiece:
         """The piece with another mass, all its moments in terms of that."""
         tensor = turned_by(self.shape.tensor(mass), self.heading) if self.tensor is not None else None
+        if self.rows is not None and tensor is not None:
+            tensor = tensor.turned(self.rows)
+            return replace(self, mass=mass, moment=tensor.zz, tensor=tensor)
         return replace(self, mass=mass, moment=self.shape.moment(mass), tensor=tensor)
 
     def tensor_along(self, orientation: Heading) -> InertiaTensor | None:
@@ -63,6 +83,22 @@ class RigidPiece(Struct, frozen=True):
         if tensor is None:
             return InertiaTensor() if self.moment == ZERO else None
         return turned_by(tensor, orientation)
+
+    def turned_in_space(self, rows: Rows, origin: Spot, sign: Formula) -> RigidPiece:
+        """The piece turned about the centre of its body, and that moved; with a minus sign it is cut out."""
+        x, y, z = (add(start, along) for start, along in zip(origin, rotated_in_space(rows, self.place()), strict=True))
+        tensor = None if self.tensor is None else self.tensor.turned(rows).times(sign)
+        return replace(
+            self,
+            mass=multiply(sign, self.mass),
+            moment=multiply(sign, self.moment) if tensor is None else tensor.zz,
+            at=cartesian(x, y),
+            height=z,
+            tensor=tensor,
+            measure=None if self.measure is None else multiply(sign, self.measure),
+            whole=False,
+            rows=rows,
+        )
 
     def moved(self, direction: Heading, origin: Vector, height: Formula, sign: Formula) -> RigidPiece:
         """The piece turned in the plane and moved; with a minus sign it is cut out."""
@@ -124,6 +160,8 @@ def _own_piece(body: Body) -> RigidPiece | None:
     if body.holes and body.shape is not None:
         mass, measure = mass / _rest(body) * shape.measure(), shape.measure()
     at, height = place(shape.centroid()), shape.rise()
+    if body.tensor is not None:  # about its own point; who needs it about another asks `space/inertia`
+        return RigidPiece(body.name, mass, body.tensor.zz, at, shape, height, body.tensor)
     if body.inertia is not None or body.gyration is not None:
         moment = body.inertia if body.inertia is not None else mass * (body.gyration or ZERO) ** 2
         return RigidPiece(body.name, mass, moment, at, shape, height)
@@ -150,6 +188,11 @@ def _cut(hole: Part, body: Body) -> tuple[RigidPiece, ...]:
 
 def _placed(part: Part, sign: Formula) -> tuple[RigidPiece, ...]:
     """The pieces of a part, turned and moved to its place."""
+    if part.turned:
+        at = part.at or ()
+        spot = tuple(at[index] if len(at) > index else ZERO for index in range(3))
+        rows = in_turn((item.about, item.by) for item in part.turned)
+        return tuple(piece.turned_in_space(rows, (spot[0], spot[1], spot[2]), sign) for piece in pieces(part.body))
     direction, origin = part_frame(part)
     height = part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
     return tuple(piece.moved(direction, origin, height, sign) for piece in pieces(part.body))

@@ -102,6 +102,8 @@ class OfInertias(AtInstant, frozen=True):
             if facts is not None and at_reference and plain and not spread.integrates:
                 return Told(facts.letter, "")
             return self._perpendicular(path, term, spread) or inertia.moment(spread, "zz")
+        if isinstance(along, tuple):
+            raise NotYet("an axis in space is for scenes with `up: z`")
         if not isinstance(along, str):
             return inertia.along(spread, heading(along or ZERO))
         if along not in ENTRY_OF:

@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ONE, Call, Formula, Number
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import ANY_TIME, Path, Term
+from rotsolve.language.problem import ANY_TIME, EXTREMES, Path, Term
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, path_text
 
 if TYPE_CHECKING:
@@ -52,6 +52,10 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
         swing = scene.swing(term)
         return Meaning(swing.letters[term.path.quantity], QUANTITIES[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
+    if scene.configuration.problem.space:
+        if start or term.during:
+            return scene.between(term)  # type: ignore[attr-defined, no-any-return]
+        return scene.steady_extreme(term) if term.modifier in EXTREMES else at_state(term, scene)  # type: ignore[attr-defined]
     if term.at == ANY_TIME:
         from rotsolve.questions.functions_of_time import meaning_at_any_time
 

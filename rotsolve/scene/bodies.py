@@ -14,6 +14,7 @@ from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.problem import Body, Part
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import read_keys, read_value
+from rotsolve.scene.in_space import in_plane_only, in_space_only, read_axis, read_principal, read_rotations, read_tensor
 from rotsolve.scene.literals import Want
 from rotsolve.scene.paths import point_names, read_spot
 from rotsolve.scene.rough import rough
@@ -94,6 +95,10 @@ def build_body(
         declared = BODY[word]
         if declared.later:
             scope.later(place, word)
+        if declared.space and not scope.space:
+            in_space_only(scope, place, word)
+        if scope.space and word in PLANAR:
+            in_plane_only(scope, place, word)
         reader = READERS.get(declared.kind)
         found: Any
         if declared.kind == "motion":
@@ -111,6 +116,9 @@ def build_body(
     check_exclusive(scope, name, entries, fields)
     known = {field: item for field, item in fields.items() if field in Body.__struct_fields__}
     body = Body(name, span=key.span, **known)
+    if body.tensor is not None and body.shape is not None:
+        help = "a body whose inertia is given needs no `shape`"
+        scope.fault(entries["inertia"][0], f"`{name}` has both a shape and an inertia tensor", help, "form")
     if body.holes:
         from rotsolve.scene.cutouts import check_holes
 
@@ -129,6 +137,12 @@ def check_inertia_point(scope: Scope, name: str, entries: Entries, body: Body) -
 
 def read_motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator[tuple[str, str, Formula]]:
     """A prescribed motion: one value or formula of `time` for a turn, `[x, y]` for a travel."""
+    if scope.space:
+        from rotsolve.scene.in_space import read_three
+
+        want = Want(word, key.dimension, key.letter, name, varies=key.varies)
+        yield from ((word, axis, part) for axis, part in zip("xyz", read_three(scope, node, want) or (), strict=False))
+        return
     if word in TURNING:
         parts = {"": node}
     elif isinstance(node, List) and len(node.items) == 2:
@@ -183,17 +197,27 @@ def check_triangle(scope: Scope, name: str, node: Node, sides: tuple[Formula, ..
 
 
 def read_inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
-    """A number, `{value: I, about: POINT}`, or a tensor (later)."""
+    """A number, `{value: I, about: POINT}`; in space `{principal: …}` or `{tensor: …}` about a point."""
     want = Want("inertia", "moment of inertia", "I", owner, "nonnegative")
     if isinstance(node, List):
-        return scope.later(node, "inertia tensor")
+        return scope.fault(node, "`inertia` wants a value or a map", "write `{principal: [I1, I2, I3]}`", "form")
     if not isinstance(node, Map):
         found = read_scalar(scope, node, want)
         return None if found is None else {"inertia": found}
-    entries = scope.entries(node, "`inertia`", ("value", "about"))
-    if "value" not in entries:
-        return scope.fault(node, "`inertia` needs `value`", "write `inertia: {value: I, about: start}`", "missing")
-    result: dict[str, Any] = {"inertia": read_scalar(scope, entries["value"][1], want)}
+    entries = scope.entries(node, "`inertia`", ("value", "about", *WHOLE))
+    whole = [word for word in WHOLE if word in entries]
+    if len(whole) + ("value" in entries) != 1:
+        help = "write `inertia: {value: I, about: start}`"
+        return scope.fault(
+            node, f"`inertia` needs one of `value`, {', '.join(f'`{word}`' for word in WHOLE)}", help, "missing"
+        )
+    result: dict[str, Any]
+    if whole:
+        if not scope.space:
+            return in_space_only(scope, entries[whole[0]][0], whole[0])
+        result = {"tensor": WHOLE[whole[0]](scope, entries[whole[0]][1], owner)}
+    else:
+        result = {"inertia": read_scalar(scope, entries["value"][1], want)}
     if "about" in entries:
         about = entries["about"][1]
         if isinstance(about, Text):
@@ -221,6 +245,11 @@ def read_part(scope: Scope, name: str, key: Text, node: Node) -> Part:
     shape = named_shape(scope, node)
     entries = scope.entries(node, f"part `{name}`", keys_allowed(shape, tuple(PART)))
     written = [word for word in PART if word in entries]
+    for word in written:
+        if PART[word].space and not scope.space:
+            in_space_only(scope, entries[word][0], word)
+    if scope.space and "angle" in entries:
+        in_plane_only(scope, entries["angle"][0], "angle")
     fields = {word: read_value(scope, PART[word], entries[word][1], word, name) for word in written}
     body = build_body(scope, name, key, entries, shape or Particle, tuple(PART))
     if ("start" in entries) != ("end" in entries):
@@ -241,15 +270,13 @@ def read_count(scope: Scope, node: Node, owner: str) -> int | None:
     return scope.fault(node, "`count` wants a whole number from 1 to 1000", kind="form")
 
 
-def check_axis(scope: Scope, node: Node, owner: str) -> None:
-    if isinstance(node, Map):
-        scope.fault(node, "`axis` wants `x`, `y`, `z` or `[x, y, z]`", kind="form")
-
-
+WHOLE: dict[str, Callable[[Scope, Node, str], Any]] = {"principal": read_principal, "tensor": read_tensor}
+PLANAR = ("moves", "turns", "angle", "count")  # keys of a body that mean nothing in space
 READERS: dict[str, Callable[[Scope, Node, str], Any]] = {
     "inertia": read_inertia,
     "parts": read_parts,
     "points map": read_points_map,
     "count": read_count,
-    "axis": check_axis,
+    "axis": read_axis,
+    "turns": read_rotations,
 }

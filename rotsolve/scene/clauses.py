@@ -1,4 +1,5 @@
-"""Clauses: what follows an expression in a `find` phrase: `at`, `during`, `from … to`, `about`, `on`, `along`, `by`, `where`, `in`."""
+"""Clauses: what follows an expression in a `find` phrase: `at`, `during`, `from … to`, `about`, `along`, `by`, `where`, `in`;
+in space `relative to` and `in … axes`."""
 
 from __future__ import annotations
 
@@ -10,13 +11,14 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.quantities import UnitError, parse_unit
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.language.grammar import CLAUSES, SAID_OF
+from rotsolve.language.grammar import CLAUSES, NAMED_AXES, SAID_OF
 from rotsolve.language.problem import ANY_TIME, Condition, PointRef, Term
 from rotsolve.language.words import hint, quoted
+from rotsolve.scene.in_space import WORDS, in_space_only, read_way
 from rotsolve.scene.literals import Lexeme, Want
 from rotsolve.scene.paths import read_point
 from rotsolve.scene.scope import Scope
-from rotsolve.scene.tree import Text
+from rotsolve.scene.tree import List, Text
 from rotsolve.scene.values import read_scalar
 
 DIRECTIONS = ("right", "left", "up", "down", "x", "y", "z", "tangential", "normal")
@@ -42,12 +44,13 @@ class Clauses:
         index = 0
         while index < len(words):
             word = words[index]
-            end = index + 1
+            seen_from = word.text == "relative" and len(words) > index + 1 and words[index + 1].text == "to"
+            end = index + 1 + seen_from
             while (end < len(words) and not (words[end].text in CLAUSES and words[end].kind == "name")) or (
                 word.text == "where" and end < len(words) and words[end].text != "in"
             ):
                 end += 1
-            self.clause(word, words[index + 1 : end])
+            self.clause(word, words[index + 1 + seen_from : end])
             index = end
         if ("start" in self.words) != ("end" in self.words):
             self.scope.fault(self.node, "`from` and `to` belong together", "write `from A to B`", "find")
@@ -66,8 +69,10 @@ class Clauses:
         key = {"from": "start", "to": "end"}.get(word.text, word.text)
         if not rest:
             self.scope.fault(span, f"nothing follows `{word.text}`", "", "find")
-        elif word.text in ("across", "relative", "on"):
-            self.scope.later(span, word.text)
+        elif (word.text == "relative" or rest[-1].text == "axes") and not self.scope.space:
+            in_space_only(self.scope, span, "relative to" if word.text == "relative" else f"in {rest[0].text} axes")
+        elif word.text == "in" and rest[-1].text == "axes":
+            self.words["axes"] = self.read_axes(self.node.cut(rest[0].start, rest[0].end))
         elif not self.outer and word.text in ("where", "in"):
             self.scope.fault(span, f"`{word.text}` can't stand in brackets", "put it at the end", "find")
         elif key in self.words:
@@ -80,6 +85,13 @@ class Clauses:
         return self.named(part, "states", "state")
 
     read_start = read_end = state
+
+    def read_axes(self, part: Text) -> str | None:
+        word = part.value.strip()
+        return word if word in NAMED_AXES else self.named(part, "bodies", "body")
+
+    def read_relative(self, part: Text) -> str | None:
+        return self.named(part, "bodies", "body")
 
     def read_at(self, part: Text) -> str | None:
         return ANY_TIME if part.value.split() == ANY_TIME.split() else self.state(part)
@@ -104,8 +116,12 @@ class Clauses:
     def read_about(self, part: Text) -> PointRef | None:
         return read_point(self.scope, part, "about", "about", ("body", "connection"))
 
-    def read_along(self, part: Text) -> Formula | str | None:
+    def read_along(self, part: Text) -> Formula | str | tuple[Formula, ...] | None:
         word = part.value.strip()
+        if self.scope.space and word.startswith("["):
+            return read_way(self.scope, list_of_texts(part), "along")
+        if self.scope.space and word in WORDS:
+            return WORDS[word]
         if word in DIRECTIONS or self.scope.kinds.get(word) in ("surface", "body"):
             return word
         return read_scalar(self.scope, part, Want("along", "angle", "theta"))
@@ -140,7 +156,7 @@ class Clauses:
 
     def applied(self, term: Term) -> Term:
         """The term with the clauses that it has not got of its own."""
-        names = ("at", "during", "start", "end", "about", "along", "by")
+        names = ("at", "during", "start", "end", "about", "along", "by", "axes", "relative")
         changes = {
             name: self.words[name] for name in names if self.words.get(name) is not None and getattr(term, name) is None
         }
@@ -148,3 +164,13 @@ class Clauses:
             for name in ("at", "during", "start", "end"):
                 changes.pop(name, None)
         return replace(term, **changes)
+
+
+def list_of_texts(part: Text) -> List:
+    """`[a, b, c]` within a phrase as a list of texts in their places."""
+    inner = part.value.removeprefix("[").removesuffix("]")
+    items, start = [], 1
+    for item in inner.split(","):
+        items.append(part.cut(start, start + len(item)))
+        start += len(item) + 1
+    return List(tuple(items), part.span)

@@ -27,6 +27,10 @@ def read_condition(scope: Scope, part: Text, quantity: Quantity) -> Condition | 
     texts = [piece.text for piece in words]
     if len(words) in (2, 3) and scope.kinds.get(texts[0]) == "connection" and (len(words) == 2 or texts[1] == "is"):
         return contact_word(scope, part, texts)
+    if scope.space and texts[1:2] == ["is"] and texts[2:] in (["stable"], ["steady"]):
+        if scope.kinds.get(texts[0]) == "state":
+            return Condition(Path("", "stability"), word=texts[2], owner=texts[0], span=part.span)
+        return scope.unknown(part, texts[0], "state", scope.names("state"), "states")
     if texts[1:] == ["is", "stable"] and scope.kinds.get(texts[0]) == "state":
         return Condition(Path("", "swing_period"), word="stable", owner=texts[0], span=part.span)
     if "=" in texts:

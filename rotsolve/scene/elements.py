@@ -14,6 +14,8 @@ from rotsolve.elements.surfaces import SURFACES
 from rotsolve.language.keys import Element, Key, keys_of
 from rotsolve.language.problem import PointRef
 from rotsolve.language.words import hint, nearest_name, quoted
+from rotsolve.scene import in_space
+from rotsolve.scene.in_space import in_plane_only, in_space_only
 from rotsolve.scene.literals import Want
 from rotsolve.scene.paths import read_place, read_point, read_spot, running_path
 from rotsolve.scene.rough import size
@@ -23,6 +25,7 @@ from rotsolve.scene.values import read_scalar
 
 KeyReader = Callable[[Scope, Key, Node, str, str], Any]
 PlaceReader = Callable[[Scope, Node, str, str], Any]
+ANY = "any"  # a force or couple in space that is as large as it takes
 FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 
 
@@ -36,6 +39,8 @@ def read_keys(scope: Scope, cls: type[Element], name: str, entries: dict[str, tu
         key, node = entries[word]
         if declared.later:
             scope.later(key, word)
+        if declared.space and not scope.space:
+            in_space_only(scope, key, word)
         found = read_value(scope, declared, node, word, name)
         if found is not None:
             result[attributes[word]] = found
@@ -160,7 +165,9 @@ def read_directions(scope: Scope, key: Key, node: Node, label: str, owner: str) 
 
 
 def read_direction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    """A word, `[x, y]` (only its direction counts) or an angle from the rightward horizontal."""
+    """A word, `[x, y]` (only its direction counts) or an angle from the rightward horizontal; in space a word or `[x, y, z]`."""
+    if scope.space:
+        return in_space.read_way(scope, node, label, owner)
     if isinstance(node, List):
         return read_vector(scope, key, node, label, owner)
     if isinstance(node, Text) and node.value.strip() in key.choices:
@@ -171,12 +178,30 @@ def read_direction(scope: Scope, key: Key, node: Node, label: str, owner: str) -
 
 
 def read_vector(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    if not isinstance(node, List) or len(node.items) not in (2, 3):
+    if isinstance(node, List) and len(node.items) == 3:
+        return in_space_only(scope, node, f"{label}: [x, y, z]")
+    if not isinstance(node, List) or len(node.items) != 2:
         return scope.fault(node, f"`{label}` wants `[x, y]`", kind="form")
-    if len(node.items) == 3:
-        scope.later(node, "a direction in space")
     found = [read_scalar(scope, item, Want(label)) for item in node.items]
     return None if None in found else tuple(found)
+
+
+def read_along(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """The direction of an axis in space; in the plane that of a surface."""
+    return in_space.read_way(scope, node, label, owner)
+
+
+def read_amounts(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """A size; in space also three components, or `any`: as large as it takes, in whatever direction."""
+    if scope.space and isinstance(node, Text) and node.value.strip() == ANY:
+        return ANY
+    if isinstance(node, List) and scope.space:
+        return in_space.read_three(scope, node, Want(label, key.dimension, key.letter, owner))
+    return read_quantity(scope, key, node, label, owner)
+
+
+def read_turned(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return in_space.read_rotations(scope, node, owner)
 
 
 def read_friction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -237,6 +262,9 @@ READERS: dict[str, KeyReader] = {
     "direction": read_direction,
     "vector": read_vector,
     "friction": read_friction,
+    "axis in space": read_along,
+    "amount": read_amounts,
+    "turns": read_turned,
 }
 
 
@@ -261,8 +289,7 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
         return None
     scope.elements[name] = cls
     entries = scope.entries(node, f"{kind} `{name}`", [word for word, _ in keys_of(cls)])
-    if cls.later:
-        scope.later(node.key(cls.word), cls.word)
+    check_world(scope, node.key(cls.word) or node, cls)
     required = {word: declared for word, declared in keys_of(cls) if declared.required}
     for word, declared in required.items():
         if node.key(word) is None:
@@ -275,6 +302,16 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     element: Element = cls(name, **found)
     scope.touched[name] = tuple(point.owner for point in points_named(element) if point.owner)
     return element
+
+
+def check_world(scope: Scope, place: Node, cls: Any) -> None:
+    """An element is one of the plane, of space, or of both; one whose physics is not there yet is refused by name."""
+    if cls.later:
+        scope.later(place, cls.word)
+    elif scope.space and not cls.spatial:
+        in_plane_only(scope, place, cls.word)
+    elif not scope.space and not cls.planar:
+        in_space_only(scope, place, cls.word)
 
 
 def example_here(scope: Scope, declared: Key) -> str:
@@ -292,8 +329,7 @@ def plain_word(scope: Scope, kind: str, table: list[Any], name: str, node: Text)
     alone = {cls.word: cls for cls in table if not any(declared.required for _, declared in keys_of(cls))}
     cls = alone.get(word)
     if cls is not None:
-        if cls.later:
-            scope.later(node, word)
+        check_world(scope, node, cls)
         scope.elements[name] = cls
         return cls(name)  # type: ignore[no-any-return]
     known = next((item for item in table if item.word == word), None)

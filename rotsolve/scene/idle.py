@@ -114,7 +114,7 @@ def key_faults(problem: Problem) -> Iterator[Fault]:
 
 def line_faults(scene: SceneEquations) -> Iterator[Fault]:
     """A fault for each line of a state of which nothing has asked what it fixes."""
-    for key, line in scene.told:
-        if key not in scene.registry.spoken_of and line.path is not None:
+    for line in scene.unread_lines():
+        if line.path is not None:
             message = f"what the state says of `{path_text(line.path)}` says nothing here"
             yield Fault(message, line.span, "nothing that is solved here depends on it: leave it out", "idle")

@@ -8,12 +8,13 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import BODY, POINT, QUANTITIES, SYSTEM, QuantityKind
+from rotsolve.core.quantity import BODY, FELT, OF_BEARINGS, POINT, QUANTITIES, SPACE, SYSTEM, VECTORS, QuantityKind
 from rotsolve.core.symbols import PLACES, RATES
 from rotsolve.elements.shapes import WHEEL, rivals
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.language.words import an, hint, quoted
+from rotsolve.scene.in_space import in_space_only
 from rotsolve.scene.literals import Lexeme, Want, closing
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
@@ -42,17 +43,16 @@ def point_names(body: Body) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*own, *named, "cm")))
 
 
-def read_place(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula, Formula] | None:
-    """A place `[x, y]` in the plane."""
-    if not isinstance(node, List) or len(node.items) not in (2, 3):
-        return scope.fault(node, f"`{label}` wants a place `[x, y]`", kind="form")
-    if len(node.items) == 3:
-        scope.later(node, "a place in space")
-    x, y = (
+def read_place(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula, ...] | None:
+    """A place `[x, y]` in the plane, `[x, y, z]` in space."""
+    wanted = "[x, y, z]" if scope.space else "[x, y]"
+    if not isinstance(node, List) or len(node.items) != len(wanted.split()):
+        return scope.fault(node, f"`{label}` wants a place `{wanted}`", kind="form")
+    found = [
         read_scalar(scope, item, Want(label, "length", letter, owner))
-        for item, letter in zip(node.items[:2], "xy", strict=True)
-    )
-    return None if x is None or y is None else (x, y)
+        for item, letter in zip(node.items, "xyz", strict=False)
+    ]
+    return tuple(item for item in found if item is not None) if None not in found else None
 
 
 def read_spot(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula, ...] | None:
@@ -245,6 +245,7 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
     return entry is None or (len(rest) > 1 and rest[1] not in entry.components)
 
 
+BEARINGS = ("bearing1", "bearing2")  # of a hinge in space
 OF_ENDS = (
     "tension",
 )  # what is told of the part of a connection at one of its ends; all else is of the whole, or on the body named last
@@ -257,10 +258,10 @@ def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> 
     if cls is None:
         return None
     point = None
-    ends = scope.touched.get(owner, ())
+    ends = (*scope.touched.get(owner, ()), *(BEARINGS if scope.space and "bearings" in cls.declared else ()))
     if len(rest) > 1 and rest[0] in ends and rest[0] not in cls.quantities:
         point, rest = str(rest[0]), rest[1:]
-    allowed = [word for word in cls.quantities if not point or word in OF_ENDS]
+    allowed = [word for word in cls.quantities if not point or word in (OF_BEARINGS if point in BEARINGS else OF_ENDS)]
     return finish(scope, node, owner, point, None, rest, span, allowed, [*allowed, *(ends if not point else ())])
 
 
@@ -290,11 +291,15 @@ def finish(
         return scope.fault(word_place(node, rest[2]), message, "", "path")
     if entry.later:
         scope.later(span, word)
+    if entry.space and not scope.space:
+        return in_space_only(scope, word_place(node, word), word)
     return Path(owner, str(word), point, argument, component, span)
 
 
 def read_component(scope: Scope, node: Text, entry: QuantityKind, word: Segment) -> str | None:
     allowed = [*entry.components]
+    if scope.space and entry.word in VECTORS:
+        allowed = [*dict.fromkeys((*allowed, *SPACE, *FELT.get(entry.word, ())))]
     if entry.word in ANY_FORCE:
         allowed += scope.names("connection", "action")
     if word in allowed:

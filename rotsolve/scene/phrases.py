@@ -1,6 +1,7 @@
 """Phrases: the small language of `find`.
 
-[modifier] EXPRESSION [on …] [about …] [along …] [by integration] [at …] [during …] [from … to …] [where …] [in UNIT]
+[modifier] EXPRESSION [about …] [along …] [by integration] [at …] [during …] [from … to …] [where …] [in UNIT]
+angle of VECTOR from VECTOR, VECTOR [relative to BODY] [in … axes], in space
 period of small swings [of BODY] [about STATE], period of swings [of BODY] from STATE
 
 A modifier and the clauses belong to the whole expression before them; a part in brackets may have its own:
@@ -17,19 +18,21 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol, call
-from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import ANGLE, Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.core.quantity import QUANTITIES
-from rotsolve.language.grammar import ALONE, CLAUSES, LATER_MODIFIERS, MODIFIERS, SWINGS, WHICH
+from rotsolve.core.quantity import DIRECTED, QUANTITIES
+from rotsolve.language.grammar import ALONE, ANGLE_OF, CLAUSES, MODIFIERS, SWINGS, WHICH
 from rotsolve.language.problem import Condition, Find, Path, Term
 from rotsolve.language.words import quoted
 from rotsolve.scene.clauses import Clauses
+from rotsolve.scene.in_space import in_space_only
 from rotsolve.scene.literals import Lexeme, Want, dimension_in_words, lexemes, stand_in
 from rotsolve.scene.paths import read_path
 from rotsolve.scene.scope import Nothing, Scope
 from rotsolve.scene.tree import Node, Text
 from rotsolve.scene.values import expression
 
+SIZE_OF_CHANGE = "size of change of"
 WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
 WHICH_HELP = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}`"
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
@@ -112,7 +115,7 @@ def counts_turns(scope: Scope, formula: Formula, phrase: Phrase) -> bool:
 def dimension_found(scope: Scope, node: Text, formula: Formula, phrase: Phrase, answers: dict[str, Any]) -> Any:
     """The dimension of the asked formula; None where a letter's is not known."""
     known: dict[str, Any] = {**answers, **scope.dimensions}
-    known |= {f"#{index}": QUANTITIES[term.path.quantity].dimension for index, term in enumerate(phrase.terms)}
+    known |= {f"#{index}": dimension_of_term(term) for index, term in enumerate(phrase.terms)}
     found = {name: known.get(name) for name in formula.symbols()}
     if None in found.values():
         return None
@@ -123,6 +126,11 @@ def dimension_found(scope: Scope, node: Text, formula: Formula, phrase: Phrase, 
         for index, term in enumerate(phrase.terms):
             message = message.replace(f"#{index}", term.path.quantity)
         return scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", kind="dimension")
+
+
+def dimension_of_term(term: Term) -> Dimension:
+    """The dimension of what a term asks for: of two vectors that of an angle."""
+    return ANGLE if term.modifier == ANGLE_OF else QUANTITIES[term.path.quantity].dimension
 
 
 class PhraseReader:
@@ -149,10 +157,15 @@ class PhraseReader:
             return None
         if modifier in SWINGS:
             return self.swings(modifier, words, outer)
+        if modifier == ANGLE_OF:
+            return self.angle(words, outer)
         cut = next((index for index, piece in at_top(words) if piece.text in CLAUSES), len(words))
         if cut == 0:
             place = words[0] if words else given[-1]
             return self.scope.fault(self.node.part(place.start, place.end), "a quantity is missing here", HELP, "find")
+        change = self.scope.space and modifier == "size of" and [piece.text for piece in words[:2]] == ["change", "of"]
+        if change:  # the size of a change, which is a vector too
+            modifier, words, cut = SIZE_OF_CHANGE, words[2:], cut - 2
         first = len(self.phrase.terms)
         clauses = Clauses(self.scope, self.node, outer, self.condition)
         if not clauses.read(words[cut:]):
@@ -196,6 +209,30 @@ class PhraseReader:
         self.phrase.terms.append(term)
         return Symbol(f"#{len(self.phrase.terms) - 1}")
 
+    def angle(self, words: list[Lexeme], outer: bool) -> Formula | None:
+        """`angle of A from B`, two vectors, as one term; clauses after them are said of both."""
+        place = next((index for index, piece in at_top(words) if piece.text == "from"), 0)
+        if not 0 < place < len(words) - 1:
+            span = self.node.part(words[0].start, words[-1].end)
+            return self.scope.fault(span, "an angle is of one vector from another", "write `angle of A from B`", "find")
+        end = next((k for k, piece in at_top(words) if k > place and piece.text in CLAUSES), len(words))
+        clauses = Clauses(self.scope, self.node, outer, self.condition)
+        if not clauses.read(words[end:]):
+            return None
+        terms: list[Term] = []
+        for part in (words[:place], words[place + 1 : end]):
+            reader = PhraseReader(self.scope, self.node, Phrase(), self.answers)
+            found = reader.quantity(part, False)
+            if found is None:
+                return None
+            if found != Symbol("#0") or reader.phrase.terms[0].path.quantity not in DIRECTED:
+                span = self.node.part(part[0].start, part[-1].end)
+                return self.scope.fault(span, "an angle is between vectors", "write `angle of A from B`", "find")
+            terms += map(clauses.applied, reader.phrase.terms)
+        self.phrase.unit = clauses.unit or self.phrase.unit
+        self.phrase.terms.append(replace(terms[0], modifier=ANGLE_OF, other=terms[1]))
+        return Symbol(f"#{len(self.phrase.terms) - 1}")
+
     def modifier(self, words: list[Lexeme]) -> tuple[str | None, list[Lexeme]]:
         """The modifier in front and the rest; None after a fault."""
         first = words[0].text
@@ -203,8 +240,8 @@ class PhraseReader:
             modifier, place = f"{first} of", self.node.part(words[0].start, words[1].end)
             if modifier == WHICH:
                 self.scope.fault(place, f"`{WHICH}` stands before a map of options", WHICH_HELP, "find")
-            elif modifier in LATER_MODIFIERS:
-                self.scope.later(place, modifier)
+            elif modifier == ANGLE_OF and not self.scope.space:
+                in_space_only(self.scope, place, modifier)
             elif first in WITH_OF:
                 return modifier, words[2:]
             else:

@@ -14,13 +14,14 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ACCELERATION
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
-from rotsolve.language.grammar import SECTIONS
+from rotsolve.language.grammar import APPROXIMATIONS, SECTIONS
 from rotsolve.language.problem import Given, Problem, references
 from rotsolve.language.words import quoted
 from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
 from rotsolve.scene.givens import read_givens
+from rotsolve.scene.in_space import in_plane_only, in_space_only
 from rotsolve.scene.literals import Want
 from rotsolve.scene.phrases import read_find
 from rotsolve.scene.rough import size
@@ -184,6 +185,7 @@ class Sections:
             return None
         scope = self.scope
         self.required()
+        scope.space = self.choice("up") == "z"
         self.declare()
         self.givens()
         fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
@@ -193,7 +195,9 @@ class Sections:
             check_slots(scope, self.top["text"][1], lines)
         fields["gravity"] = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
-        self.choice("up")
+        if scope.space and "plane" in self.top:
+            in_plane_only(scope, self.top["plane"][0], "plane")
+        fields["space"] = scope.space
         fields["surfaces"] = self.each("surfaces", partial(read_element, scope, "surfaces"))
         fields["bodies"] = self.each("bodies", partial(read_body, scope))
         for section in ("connections", "actions", "events"):
@@ -270,8 +274,6 @@ class Sections:
         if node is None:
             return None
         found: str | None = read_value(self.scope, SECTIONS[name], node, name, name)
-        if SECTIONS[name].later and found == "z":
-            self.scope.later(self.top[name][0], "up: z")
         return found
 
     def gravity(self) -> Formula | None:
@@ -289,12 +291,20 @@ class Sections:
         return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
 
     def assume(self) -> tuple[str, ...]:
-        node = self.node("assume")
+        """The approximations that the scene asks for."""
+        node, scope = self.node("assume"), self.scope
         if node is None:
             return ()
-        self.scope.later(self.top["assume"][0], "assume")
-        items = node.items if isinstance(node, List) else (node,)
-        return tuple(item.value for item in items if isinstance(item, Text))
+        if not scope.space:
+            in_space_only(scope, self.top["assume"][0], "assume")
+        found = []
+        for item in node.items if isinstance(node, List) else (node,):
+            word = " ".join(item.value.split()) if isinstance(item, Text) else ""
+            if word in APPROXIMATIONS:
+                found.append(word)
+            else:
+                scope.unknown(item, word, "approximation", APPROXIMATIONS, "approximations")
+        return tuple(found)
 
     def marking(self, asked: Mapping[str, Any]) -> tuple[Marking, ...]:
         node = self.node("marking")

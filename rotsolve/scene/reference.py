@@ -16,6 +16,7 @@ from rotsolve.scene.scope import NAME
 BEGIN = "<!-- generated from the tables: begin -->"
 END = "<!-- generated: end -->"
 LATER = " *(not solved yet)*"
+IN_SPACE = " *(in space)*"
 
 
 def describe_all() -> str:
@@ -93,7 +94,7 @@ def key_meaning(key: Key) -> str:
     shown = ", ".join(detail for detail in details if detail)
     text += f" ({shown})" if shown else ""
     text += f", e.g. `{key.example}`" if key.example else ""
-    return text + later_mark(key.later)
+    return text + later_mark(key.later) + (IN_SPACE if key.space else "")
 
 
 def later_mark(flag: bool) -> str:
@@ -102,7 +103,8 @@ def later_mark(flag: bool) -> str:
 
 def element_text(cls: Any, kind: str) -> str:
     """An element with its keys, points, quantities and words."""
-    lines = [f"`{cls.word}` ({kind}): {cls.about}{later_mark(cls.later)}"]
+    spatial = IN_SPACE if not getattr(cls, "planar", True) else ""
+    lines = [f"`{cls.word}` ({kind}): {cls.about}{later_mark(cls.later)}{spatial}"]
     lines += [f"  - `{word}`: {key_meaning(key)}" for word, key in keys_of(cls)]
     if kind == "shape":
         lines.append(f"  - points: {', '.join((*cls.points, 'cm'))}")
@@ -115,7 +117,8 @@ def element_text(cls: Any, kind: str) -> str:
 
 def quantity_row(entry: QuantityKind) -> str:
     lists = (", ".join(entry.owners), ", ".join(entry.components))
-    return f"| {' | '.join((f'`{entry.word}`', entry.letter, *lists, entry.help + later_mark(entry.later)))} |"
+    meaning = entry.help + later_mark(entry.later) + (IN_SPACE if entry.space else "")
+    return f"| {' | '.join((f'`{entry.word}`', entry.letter, *lists, meaning))} |"
 
 
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
@@ -124,12 +127,22 @@ PLACE: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxIt
 EITHER: dict[str, Any] = {"anyOf": [SCALAR, PLACE]}
 LIMITS: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxItems": 2}
 POINT: dict[str, Any] = {"anyOf": [{"type": "string"}, PLACE]}
-TENSOR: dict[str, Any] = {"type": "array", "items": {"anyOf": [SCALAR, {"type": "array", "items": SCALAR}]}}
+THREE: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 3, "maxItems": 3}
 ABOUT: dict[str, Any] = {
     "type": "object",
-    "properties": {"value": SCALAR, "about": {"type": "string"}},
+    "properties": {
+        "value": SCALAR,
+        "principal": THREE,
+        "tensor": {"type": "array", "items": THREE, "minItems": 3, "maxItems": 3},
+        "about": {"type": "string"},
+    },
     "additionalProperties": False,
-    "required": ["value"],
+}
+ROTATION: dict[str, Any] = {
+    "type": "object",
+    "properties": {"about": EITHER, "by": SCALAR},
+    "additionalProperties": False,
+    "required": ["about", "by"],
 }
 CHOICE: dict[str, Any] = {
     "type": "object",
@@ -226,7 +239,7 @@ def value_schema(key: Key) -> dict[str, Any]:
     kinds: dict[str, dict[str, Any]] = {
         **dict.fromkeys(("text", "quantity", "gravity", "density", "marks", "tolerance", "deduction"), SCALAR),
         **dict.fromkeys(("place", "spot", "vector"), PLACE),
-        **dict.fromkeys(("direction", "axis", "motion"), EITHER),
+        **dict.fromkeys(("direction", "axis", "axis in space", "amount", "motion"), EITHER),
         "flag": {"enum": [True, False, "true", "false", "yes", "no"]},
         "choice": {"enum": list(key.choices)},
         "shape": {"enum": [shape.word for shape in SHAPES]},
@@ -243,7 +256,8 @@ def value_schema(key: Key) -> dict[str, Any]:
         "parts": named_map({"$ref": "#/$defs/part"}),
         "map of directions": {"type": "object", "additionalProperties": {"enum": list(key.choices)}},
         "friction": FRICTION,
-        "inertia": {"anyOf": [SCALAR, TENSOR, ABOUT]},
+        "inertia": {"anyOf": [SCALAR, ABOUT]},
+        "turns": {"anyOf": [ROTATION, {"type": "array", "items": ROTATION, "minItems": 1}]},
         "count": {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]},
         "deductions": DEDUCTIONS,
     }

@@ -42,6 +42,7 @@ class Scope:
     """Names, dimensions and bodies read so far; the one mutable thing of a run."""
 
     def __init__(self) -> None:
+        self.space = False  # whether the scene is one in space
         self.faults: list[Fault] = []
         self.kinds: dict[str, str] = dict.fromkeys(ALWAYS, "surface")
         self.places: dict[str, Span] = {}

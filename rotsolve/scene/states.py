@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from rotsolve.core.quantity import QUANTITIES
-from rotsolve.language.grammar import PHASE
+import re
+
+from msgspec.structs import replace
+
+from rotsolve.core.quantity import DIRECTED, QUANTITIES
+from rotsolve.language.grammar import NAMED_AXES, PHASE
 from rotsolve.language.problem import EXTREMES, Condition, Path, Phase, State
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import read_value
+from rotsolve.scene.in_space import read_three
 from rotsolve.scene.literals import Want
 from rotsolve.scene.paths import read_path
 from rotsolve.scene.phrases import swings_path, swings_said
@@ -61,8 +66,11 @@ def conditions_of_line(scope: Scope, state: str, line: Text, node: Node) -> list
     """One line: a word about a connection, an extreme, a component each for a list, or a value."""
     text = line.value.strip()
     if " from " in text:
-        scope.later(line, "angle from")
+        help = "give each body its own angle"
+        scope.fault(line, "a state tells the angle of one body, not of two against each other", help, "form")
         return []
+    if scope.space:
+        return spatial_lines(scope, state, line, node)
     start = line.value.index(text)
     if scope.kinds.get(text) == "connection":
         return connection_word(scope, text, line, node)
@@ -84,6 +92,42 @@ def conditions_of_line(scope: Scope, state: str, line: Text, node: Node) -> list
             parts.extend(value_condition(scope, state, part, line, item))
         return parts
     return value_condition(scope, state, path, line, node)
+
+
+EXTREME = ("precession", "tilt")  # of which a state in space says that it is largest or smallest
+SEEN = re.compile(r"(?P<path>\S+)(?: relative to (?P<relative>\w+))?(?: in (?P<axes>\w+) axes)?")
+
+
+def spatial_lines(scope: Scope, state: str, line: Text, node: Node) -> list[Condition]:
+    """A line of a scene in space: `PATH [relative to BODY] [in … axes]: value`, of a vector its three components."""
+    text = " ".join(line.value.split())
+    match = SEEN.fullmatch(text)
+    if match is None:
+        scope.fault(line, f"{quoted(text)} is no line of a state", "write `body.quantity [relative to BODY]`", "form")
+        return []
+    for word, names in (("relative", ("body",)), ("axes", ("body",))):
+        if match[word] and match[word] not in (*scope.names(*names), *(NAMED_AXES if word == "axes" else ())):
+            scope.unknown(line, match[word], "body", scope.names(*names), "bodies")
+            return []
+    if scope.kinds.get(match["path"]) == "connection":
+        return connection_word(scope, match["path"], line, node)
+    path = read_path(scope, line, line.value.index(match["path"]), line.value.index(match["path"]) + len(match["path"]))
+    if path is None:
+        return []
+    axes, relative = match["axes"] or "", match["relative"] or ""
+    word = node.value.strip() if isinstance(node, Text) else ""
+    if word in EXTREMES and path.quantity in EXTREME:
+        return [Condition(path, word=word, span=line.span)]
+    if not isinstance(node, List) or path.component or path.quantity not in DIRECTED:
+        found = value_condition(scope, state, path, line, node)
+        return [replace(item, axes=axes, relative=relative) for item in found]
+    kind = QUANTITIES[path.quantity]
+    owner = "_".join(part for part in (path.owner, path.point) if part)
+    parts = read_three(scope, node, Want(text, kind.measures, kind.letter, owner, hint=state)) or ()
+    return [
+        Condition(replace(path, component=axis), part, span=line.span, axes=axes, relative=relative, whole=True)
+        for axis, part in zip("xyz", parts, strict=False)
+    ]
 
 
 def value_condition(scope: Scope, state: str, path: Path, line: Text, node: Node) -> list[Condition]:
@@ -108,7 +152,8 @@ def connection_word(scope: Scope, name: str, line: Text, node: Node) -> list[Con
         shown = word or node.shown
         scope.fault(node, f"`{name}` can't be {quoted(shown)}", hint(word, allowed, "it can be"), "choice")
     else:
-        quantities = ", ".join(getattr(cls, "quantities", ()))
+        own = getattr(cls, "quantities", ())
+        quantities = ", ".join(word for word in own if scope.space or not QUANTITIES[word].space)
         scope.fault(line, f"`{name}` needs a quantity here", f"write `{name}.quantity`: {quantities}", "path")
     return []
 

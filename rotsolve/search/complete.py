@@ -14,7 +14,7 @@ from rotsolve.confirm.course.astray import LetsGo, MeetAgain
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.samples import sets_of_numbers, sets_wanted
-from rotsolve.confirm.course.verdict import SAME
+from rotsolve.confirm.verdicts import SAME
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.writing import spoken

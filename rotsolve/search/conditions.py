@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_under_root
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
@@ -37,7 +38,10 @@ def answer_where(search: Search, find: Find) -> None:
         extreme_value(search, find)
     elif condition.phrase is None:
         check_not_given(find, search)
-        (on_the_verge if condition.word == "stable" else on_the_point_of_slipping)(search, find)
+        if search.scene.configuration.problem.space:
+            on_the_verge_in_space(search, find)
+        else:
+            (on_the_verge if condition.word == "stable" else on_the_point_of_slipping)(search, find)
     elif condition.word is not None:
         place_of_extremum(search, find)
     else:
@@ -123,3 +127,21 @@ def on_the_verge(search: Search, find: Find) -> None:
     question = question_for(without_condition(find), search.scene, search.letters())
     swing = search.scene.swing(term_of(find.where))
     search.answer(question, verge_equation(swing, question.letter, modifier_of(find), search))
+
+
+def on_the_verge_in_space(search: Search, find: Find) -> None:
+    """`smallest w where upright is stable`, `… is steady`: the value at which the motion of a state is only just so, or possible."""
+    condition = find.where
+    assert condition is not None and condition.path is not None
+    limit = search.scene.verge(condition)  # type: ignore[attr-defined]
+    question = question_for(without_condition(find), search.scene, search.letters())
+    answered = search.answer(question, limit)
+    found, letter = answered.found.formula, question.letter
+    if found is None:
+        return
+    gap = search.solver.with_found(limit.left - limit.right)
+    slope = search.signs.decide(differentiate(gap, letter).substitute({letter: found}))
+    side = {1: "smallest", -1: "largest"}.get(slope or 0, "")
+    if side and side != modifier_of(find):
+        search.take_back(answered)
+        raise NotYet(f"{condition.owner} is {condition.word} beyond a value", help=f"ask for the `{side}` one")

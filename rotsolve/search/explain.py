@@ -163,6 +163,8 @@ def when_words(when: str, scene: SceneEquations) -> str:
 def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Find, asked: str = "") -> str:
     """What to add to the scene; never what is asked, and of states only what leads on."""
     scene = search.scene
+    if scene.configuration.problem.space:
+        return "say more: how each body stands and turns at each state, what holds it, what acts on it"
     lonely = unreached(scene)
     if lonely:
         return f"nothing tells when `{lonely}` is reached: {LINE_OR_EVENT}"

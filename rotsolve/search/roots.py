@@ -35,6 +35,12 @@ class RootChoice(Struct, frozen=True):
 
     def choose(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
         """The root that is meant, with the reason; a `period` later the equation holds again."""
+        if self.scene.configuration.problem.space:
+            from rotsolve.space.roots import chosen
+
+            picked = chosen(name, roots, self.scene, self.numbers)
+            if picked is not None:
+                return picked
         outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]
         if outwards and len(roots) > 1 and self._on_shaft(name):
             return PickedRoot(outwards[0], ("out from the axis, where the shaft turns fast enough for it",))

@@ -64,6 +64,9 @@ def simulate_problem(
     certified: bool = False,
 ) -> Run:
     """Follow a problem that has been read."""
+    if problem.space:
+        message = "scenes in space are not followed in time yet"
+        raise Unsolvable(message, help="`rotsolve solve` answers what is asked", lines=problem.lines, file=problem.file)
     configuration = configured(problem)
     try:
         return (proved if certified else follow)(configuration, until, accuracy, tell)

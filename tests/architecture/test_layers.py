@@ -25,6 +25,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("solver",),
     ("paths",),
     ("equations",),
+    ("space",),
     ("questions",),
     ("search",),
     ("derivation",),

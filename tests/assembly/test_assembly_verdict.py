@@ -12,7 +12,7 @@ import pytest
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol, formula, sqrt
-from rotsolve.confirm.course.verdict import confirmations, confirmed
+from rotsolve.confirm.verdicts import confirmations, confirmed
 from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.derivation.results import Results

@@ -7,7 +7,7 @@ from math import pi, sqrt
 import pytest
 
 from rotsolve.confirm.course.samples import holds
-from rotsolve.confirm.course.verdict import number_of
+from rotsolve.confirm.verdicts import number_of
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.pipeline import solve
 from stepping import numbers

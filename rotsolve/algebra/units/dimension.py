@@ -127,6 +127,7 @@ KINDS = (  # of kinds with one dimension, the first is meant where nobody says w
     Kind("volume", "a", "m³", VOLUME),
     Kind("rate", "a", "1/s", FREQUENCY, word=""),
     Kind("frequency", "a", "Hz", FREQUENCY),
+    Kind("squared rate", "a", "1/s²", FREQUENCY**2),
     Kind("velocity", "a", "m/s", VELOCITY, rank=11, example="4 m/s"),
     Kind("acceleration", "an", "m/s²", ACCELERATION, rank=9, positive=True, example="9.8 m/s^2"),
     Kind("angular velocity", "an", "rad/s", ANGULAR_VELOCITY, rank=13, example="3 rad/s"),

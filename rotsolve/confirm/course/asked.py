@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from operator import ge, gt, le, lt, ne
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from msgspec.structs import replace
@@ -15,7 +14,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
-from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.numbers import CLOSE, related, value_of
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term, WhichOf
@@ -30,8 +29,6 @@ MEANS = {  # what the mean of a quantity is the mean of, over time
     "force": ("impulse", ""),
     "torque": ("angular_impulse", ""),
 }
-CLOSE = 2e-6  # within which two quantities count as equal
-SIGNS: dict[str, Callable[[float, float], bool]] = {"<": lt, ">": gt, "≤": le, "≥": ge, "<=": le, ">=": ge, "≠": ne}
 BOUNDS = {"above": ">", "below": "<"}
 
 Said = Mapping[str, "float | str"]
@@ -215,14 +212,6 @@ class Asker:
                 for values, marks in zip(sides, signs, strict=True)
             ]
         return ", ".join(label for label, holds in zip(labels, held, strict=True) if holds) or "none"
-
-
-def related(left: float, sign: str, right: float) -> bool:
-    """Whether a comparison holds; numbers that are the same but for rounding are equal."""
-    same = abs(left - right) <= CLOSE * max(abs(left), abs(right), 1e-9)
-    if sign == "=":
-        return same
-    return SIGNS[sign](left, right) if not same else sign not in ("<", ">")
 
 
 def change_over(changes: Sequence[tuple[Reckoned, Reckoned]], sign: float) -> Reckoned:

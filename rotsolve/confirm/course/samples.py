@@ -11,8 +11,7 @@ from operator import is_
 from rotsolve.algebra.formula import Formula, Sum, Symbol
 from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.asked import related
-from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.numbers import related, value_of
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.limits import Limit
 from rotsolve.elements.connections.touch import Touch

@@ -1,4 +1,4 @@
-"""Verdict: the answers held against the assembly: the same, something else, or not confirmed and why; what it contradicts is withheld.
+"""Verdict: the answers held against the assembly: the same, something else, or not confirmed and why.
 
 Letters without a number get several sets of numbers, the same in every run; a letter that is asked for has the number of its answer, which
 then has to make every line of the states hold.
@@ -13,7 +13,7 @@ from itertools import chain, repeat
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Number, Symbol
+from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Broken, Course
@@ -37,51 +37,35 @@ from rotsolve.confirm.course.samples import (
     with_givens,
     within_case,
 )
-from rotsolve.confirm.numbers import value_of
-from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, in_a_row
-from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.confirm.verdicts import (
+    NO_CASE,
+    NO_NUMBER,
+    OTHERWISE,
+    SAME,
+    Solved,
+    asked_letters,
+    both_sets,
+    closely_valued,
+    not_so,
+    number_of,
+    numbers_told,
+    pairs,
+    said_of,
+)
+from rotsolve.core.derivation import Answer, AnswerConfirmation
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Find, Problem
 
-SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 NEARLY = SAME**0.5  # of roots of what is zero but for rounding, as speeds are where something just comes to rest
-CLOSELY = 2000  # bits to which a formula is reckoned where floats may have lost its digits
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 POINTS = {"right": (1.0, 0.0), "left": (-1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}  # by the word of an answer
 OTHER_WAY = "an assembly of all bodies' equations has it point the other way"
-OTHERWISE = "an assembly of all bodies' equations gives another value"
-NO_CASE = "no numbers were found for its case"
-NO_NUMBER = "it has no real value there, and has one by an assembly of all bodies' equations"
-WAYS = "`--show confirm` prints both values; `--no-confirm` leaves the confirmation out"
 DRAWN, OWN, EDGE, ON, MEETING, FAR = range(6)  # kinds of sets of numbers
 BUDGET = 3000  # instants of one body that a scene may cost
 FAR_BUDGET = 2000  # those of one set that is far from the others, which together may cost as much again
-Solved = Callable[[str], "Formula | float | None"] | None
 
 
-def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
-    """The derivation with what was confirmed among its checks, and what was not; what is contradicted is refused.
-
-    Unsolvable where nothing stands.
-    """
-    verdicts = derivation.confirmed
-    letters = {answer.name: answer.symbol for answer in derivation.answers}
-    good = [letters[item.name] for item in verdicts if item.holds]
-    checks = []
-    if good:
-        checks.append(Check(("an assembly of all bodies' equations gives the same ", *in_a_row(good))))
-    reasons: dict[str, list[Formula]] = {}
-    for item in verdicts:
-        if item.holds is None:
-            reasons.setdefault(item.why, []).append(letters[item.name])
-    if any(item.holds is False for item in verdicts):
-        return withheld(replace(derivation, checks=tuple(checks)), problem)
-    for why, names in reasons.items():
-        checks.append(Check((*in_a_row(names), f" ({why})"), None, "not confirmed:"))
-    return replace(derivation, checks=(*derivation.checks, *checks))
-
-
-def confirmations(
+def confirmations_in_plane(
     answers: Sequence[Answer],
     problem: Problem,
     solved: Solved,
@@ -150,7 +134,9 @@ def poised(problem: Problem) -> bool:
         return False
 
 
-def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:
+def confirmed_in_plane_at(
+    answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers
+) -> tuple[str, ...]:
     """The answers that an assembly gives too at one set of numbers for the letters that have none."""
     known = with_givens(problem, numbers)
     return tuple(item.name for item in at_numbers(answers, problem, known, solved, Budget(BUDGET)) if item.holds)
@@ -164,28 +150,6 @@ def on_edge(verdict: AnswerConfirmation, numbers: Numbers, problem: Problem) -> 
         return replace(verdict, holds=None)  # a root of what is nearly zero there
     why = f"not so on an edge of its conditions, with {numbers_told(numbers, problem)} in SI units"
     return AnswerConfirmation(verdict.name, None, why, astray=True)
-
-
-def pairs(verdict: AnswerConfirmation) -> Iterator[tuple[float, float]]:
-    """The numbers of an answer, each beside that of the assembly."""
-    return zip(verdict.answered, verdict.found, strict=True)
-
-
-def numbers_told(numbers: Numbers, problem: Problem) -> str:
-    """m = 0.806, R = 1.01: the letters that have no number."""
-    return ", ".join(f"{given.name} = {numbers[given.name]:g}" for given in letters_open(problem))
-
-
-def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> AnswerConfirmation:
-    """Of two sets of numbers: contradicted by one, else gone astray with one, the first, else confirmed by one."""
-    if before is None or speaks_for(now) > speaks_for(before):
-        return now
-    return before if before.astray or speaks_for(now) < speaks_for(before) else now
-
-
-def speaks_for(verdict: AnswerConfirmation) -> int:
-    """How much a verdict about one set of numbers says of all."""
-    return 3 if verdict.holds is False else 2 if verdict.astray else int(verdict.holds is True)
 
 
 def at_numbers(
@@ -228,6 +192,16 @@ def at_numbers(
         yield verdict
 
 
+def judged_in_plane(
+    answers: Sequence[Answer], problem: Problem, known: Numbers, sizes: Mapping[str, float], numbers: Numbers
+) -> Iterator[AnswerConfirmation]:
+    """What the assembly says of answers that come to some numbers."""
+    asker = Asker(problem, Course(problem, known, Budget(BUDGET)))
+    for answer in answers:
+        find = next(find for find in problem.finds if find.group == answer.name)
+        yield judged(find, {"": sizes[answer.name]}, asker, numbers)
+
+
 def judged(
     find: Find, said: Mapping[str, float | str], asker: Asker, numbers: Numbers, direction: str = ""
 ) -> AnswerConfirmation:
@@ -250,72 +224,9 @@ def judged(
         return AnswerConfirmation(name, None, f"the assembly has no number ({error})")
 
 
-def not_so(name: str, why: str, problem: Problem, numbers: Numbers) -> AnswerConfirmation:
-    """An answer that is wrong with these numbers; letters may have others, with which it holds."""
-    letters = numbers_told(numbers, problem)
-    if not letters:
-        return AnswerConfirmation(name, False, why)
-    return AnswerConfirmation(name, None, f"not so with {letters} in SI units: {why}", astray=True)
-
-
 def asks_for_letter(find: Find) -> bool:
     """Whether the answer itself was put into the scene, so that a line that does not hold speaks against it."""
     return not find.terms and isinstance(find.formula, Symbol)
-
-
-def asked_letters(problem: Problem, numbers: Numbers, solved: Solved) -> dict[str, float]:
-    """The letters that are asked for, by the answers."""
-    found = {}
-    for given in problem.givens:
-        if given.asked and solved is not None:
-            value = solved(given.name)
-            try:
-                if value is not None:
-                    found[given.name] = float(value_of(value, numbers) if isinstance(value, Formula) else value)
-            except (NotConfirmed, ArithmeticError):
-                continue
-    return found
-
-
-def said_of(
-    answer: Answer, numbers: Numbers, reckon: Callable[[Formula, Numbers], float] = value_of
-) -> dict[str, float | str]:
-    """The numbers of an answer in SI units: '' for itself, else by the names of its parts; of a choice the word."""
-    if answer.word:
-        return {"": answer.word}
-    said: dict[str, float | str] = {}
-    number = number_of(answer, numbers, reckon)
-    if number is not None:
-        said[""] = number
-    for part in answer.components:
-        number = number_of(part, numbers, reckon)
-        if number is not None:
-            said[part.name.removeprefix(f"{answer.name}_")] = number
-    return said
-
-
-def closely_valued(formula: Formula, numbers: Numbers) -> float:
-    """The value of a formula, closely wherever floats lose digits; ValueError where it has none."""
-    from rotsolve.algebra.certified.ball import evaluate
-
-    known = {name: Number(Fraction(str(numbers[name]))) for name in formula.symbols() & numbers.keys()}
-    if formula.symbols() - known.keys():
-        raise NotConfirmed("a letter has no number")
-    return evaluate(formula, known, max_precision=CLOSELY).float
-
-
-def number_of(answer: Answer, numbers: Numbers, reckon: Callable[[Formula, Numbers], float] = value_of) -> float | None:
-    """The number of an answer, by its closed form where the scene has letters without numbers."""
-    if answer.value is not None:
-        factor = answer.unit.factor if answer.unit is not None else None
-        return answer.value.float * (1.0 if factor is None else float(value_of(factor, {})))
-    formula = answer.closed if answer.closed is not None else answer.formula
-    if formula is None:
-        return None
-    try:
-        return float(reckon(formula, numbers))
-    except (NotConfirmed, ArithmeticError, ValueError):
-        return None
 
 
 def compared(name: str, said: Mapping[str, float | str], found: Reckoned) -> AnswerConfirmation:
@@ -345,42 +256,3 @@ def points(direction: str, way: tuple[float, float]) -> bool:
     told = POINTS.get(direction)
     along = None if told is None else told[0] * way[0] + told[1] * way[1]
     return along is None or along >= -SAME * max(math.hypot(*way), ORDINARY)
-
-
-def withheld(derivation: Derivation, problem: Problem) -> Derivation:
-    """Only the answers that the assembly confirms, without the way to them, since that may lead through what is contradicted."""
-    finds = {find.group: find for find in reversed(problem.finds)}
-    refused = {}
-    for item in derivation.confirmed:
-        if not item.holds:
-            refused[item.name] = Fault(against(item), finds[item.name].span, WAYS, "unsolvable")
-    if all(not item.holds for item in derivation.confirmed):
-        fault = next(refused[item.name] for item in derivation.confirmed if item.holds is False)
-        names = ", ".join(f"`{item.name}`" for item in derivation.confirmed if item.holds is False)
-        whys = [item.why for item in derivation.confirmed if item.holds is False and item.why not in ("", OTHERWISE)]
-        message = f"not confirmed: an assembly of all bodies' equations contradicts {names}" + "".join(
-            f": {why}" for why in whys[:1]
-        )
-        raise Unsolvable(message, span=fault.span, help=WAYS, lines=problem.lines, file=problem.file)
-    answers = tuple(answer for answer in derivation.answers if answer.name not in refused)
-    told = tuple(Refusal(name, fault) for name, fault in refused.items())
-    return replace(derivation, answers=answers, sections=(), trials=(), refused=(*derivation.refused, *told))
-
-
-def against(item: AnswerConfirmation) -> str:
-    """Why an answer is withheld, where one of the scene is contradicted."""
-    if item.holds is False:
-        why = f": {item.why}" if item.why != OTHERWISE else ""
-        return f"not confirmed: an assembly of all bodies' equations contradicts `{item.name}`{why}"
-    return f"not confirmed: `{item.name}`, beside answers that an assembly of all bodies' equations contradicts ({item.why})"
-
-
-def confirmation_lines(verdicts: Sequence[AnswerConfirmation]) -> str:
-    """Each answer with the number that is answered and that of the assembly, in SI units: a stage that can be printed."""
-    lines = []
-    for item in verdicts:
-        word = {True: "confirmed", False: "contradicted", None: "not confirmed"}[item.holds]
-        lines.append(f"{item.name}: {word}" + (f": {item.why}" if item.why else ""))
-        for answered, own in pairs(item):
-            lines.append(f"  answered {answered:.10g}, assembly {own:.10g} (SI units)")
-    return "\n".join(lines)

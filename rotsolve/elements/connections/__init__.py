@@ -4,10 +4,11 @@ from rotsolve.elements.connections.contact import Contact, Rolls, Unrolls
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, MutualDrive
 from rotsolve.elements.connections.drives import guide as guide
+from rotsolve.elements.connections.pairs import Ball, Clamp, Screw, Sleeve, Slide
 from rotsolve.elements.connections.rubbing import Clutch
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
-from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Shaft, Weld
+from rotsolve.elements.connections.supports import Axle, Hinge, Rides, Shaft, Weld
 from rotsolve.elements.connections.touch import Friction as Friction
 from rotsolve.language.elements import Connection as Connection
 
@@ -17,6 +18,9 @@ CONNECTIONS: list[type[Connection]] = [
     Shaft,
     Ball,
     Clamp,
+    Slide,
+    Sleeve,
+    Screw,
     Weld,
     Contact,
     Rolls,

@@ -14,7 +14,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.touch import Friction, Touch, is_level
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.bodies import Body, PointRef, Surface
+from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
@@ -36,6 +36,12 @@ class Contact(Touch, frozen=True):
     press: Formula | None = amount(
         "force that presses two wheels together at their rims", "force", "F", "positive", default=None
     )
+
+    spatial = True
+    quantities = (*Touch.quantities, "freedoms")
+
+    def joint_in_space(self) -> Joint:
+        return Joint(self.name, self.contact[1], self.contact[0], flat=True)
 
     def grip(self) -> Friction:
         return self.friction
@@ -68,8 +74,13 @@ class Rolls(Touch, frozen=True):
         "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
     )
 
+    spatial = True
+
     def turned(self) -> tuple[str, ...]:
         return (self.rolls[0].owner,)
+
+    def joint_in_space(self) -> Joint:
+        return Joint(self.name, self.rolls[1], self.rolls[0], rolls=True)
 
 
 class Unrolls(Touch, frozen=True):

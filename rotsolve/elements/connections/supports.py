@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator
+from typing import ClassVar
 
 from msgspec.structs import replace
 
@@ -27,13 +28,15 @@ from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.elements.shapes import rims, shape_of
-from rotsolve.language.bodies import PointRef, Ride
+from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import amount, key
 
 
 class Driven(Connection, frozen=True):
     """Base of what turns a body by itself: a rate given as a value or a formula of `time`."""
+
+    quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "angle", "angular_velocity", "angular_acceleration")
 
     friction_torque: Formula | None = amount(
         "friction torque, against the motion", "torque", "tau", "nonnegative", default=None
@@ -102,17 +105,51 @@ class Driven(Connection, frozen=True):
         yield Couple(self.name, FRICTION, name, signed(size, turn), "friction torque", size, against)
 
 
+Axis = tuple[Formula, ...]
+GROUND = PointRef("ground")
+
+
+def carrier_and_point(points: tuple[PointRef, ...]) -> tuple[PointRef, PointRef]:
+    """What carries a body, the ground where nothing else does, and the point that is held."""
+    return (points[0] if len(points) > 1 else GROUND), points[-1]
+
+
+def axis_in_space(item: Hinge | Axle) -> tuple[Formula, Formula, Formula]:
+    """The direction about which a body turns; one that the scene leaves out is refused by name."""
+    if len(item.along) == 3:
+        x, y, z = item.along
+        return (x, y, z)
+    help = "give `along: z`, or `along: [a, b, c]`"
+    raise Unsolvable(f"nothing tells the direction of the axis of `{item.name}`", span=item.held()[-1].span, help=help)
+
+
+def driven_as(item: Driven) -> tuple[tuple[str, Formula], ...]:
+    """How a support turns what it holds, by the words of its keys."""
+    said = ((word, getattr(item, word)) for word in TURNING)
+    return tuple((word, value) for word, value in said if value is not None)
+
+
 class Hinge(Driven, frozen=True):
     """A point of a body held to the ground, or to a point of another body; it turns freely about it."""
 
     word = "hinge"
     about = "holds a point of a body to the ground, or to a point of another body; the body turns freely about it"
-    quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
+    quantities = (*Driven.quantities, "impulse", "work", "power", "freedoms")
     bodily = True
     hinge: tuple[PointRef, ...] = key(
         "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="rod.start"
     )
-    along: tuple[Formula, ...] = key("vector", "direction of the axis, in space", default=(), later=True)
+    along: Axis = key("axis in space", "direction of the axis, in the body as it is drawn", default=(), space=True)
+    bearings: tuple[Formula, ...] = key(
+        "quantities",
+        "places of two bearings along the axis, from the point held",
+        default=(),
+        dimension="length",
+        letter="b",
+        count=(2, 2),
+        space=True,
+    )
+    spatial = True
 
     def check(self, scene: Surroundings) -> None:
         """A hinge of a rod or the like says which point it holds."""
@@ -121,6 +158,15 @@ class Hinge(Driven, frozen=True):
             if "start" in points:
                 help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in points)} or `{ref.owner}.at(x)`"
                 raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
+
+    def joint_in_space(self) -> Joint:
+        return Joint(
+            self.name,
+            *carrier_and_point(self.hinge),
+            turning=(axis_in_space(self),),
+            drive=driven_as(self),
+            bearings=self.bearings,
+        )
 
     def joint(self) -> tuple[PointRef, ...]:
         return self.hinge
@@ -152,7 +198,7 @@ class Axle(Driven, frozen=True):
     about = (
         "a fixed axis through the centre of a wheel, or of several that turn freely on it; or one on a body that moves"
     )
-    quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
+    quantities = (*Driven.quantities, "impulse", "work", "power", "freedoms")
     bodily = True
     axle: tuple[PointRef, ...] = key(
         "points",
@@ -162,8 +208,20 @@ class Axle(Driven, frozen=True):
         example="disc",
     )
 
+    along: Axis = key("axis in space", "its direction, in the axes of what carries it", default=(), space=True)
+
     independent = True
     axial = True
+    spatial = True
+
+    def joint_in_space(self) -> Joint:
+        return Joint(
+            self.name,
+            *carrier_and_point(self.axle),
+            turning=(axis_in_space(self),),
+            drive=driven_as(self),
+            aligned=True,
+        )
 
     def check(self, scene: Surroundings) -> None:
         """It runs through the centre of a wheel; what carries it may do so at any point."""
@@ -229,26 +287,6 @@ class Mounted(Axle, frozen=True):
             yield from reaction(self.name, AXLE, wheel, instant, several=several)
             yield from reaction(self.name, AXLE, self.mount, instant, opposite=wheel, several=several)
             yield from joint(self.name, self.mount, wheel, instant)
-
-
-class Ball(Connection, frozen=True):
-    word = "ball"
-    about = "holds a point of a body in place; the body turns about it in space"
-    quantities = ("force", "impulse")
-    later = True
-    ball: tuple[PointRef, ...] = key(
-        "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="top.tip"
-    )
-
-
-class Clamp(Connection, frozen=True):
-    word = "clamp"
-    about = "holds a point of a body and its direction"
-    quantities = ("force", "torque")
-    later = True
-    clamp: tuple[PointRef, ...] = key(
-        "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="beam.start"
-    )
 
 
 class Weld(Connection, frozen=True):

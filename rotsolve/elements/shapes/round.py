@@ -103,6 +103,7 @@ class Annulus(Shape, frozen=True):
 
 class Sphere(Shape, frozen=True):
     word = "sphere"
+    spherical = True
     round = True
     noun = "solid sphere"
     flat = False
@@ -137,6 +138,7 @@ class Sphere(Shape, frozen=True):
 
 class SphericalShell(Shape, frozen=True):
     word = "spherical shell"
+    spherical = True
     round = True
     flat = False
     about = "thin-walled hollow sphere; thick-walled with `radii: {inner: r, outer: R}`"

@@ -1,0 +1,91 @@
+"""Arrows: vectors of three floats and rotations as three rows, by components along the axes of space."""
+
+from __future__ import annotations
+
+import math
+
+Arrow = tuple[float, float, float]
+Turned = tuple[Arrow, Arrow, Arrow]  # the rows of a matrix
+STILL: Arrow = (0.0, 0.0, 0.0)
+X: Arrow = (1.0, 0.0, 0.0)
+Y: Arrow = (0.0, 1.0, 0.0)
+Z: Arrow = (0.0, 0.0, 1.0)
+ALONG = (X, Y, Z)
+TINY = 1e-12  # of a sine or cosine: rounding
+
+
+def sum_of(*arrows: Arrow) -> Arrow:
+    return (sum(a[0] for a in arrows), sum(a[1] for a in arrows), sum(a[2] for a in arrows))
+
+
+def less(a: Arrow, b: Arrow) -> Arrow:
+    """a − b."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def scaled(factor: float, a: Arrow) -> Arrow:
+    return (factor * a[0], factor * a[1], factor * a[2])
+
+
+def crossed(a: Arrow, b: Arrow) -> Arrow:
+    """a × b."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def inner_product(a: Arrow, b: Arrow) -> float:
+    """a · b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def arrow_length(a: Arrow) -> float:
+    return math.sqrt(inner_product(a, a))
+
+
+def normed(a: Arrow) -> Arrow:
+    """The unit vector along an arrow; ZeroDivisionError for one of no length."""
+    return scaled(1.0 / arrow_length(a), a)
+
+
+def times_arrow(rows: Turned, a: Arrow) -> Arrow:
+    """R a."""
+    return (inner_product(rows[0], a), inner_product(rows[1], a), inner_product(rows[2], a))
+
+
+def rows_back(rows: Turned) -> Turned:
+    """Rᵀ."""
+    a, b, c = rows
+    return ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))
+
+
+def product_of(first: Turned, second: Turned) -> Turned:
+    """A B."""
+    a, b, c = (times_arrow(first, column) for column in rows_back(second))
+    return rows_back((a, b, c))
+
+
+def rotation_about(axis: Arrow, angle: float) -> Turned:
+    """The rotation about an axis, counterclockwise as seen against it: n nᵀ + cos φ (1 − n nᵀ) + sin φ [n]×."""
+    n, c, s = normed(axis), math.cos(angle), math.sin(angle)
+    x, y, z = (
+        sum_of(scaled(n[k] * (1.0 - c), n), scaled(c, ALONG[k]), scaled(s, crossed(n, ALONG[k]))) for k in range(3)
+    )
+    return rows_back((x, y, z))
+
+
+def least_turn(start: Arrow, end: Arrow) -> Turned:
+    """The least rotation that takes one unit vector to another."""
+    axis, cosine = crossed(start, end), inner_product(start, end)
+    if arrow_length(axis) < TINY:
+        return ALONG if cosine > 0 else rotation_about(square_to(start), math.pi)
+    return rotation_about(axis, math.atan2(arrow_length(axis), cosine))
+
+
+def square_to(a: Arrow) -> Arrow:
+    """A direction square to another: of one along an axis the next of x, y, z."""
+    other = min(range(3), key=lambda k: abs(a[k]))
+    return normed(crossed(a, ALONG[other]))
+
+
+def seen_from(rows: Turned, matrix: Turned) -> Turned:
+    """R A Rᵀ: a matrix of turned axes in those of space."""
+    return product_of(product_of(rows, matrix), rows_back(rows))

@@ -1,0 +1,178 @@
+"""Hearing: answers at one set of numbers: those that the assembly can find itself, and those that it has to put in and test.
+
+A tilt that no line tells, or a letter that is asked for, is put in: then the equations of all bodies have to leave nothing over. By how
+much they do is told in terms of the answer, by Gauss's and Newton's step towards the nearest number with which they hold.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from functools import cached_property
+
+from rotsolve.algebra.formula import Symbol
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.linear import solved_generally
+from rotsolve.confirm.space.arrows import arrow_length
+from rotsolve.confirm.space.inquiry import Inquiry, Unfit
+from rotsolve.confirm.space.rig import Told
+from rotsolve.core.derivation import Answer
+from rotsolve.language.problem import Find, Problem
+
+STEP = 1e-5  # by how much an answer that is put in is changed, to see what it changes
+SURE = 1e-7  # of what such a change leaves over: beside it that is something
+UNTESTED = "no equation tests it"
+VERGES = ("stable", "steady")
+SOUGHT = ("tilt",)  # what tells how a body stands
+
+Put = dict[tuple[str, str, str], str]  # what no line of a state tells, by the names of the answers that are put in
+
+
+def answers_put_in(problem: Problem) -> Put:
+    """The answers that are put in for what tells how bodies stand, where no line of their state does."""
+    found: Put = {}
+    for find in problem.finds:
+        if find.formula != Symbol("#0") or len(find.terms) != 1 or find.where is not None:
+            continue
+        term = find.terms[0]
+        name = term.at or (problem.states[0].name if len(problem.states) == 1 else None)
+        state = next((state for state in problem.states if state.name == name), None)
+        if state is None or term.path.quantity not in SOUGHT or term.modifier:
+            continue
+        paths = [line.path for line in state.conditions if line.path is not None and line.value is not None]
+        if not any((path.owner, path.quantity) == (term.path.owner, term.path.quantity) for path in paths):
+            found[state.name, term.path.owner, term.path.quantity] = find.group
+    return found
+
+
+class Hearing:
+    """A scene at one set of numbers; `told` are answers put in for what tells how bodies stand."""
+
+    def __init__(self, problem: Problem, known: Mapping[str, float], told: Told) -> None:
+        self.problem, self.known, self.told = problem, known, told
+        sought = {find.formula for find in problem.finds if find.where is not None}
+        self.letters = [given.name for given in problem.givens if given.asked and Symbol(given.name) not in sought]
+        self.put = answers_put_in(problem)
+
+    @cached_property
+    def inquiry(self) -> Inquiry:
+        return Inquiry(self.problem, self.known, self.told)
+
+    def is_put_in(self, find: Find) -> bool:
+        return find.group in self.put.values() or self.letter(find) is not None
+
+    def letter(self, find: Find) -> str | None:
+        """The letter of the scene for which a question asks."""
+        asked = find.formula.name if isinstance(find.formula, Symbol) and not find.terms else None
+        return asked if asked in self.letters else None
+
+    def numbers_of(self, finds: Sequence[Find], name: str, part: str) -> list[float]:
+        """What the assembly has for a part of an answer, in each way in which the scene may move."""
+        if self.corrections and max(map(abs, self.corrections), default=0.0) > STEP:
+            raise NotConfirmed("answers that it hangs on are not confirmed")
+        own = next((find for find in finds if find.name == f"{name}_{part}"), None)
+        return self.inquiry.numbers(own, "") if own is not None else self.inquiry.numbers(finds[0], part)
+
+    # what is put in
+
+    @cached_property
+    def places(self) -> list[tuple[str, str, str] | str]:
+        """All that is put in: of bodies, and letters."""
+        return [*self.told, *(name for name in self.letters if name in self.known)]
+
+    def left(self, changes: Mapping[int, float]) -> list[float]:
+        """What the equations leave over with changed answers."""
+        told, known = dict(self.told), dict(self.known)
+        for place, change in changes.items():
+            key = self.places[place]
+            if isinstance(key, str):
+                known[key] += change
+            else:
+                told[key] += change
+        return Inquiry(self.problem, known, told).left_over()
+
+    def steps(self) -> list[float]:
+        sizes = (self.known[key] if isinstance(key, str) else self.told[key] for key in self.places)
+        return [STEP * (abs(size) or 1.0) for size in sizes]
+
+    @cached_property
+    def corrections(self) -> list[float]:
+        """By how much each answer would have to be another, relative to its size, for the equations to leave nothing over."""
+        if not self.places:
+            return []
+        base, steps = self.left({}), self.steps()
+        columns = []
+        for place, step in enumerate(steps):
+            up, down = self.left({place: step}), self.left({place: -step})
+            columns.append([(a - b) / 2 for a, b in zip(up, down, strict=True)])
+        count = len(columns)
+        most = max((abs(part) for column in columns for part in column), default=0.0)
+        sizes = [max(map(abs, column), default=0.0) for column in columns]
+        if not most or min(sizes) <= SURE * STEP * max(1e-300, most):
+            raise NotConfirmed(UNTESTED)
+        rows = [
+            {j: sum(a * b for a, b in zip(columns[i], columns[j], strict=True)) for j in range(count)}
+            for i in range(count)
+        ]
+        right = [-sum(a * b for a, b in zip(columns[i], base, strict=True)) for i in range(count)]
+        found = solved_generally(rows, right, count)
+        if found.free:
+            raise NotConfirmed(UNTESTED)
+        after = [
+            part + sum(c[n] * x for c, x in zip(columns, found.values, strict=True)) for n, part in enumerate(base)
+        ]
+        if max(map(abs, after), default=0.0) > 0.2 * most and max(map(abs, base)) > 0.2 * most:
+            return [math.inf] * count  # no number near it makes them hold
+        return [value * STEP for value in found.values]
+
+    def correction(self, find: Find) -> float:
+        """By how much an answer would have to be another for the equations to leave nothing over."""
+        letter = self.letter(find)
+        key = letter if letter is not None else next(key for key, name in self.put.items() if name == find.group)
+        if key not in self.places:
+            raise NotConfirmed(UNTESTED)
+        place = self.places.index(key)
+        return self.corrections[place] / STEP * self.steps()[place]
+
+    # conditions
+
+    def under_condition(self, find: Find, own: float) -> float:
+        """The number of a letter under a condition, which is that of the answer where the condition holds with it, or only just holds."""
+        if find.terms or not isinstance(find.formula, Symbol) or find.where is None:
+            raise NotConfirmed("a quantity under a condition")
+        from rotsolve.confirm.space.verge import just_holds, step_to
+
+        def with_letter(value: float) -> Inquiry:
+            return Inquiry(self.problem, {**self.known, find.formula.name: value}, self.told)  # type: ignore[attr-defined]
+
+        if find.where.word in VERGES:
+            return just_holds(find, own, with_letter)
+        return step_to(find.where, own, with_letter)
+
+    # sizes
+
+    def natural(self, answer: Answer) -> float:
+        """The size that a quantity of its dimension has in the scene, by its masses, lengths and rates."""
+        dimension = answer.dimension or next((part.dimension for part in answer.components), None)
+        if dimension is None or not self.problem.bodies:
+            return 0.0
+        mass, span, rate = self.scales
+        return float(mass**dimension.mass * span**dimension.length * rate**-dimension.time)
+
+    @cached_property
+    def scales(self) -> tuple[float, float, float]:
+        """The largest mass, length and rate."""
+        rig, masses, spans, rates = self.inquiry.rig, [1e-12], [1e-12], [1e-12]
+        for name in rig.bodies:
+            own = rig.solid(name)
+            trace = sum(own.tensor[k][k] for k in range(3))
+            masses.append(own.mass)
+            spans.append(math.sqrt(trace / own.mass) if own.mass > 0 and trace > 0 else 0.0)
+        for state in self.problem.states or (None,):
+            with suppress(NotConfirmed, Unfit):
+                world = self.inquiry.ways(None if state is None else state.name)[0].worlds[0]
+                spans += [arrow_length(item.arm) for item in world.efforts.list]
+                rates += [abs(part) for (kind, _, _), part in world.now.values.items() if kind != "speed"]
+        span = max(spans)
+        return max(masses), span, max(*rates, math.sqrt(rig.gravity / span))

@@ -1,0 +1,217 @@
+"""Inquiry: what a question is in all ways in which a scene in space may move, and whether they tell one number."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Symbol
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.space.freedoms import freedoms
+from rotsolve.confirm.space.readings import Reading
+from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig, Told
+from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.worlds import Manner, Moving, manners_of
+from rotsolve.language.grammar import ANGLE_OF
+from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Problem, State, Term
+
+AGREE = 1e-7  # of the larger of two numbers that are one
+HOLDS = 1e-7  # what may be left of equations that hold, beside the largest number in them
+TIED = (*NODAL, "angle", "angular_velocity", "angular_acceleration", "velocity", "acceleration", "position", "vertical")
+READ = (
+    "force",
+    "torque",
+    "momentum",
+    "angular_momentum",
+    "kinetic_energy",
+    "energy",
+    "speed",
+)  # lines held against worlds
+OPEN = "the equations of all bodies leave it open"
+SEVERAL = "several motions fit its state"
+BROKEN = "the lines of its state do not go together"
+NO_WAY = "no steady motion has these numbers"
+CHANGE, LOST, SIZE_OF_CHANGE = "change of", "lost", "size of change of"
+PATHS = "what happens between two states in space"
+
+
+class Unfit(Exception):
+    """What a state tells is no motion, with the reason."""
+
+
+class Inquiry:
+    """Answers questions at one set of numbers; `put` are answers in place of what no line of a state tells."""
+
+    def __init__(self, problem: Problem, numbers: Mapping[str, float], put: Told) -> None:
+        self.problem, self.put = problem, put
+        self.rig = Rig(problem, numbers)
+        self._ways: dict[str, list[Manner]] = {}
+
+    # states
+
+    def state(self, name: str | None) -> State | None:
+        states = self.problem.states
+        if name is None and len(states) > 1:
+            raise NotConfirmed("at which state it is asked")
+        if name is None or name == ANY_TIME:
+            return states[0] if states else None
+        return next(state for state in states if state.name == name)
+
+    def ways(self, name: str | None) -> list[Manner]:
+        """The ways in which all moves at a state, in which all its lines hold."""
+        key = name or ""
+        if key not in self._ways:
+            self._ways[key] = self._found(self.state(name))
+        return self._ways[key]
+
+    def _found(self, state: State | None) -> list[Manner]:
+        event = next((item for item in self.problem.events if state is not None and item.to == state.name), None)
+        if event is not None:
+            from rotsolve.confirm.space.passing import after_blow
+
+            found = [after_blow(self.rig, event, before, state, self.put) for before in self.ways(event.from_)]
+        else:
+            found = manners_of(self.rig, state, self.put)
+        if not found:
+            raise Unfit(NO_WAY)
+        held = [way for way in found if way.clash <= HOLDS]
+        lines = () if state is None else state.conditions
+        for line in (line for line in lines if line.path is not None):
+            held = list(self.fitting(held, line))
+        if not held:
+            raise Unfit(BROKEN)
+        return held
+
+    def fitting(self, ways: Sequence[Manner], line: Condition) -> Iterator[Manner]:
+        """The ways in which a line holds."""
+        assert line.path is not None
+        if line.word in EXTREMES:
+            numbers = [Reading(way.worlds[0]).number(Term(line.path)) for way in ways]
+            least = min(numbers, default=0.0) if line.word == "smallest" else max(numbers, default=0.0)
+            yield from (way for way, number in zip(ways, numbers, strict=True) if number == least)
+        elif line.path.quantity in TIED:
+            yield from ways
+        elif line.path.quantity not in READ or line.value is None or line.relative:
+            raise NotConfirmed(f"a line about `{line.path.quantity}`")
+        else:
+            told = self.rig.value(line.value)
+            for way in ways:
+                number = told_by(way, Term(line.path, axes=line.axes or None))
+                if abs(number - told) <= AGREE * max(abs(told), abs(number), 1e-3):
+                    yield way
+
+    # questions
+
+    def numbers(self, find: Find, part: str) -> list[float]:
+        """What a question, or a part of it, is in each way; one number where all are the same."""
+        if find.where is not None or find.choice is not None:
+            raise NotConfirmed("a question with a condition")
+        terms = [self.of_term(for_part(term, part)) for term in find.terms]
+        whole = find.formula == Symbol("#0") and len(terms) == 1
+        found = terms[0] if whole else [self.combined(find, row) for row in way_by_way(terms)]
+        if find.modifier in EXTREMES:
+            return [min(found) if find.modifier == "smallest" else max(found)]
+        if find.modifier not in ("", "size of"):
+            raise NotConfirmed(f"`{find.modifier}` in space")
+        return [abs(value) for value in found] if find.modifier == "size of" else found
+
+    def combined(self, find: Find, values: Sequence[float]) -> float:
+        letters = {**self.rig.numbers, **{f"#{index}": value for index, value in enumerate(values)}}
+        for name in find.formula.symbols() - letters.keys():
+            other = next((item for item in self.problem.finds if item.name == name and item is not find), None)
+            if other is not None:
+                letters[name] = only_one(self.numbers(other, ""))
+        return float(value_of(find.formula, letters))
+
+    def of_term(self, term: Term) -> list[float]:
+        event = next((item for item in self.problem.events if item.name == term.during), None)
+        if event is not None and term.path.quantity == "impulse":
+            return self.at(term, event.to)
+        if term.during is not None or term.by is not None:
+            raise NotConfirmed(PATHS)
+        if term.start is None:
+            return self.at(term, term.at)
+        if term.modifier == SIZE_OF_CHANGE:
+            plain = replace(term, modifier=CHANGE)
+            return [math.hypot(*(only_one(self.of_term(for_part(plain, axis))) for axis in AXES))]
+        if term.modifier not in (CHANGE, LOST):
+            raise NotConfirmed(PATHS)
+        one, two = (only_one(self.at(term, name)) for name in (term.start, term.end))
+        return [two - one if term.modifier == CHANGE else one - two]
+
+    def at(self, term: Term, name: str | None) -> list[float]:
+        if term.path.quantity == "freedoms":
+            return [freedoms(self.rig, term.path)]
+        found = distinct([told_by(way, term) for way in self.ways(name)])
+        if term.modifier in EXTREMES:
+            return [min(found) if term.modifier == "smallest" else max(found)]
+        if term.modifier not in ("", "size of", ANGLE_OF, CHANGE, LOST):
+            raise NotConfirmed(f"`{term.modifier}` in space")
+        return [abs(value) for value in found] if term.modifier == "size of" else found
+
+    # what answers that are put in leave over
+
+    def left_over(self) -> list[float]:
+        """What is left of all equations of all states: nothing where the answers that are put in are right."""
+        left: list[float] = []
+        if self.problem.events:
+            raise NotConfirmed("what is asked for beside events in space")
+        for state in self.problem.states or (None,):
+            standing = Moving(Stance(self.rig, Lines(self.rig, state, self.put)))
+            if standing.stance.open:
+                raise NotConfirmed(OPEN)
+            if standing.moving.free and any(standing.over([0.0] * len(standing.moving.free))):
+                raise NotConfirmed("rates that nothing tells, beside what is asked")
+            left += standing.moving.left
+            left += standing.over([0.0] * len(standing.moving.free))
+            left += self.off_lines(standing, state)
+        return left
+
+    def off_lines(self, standing: Moving, state: State | None) -> Iterator[float]:
+        """By how much lines that are no ties do not hold."""
+        for line in () if state is None else state.conditions:
+            if line.path is not None and line.path.quantity in READ and line.value is not None:
+                way = standing.way([[0.0] * len(standing.moving.free)])
+                yield told_by(way, Term(line.path, axes=line.axes or None)) - self.rig.value(line.value)
+
+
+def for_part(term: Term, part: str) -> Term:
+    """A term for one part of a vector or tensor that is asked as a whole."""
+    if not part:
+        return term
+    whole = term.path.component
+    return replace(term, path=replace(term.path, component=part if whole is None else f"{whole} {part}"))
+
+
+def told_by(way: Manner, term: Term) -> float:
+    """The number of a term in all worlds of a way; NotConfirmed where they differ, since they differ in nothing that is told."""
+    readings = [Reading(world) for world in way.worlds]
+    numbers = [reading.number(term) for reading in readings]
+    if len(numbers) > 1 and max(numbers) - min(numbers) > AGREE * max(reading.size(term) for reading in readings):
+        raise NotConfirmed(OPEN)
+    return numbers[0]
+
+
+def distinct(numbers: Sequence[float]) -> list[float]:
+    found: list[float] = []
+    for value in numbers:
+        if all(abs(value - other) > 1e-9 * max(abs(value), abs(other), 1e-9) for other in found):
+            found.append(value)
+    return found
+
+
+def only_one(numbers: Sequence[float]) -> float:
+    if len(numbers) != 1:
+        raise NotConfirmed(SEVERAL)
+    return numbers[0]
+
+
+def way_by_way(terms: Sequence[Sequence[float]]) -> list[list[float]]:
+    """One value of each term: terms with several go together way by way."""
+    count = max(map(len, terms), default=1)
+    if any(len(values) not in (1, count) for values in terms):
+        raise NotConfirmed(SEVERAL)
+    return [[values[number if len(values) > 1 else 0] for values in terms] for number in range(count)]

@@ -1,0 +1,69 @@
+"""Passing: from one state to the next: through a blow, which changes velocities alone, or along the motion, followed in time.
+
+A blow J at r changes m v by J and I ω by r × J, with impulses of the joints as large as it takes. On the way all bodies go as their
+equations of motion say, from step to step, until what the later state tells is so for the first time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.space.arrows import STILL, crossed, scaled, sum_of, times_arrow
+from rotsolve.confirm.space.efforts import Efforts, lever
+from rotsolve.confirm.space.rig import Lines, Rig, Told, way_along
+from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.ties import SPEED, TURNING, Rates, Terms, Tie, added_terms, three_ties
+from rotsolve.confirm.space.worlds import Manner, Moving, World, anyhow
+from rotsolve.core.faults import Unsolvable
+from rotsolve.language.elements import Event
+from rotsolve.language.problem import State
+
+
+def after_blow(rig: Rig, event: Event, before: Manner, state: State | None, put: Told) -> Manner:
+    """How all moves just after a blow, standing as before."""
+    worlds: list[World] = []
+    clash = before.clash
+    for world in before.worlds:
+        stance = stance_kept(rig, world.stance, Lines(rig, state, put))
+        moving = Moving(stance, struck_bodies(Efforts(stance), event, world.now))
+        count = len(moving.moving.free)
+        found = moving.way([anyhow(count, number) for number in range(3 if count else 1)])
+        worlds += found.worlds
+        clash = max(clash, found.clash)
+    return Manner(tuple(worlds), clash)
+
+
+def stance_kept(rig: Rig, before: Stance, lines: Lines) -> Stance:
+    """All bodies as they stood, with what another state tells."""
+    stance = Stance(rig, lines)
+    for name in rig.bodies:
+        stance.put(name, before.turned(name), before.place(name))
+    return stance
+
+
+def struck_bodies(efforts: Efforts, event: Event, before: Rates) -> Iterator[Tie]:
+    """m v′ = m v + Σ J and I ω′ = I ω + Σ r × J of all bodies."""
+    rig, stance = efforts.rig, efforts.stance
+    try:
+        ref, size, way = event.blow_in_space()
+    except Unsolvable:
+        raise NotConfirmed(f"what `{event.name}` does in space") from None
+    blow = scaled(rig.value(size), way_along(rig, way))
+    for name in rig.bodies:
+        own, tensor, omega = rig.solid(name), efforts.tensor(name), before.arrow(TURNING, name)
+        travel: Terms = [((-own.mass, (SPEED, name, k)),) for k in range(3)]
+        turning: Terms = [tuple((-tensor[k][n], (TURNING, name, n)) for n in range(3)) for k in range(3)]
+        for item in efforts.on(name):
+            travel = added_terms(travel, item.forced())
+            turning = added_terms(added_terms(turning, lever(item)), item.twisted())
+        push = blow if ref.owner == name else STILL
+        twist = crossed(stance.arm(ref), blow) if ref.owner == name else STILL
+        momentum = scaled(own.mass, before.arrow(SPEED, name))
+        yield from three_ties(travel, scaled(-1.0, sum_of(momentum, push)), None)
+        yield from three_ties(turning, scaled(-1.0, sum_of(times_arrow(tensor, omega), twist)), None)
+    for joint in rig.joints.values():
+        for tie in efforts.unforced(joint):
+            yield Tie(tie.terms, 0.0, None)
+    for tie in efforts.unaimed():
+        yield Tie(tie.terms, 0.0, None)

@@ -1,0 +1,174 @@
+"""Rig: a scene in space in numbers: its solids, what holds them, and what a state tells of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.jet import Jet
+from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.space.arrows import ALONG, Arrow, normed
+from rotsolve.confirm.space.masses import Solid, axis_told, is_symmetric, solid_of, spot_in_body
+from rotsolve.core.symbols import TIME
+from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.problem import Condition, Problem, State
+
+AXES = ("x", "y", "z")
+NODAL = ("precession_angle", "tilt", "spin_angle", "precession", "nutation", "spin", "axial_rate")
+ANGLES, RATES = NODAL[:3], NODAL[3:6]
+NOW = 0.37  # seconds: the time at which what is a formula of time is looked at, where no state tells another
+Told = Mapping[tuple[str, str, str], float]  # (state, body, quantity): answers that are put in for what no line tells
+
+
+class Rig:
+    """The bodies and joints of a problem at one set of numbers for its letters."""
+
+    def __init__(self, problem: Problem, numbers: Mapping[str, float]) -> None:
+        self.problem = problem
+        self.numbers: dict[str, Any] = {TIME: NOW, **numbers}
+        self.bodies = {body.name: body for body in problem.bodies}
+        found = ((item.name, item.joint_in_space()) for item in problem.connections)
+        self.joints = {name: joint for name, joint in found if joint is not None}
+        unknown = [item for item in problem.connections if item.name not in self.joints]
+        if unknown:
+            raise NotConfirmed(f"`{unknown[0].name}`: what a `{unknown[0].word}` does in space")
+        self._solids: dict[str, Solid] = {}
+
+    # numbers
+
+    def value(self, formula: Formula) -> float:
+        return float(value_of(formula, self.numbers))
+
+    def over_time(self, formula: Formula) -> tuple[float, float, float]:
+        """A formula of time, its rate and the rate of that."""
+        found = value_of(formula, {**self.numbers, TIME: Jet(self.numbers[TIME], 1.0)})
+        return (found.value, found.rate, found.bend) if isinstance(found, Jet) else (float(found), 0.0, 0.0)
+
+    def arrow(self, parts: tuple[Formula, ...]) -> Arrow:
+        x, y, z = (self.value(part) for part in parts)
+        return (x, y, z)
+
+    @cached_property
+    def gravity(self) -> float:
+        return 0.0 if self.problem.gravity is None else self.value(self.problem.gravity)
+
+    # bodies
+
+    def solid(self, name: str) -> Solid:
+        if name not in self._solids:
+            self._solids[name] = solid_of(self.bodies[name], self.value)
+        return self._solids[name]
+
+    def spot(self, ref: PointRef) -> Arrow:
+        """Where a point is in the axes of its body, from the centre."""
+        body = self.bodies[ref.owner]
+        return spot_in_body(body, ref.point, self.value, ref.argument)
+
+    def axis(self, name: str) -> Arrow | None:
+        """The axis of a body: as the scene tells it, else one about which it is symmetric."""
+        body = self.bodies[name]
+        told = axis_told(body, self.value)
+        if told is not None:
+            return told
+        return next((ALONG[way] for way in (2, 0, 1) if self.symmetric(name, way)), None)
+
+    def symmetric(self, name: str, way: int) -> bool:
+        own = self.solid(name)
+        return not own.whole or is_symmetric(own.tensor, own.centre, way)
+
+    def main(self, name: str) -> Joint | None:
+        """The joint that tells how a body is turned: the first that holds a point of it, not one on which it only rolls."""
+        own = (joint for joint in self.joints.values() if joint.body.owner == name and not touching(joint))
+        return next(own, None)
+
+    def carrier(self, name: str) -> str:
+        """The body that carries another; '' for what the ground holds, or nothing."""
+        joint = self.main(name)
+        return joint.carrier.owner if joint is not None and joint.carrier.owner in self.bodies else ""
+
+    def on_ground(self, name: str) -> Joint | None:
+        """The joint that holds a point of a body at rest."""
+        joint = self.main(name)
+        return joint if joint is not None and joint.carrier.owner not in self.bodies and not joint.sliding else None
+
+    def led(self, name: str, kinds: tuple[str, str, str]) -> tuple[Arrow | None, Arrow] | None:
+        """A prescribed rate and its own rate, by whichever of a place, its rate and the rate of that the scene prescribes."""
+        parts = {(kind, axis): part for kind, axis, part in self.bodies[name].moved}
+        rate: Arrow | None = None
+        second: Arrow | None = None
+        for back, kind in enumerate(kinds):
+            found = [parts.get((kind, axis)) for axis in AXES]
+            if any(part is not None for part in found):
+                curves = [(0.0, 0.0, 0.0) if part is None else self.over_time(part) for part in found]
+                columns = [(column[0], column[1], column[2]) for column in zip(*curves, strict=True)]
+                rate, second = (columns[1 - back] if back < 2 else rate), columns[2 - back]
+        return None if second is None else (rate, second)
+
+
+class Lines:
+    """What a state tells, and the answers that are put in for what it does not."""
+
+    def __init__(self, rig: Rig, state: State | None, told: Told) -> None:
+        self.rig, self.state = rig, state
+        self.name = "" if state is None else state.name
+        self.put = told
+        self.lines: list[Condition] = (
+            [] if state is None else [line for line in state.conditions if line.path is not None]
+        )
+        self.steady = state is not None and state.steady
+        self.balance = state is not None and state.balance
+
+    def line(self, owner: str, word: str, component: str = "", point: str | None = None) -> Condition | None:
+        for line in self.lines:
+            path = line.path
+            if path is not None and (path.owner, path.quantity, path.component or "", path.point) == (
+                owner,
+                word,
+                component,
+                point,
+            ):
+                return line
+        return None
+
+    def of(self, owner: str) -> list[Condition]:
+        """The lines about a body or an element."""
+        return [line for line in self.lines if line.path is not None and line.path.owner == owner]
+
+    def told(self, owner: str, word: str) -> float | None:
+        """The number of a quantity of a body or a joint at this state."""
+        line = self.line(owner, word)
+        if line is not None and line.value is not None:
+            return self.rig.value(line.value)
+        return self.put.get((self.name, owner, word))
+
+    def arrow_told(self, owner: str, word: str, point: str | None = None) -> tuple[Arrow, str, str] | None:
+        """The components of a vector, the name of their axes, and to what they are relative."""
+        lines = [self.line(owner, word, axis, point) for axis in AXES]
+        found = [line for line in lines if line is not None]
+        if not found:
+            return None
+        x, y, z = (0.0 if line is None or line.value is None else self.rig.value(line.value) for line in lines)
+        return (x, y, z), found[0].axes, found[0].relative
+
+    def rests(self, owner: str) -> bool:
+        if self.balance:
+            return True
+        conditions = () if self.state is None else self.state.conditions
+        return any(line.rest and line.owner in ("", "all", owner) for line in conditions)
+
+    def nods(self, name: str) -> bool:
+        """Whether the state speaks of a body's tilt, precession or spin."""
+        return any(line.path is not None and line.path.quantity in NODAL for line in self.of(name))
+
+
+def touching(joint: Joint) -> bool:
+    """Whether a joint lets a body touch a surface without holding a point of it."""
+    return joint.rolls or joint.flat
+
+
+def way_along(rig: Rig, parts: tuple[Formula, ...]) -> Arrow:
+    """A unit vector."""
+    return normed(rig.arrow(parts))

@@ -1,0 +1,173 @@
+"""Stability: what small disturbances of a steady motion of one body do, from its equations of motion made linear in them, in numbers.
+
+With a small rotation η away from the motion and a change δω of its angular velocity, in axes that turn at Ω and from which the motion looks
+the same at all times: η̇ = δω + (ω − Ω) × η and δω̇ = ∂α/∂η η + ∂α/∂ω δω − Ω × δω. Of a free body only its own components of ω change:
+ω̇ = ∂α/∂ω δω, however it is turned. The eigenvalues λ tell what grows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.space.arrows import (
+    ALONG,
+    Arrow,
+    Turned,
+    arrow_length,
+    crossed,
+    less,
+    product_of,
+    rotation_about,
+    scaled,
+    sum_of,
+)
+from rotsolve.confirm.space.rig import Lines, Rig
+from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.ties import EULER, TURNING, of_turning, three_ties
+from rotsolve.confirm.space.worlds import Moving, World
+
+TURN = 1e-4  # of the rotation by which derivatives are found, by differences to the fourth order
+GROWS = 1e-3  # of the largest rate: what grows no faster is as it is by rounding
+ITERATIONS = 200
+
+Matrix = list[list[float]]
+Motion = Callable[[Turned, Arrow], Arrow]  # the angular acceleration that goes with a rotation and an angular velocity
+
+
+def eigenvalues_of(world: World, name: str) -> list[complex]:
+    """The rates λ with which small disturbances of a steady motion go as exp(λ t); a world keeps those of its bodies."""
+    known: dict[str, list[complex]] = world.__dict__.setdefault("_eigenvalues", {})
+    if name not in known:
+        known[name] = found_eigenvalues(world, name)
+    return known[name]
+
+
+def found_eigenvalues(world: World, name: str) -> list[complex]:
+    rig, turned, omega = world.stance.rig, world.stance.turned(name), world.now.arrow(TURNING, name)
+    motion, free = motion_of(rig, name), all(name != joint.body.owner for joint in rig.joints.values())
+    if not free and not world.stance.lines.nods(name):
+        raise NotConfirmed("the stability of what is held and does not nod")
+    frame = omega if free else scaled(world.now.one(EULER, name, 0), ALONG[2])
+    if arrow_length(less(motion(turned, omega), crossed(frame, omega))) > 1e-7 * (1.0 + arrow_length(omega) ** 2):
+        raise NotConfirmed("the stability of what is not steady")
+    matrix = made_linear(motion, turned, omega, frame)
+    if free:
+        matrix = [[matrix[3 + i][3 + j] + crossed(frame, ALONG[j])[i] for j in range(3)] for i in range(3)]
+    return eigenvalues(matrix)
+
+
+def motion_of(rig: Rig, name: str) -> Motion:
+    """The angular acceleration of a body by itself, however it is turned and turns."""
+    if any(
+        name in (joint.body.owner, joint.carrier.owner) and joint.carrier.owner in rig.bodies
+        for joint in rig.joints.values()
+    ):
+        raise NotConfirmed("the stability of what is held by another body")
+
+    def alpha(turned: Turned, omega: Arrow) -> Arrow:
+        stance = Stance(rig, Lines(rig, None, {}))
+        stance.put(name, turned)
+        standing = Moving(stance, three_ties(of_turning(name), omega, None))
+        equations, found = standing.forced(standing.rates([0.0] * len(standing.moving.free)))
+        return equations.named(found.values).arrow(TURNING, name)
+
+    return alpha
+
+
+def made_linear(motion: Motion, turned: Turned, omega: Arrow, frame: Arrow) -> Matrix:
+    """The matrix of (η, δω)."""
+    rows: Matrix = [[0.0] * 6 for _ in range(6)]
+    fast = arrow_length(omega) or 1.0
+    for k, way in enumerate(ALONG):
+        slide = crossed(less(omega, frame), way)
+        by_turn = slope(lambda h, way=way: motion(product_of(rotation_about(way, h), turned), omega), TURN)  # type: ignore[misc]
+        by_rate = slope(lambda h, way=way: motion(turned, sum_of(omega, scaled(h, way))), 0.1 * fast)  # type: ignore[misc]
+        swept = crossed(frame, way)
+        for i in range(3):
+            rows[i][k] = slide[i]
+            rows[i][3 + k] = float(i == k)
+            rows[3 + i][k] = by_turn[i]
+            rows[3 + i][3 + k] = by_rate[i] - swept[i]
+    return rows
+
+
+def slope(function: Callable[[float], Arrow], h: float) -> Arrow:
+    """The derivative at 0: (8 (f(h) − f(−h)) − (f(2 h) − f(−2 h)))/12 h."""
+    near, far = less(function(h), function(-h)), less(function(2 * h), function(-2 * h))
+    return scaled(1.0 / (12.0 * h), less(scaled(8.0, near), far))
+
+
+# eigenvalues
+
+
+def eigenvalues(matrix: Matrix) -> list[complex]:
+    """The roots of the characteristic polynomial, by Faddeev and Le Verrier, in units of the largest rate."""
+    size = len(matrix)
+    turns = size - 3  # the first of them are angles
+    rates = [abs(part) for row in matrix[turns:] for part in row[turns:]]
+    scale = max(math.sqrt(abs(trace(multiplied(matrix, matrix)))), *rates)
+    if not scale:
+        return [0j] * size
+    even = [[matrix[i][j] / scale * scale ** ((j >= turns) - (i >= turns)) for j in range(size)] for i in range(size)]
+    powers, coefficients = [[float(i == j) for j in range(size)] for i in range(size)], [1.0]
+    for k in range(1, size + 1):
+        product = multiplied(even, powers)
+        coefficients.append(-trace(product) / k)
+        powers = [
+            [part + (coefficients[k] if i == j else 0.0) for j, part in enumerate(row)] for i, row in enumerate(product)
+        ]
+    return [root * scale for root in polynomial_roots(coefficients)]
+
+
+def polynomial_roots(coefficients: Sequence[float]) -> list[complex]:
+    """All roots of a polynomial, its first coefficient 1: those that are 0 first, the others by Durand and Kerner."""
+    left = list(coefficients)
+    found: list[complex] = []
+    while len(left) > 1 and abs(left[-1]) <= 1e-9:
+        found.append(0j)
+        left.pop()
+    count = len(left) - 1
+    points = [(0.4 + 0.9j) ** k for k in range(count)]
+    for _ in range(ITERATIONS):
+        moved = 0.0
+        for k in range(count):
+            value = 0j
+            for part in left:
+                value = value * points[k] + part
+            apart = math.prod([points[k] - other for j, other in enumerate(points) if j != k])
+            step = value / (apart or 1e-30)
+            points[k] -= step
+            moved = max(moved, abs(step))
+        if moved < 1e-14:
+            break
+    return [*found, *points]
+
+
+def multiplied(a: Matrix, b: Matrix) -> Matrix:
+    size = len(a)
+    return [[sum(a[i][k] * b[k][j] for k in range(size)) for j in range(size)] for i in range(size)]
+
+
+def trace(matrix: Matrix) -> float:
+    return sum(matrix[k][k] for k in range(len(matrix)))
+
+
+# what they say
+
+
+def is_stable(world: World, name: str) -> bool:
+    """Whether no small disturbance grows."""
+    found = eigenvalues_of(world, name)
+    return max(root.real for root in found) <= GROWS * max(map(abs, found))
+
+
+def growth_squared(world: World, name: str) -> float:
+    """λ² of the only disturbance that does not just stay as it is."""
+    found = eigenvalues_of(world, name)
+    most = max(map(abs, found))
+    squares = [root * root for root in found if abs(root) > GROWS * max(most, 1e-9)]
+    if not squares or any(abs(one - squares[0]) > 1e-5 * abs(squares[0]) for one in squares):
+        raise NotConfirmed("several small disturbances, each with a rate of its own")
+    return sum(one.real for one in squares) / len(squares)

@@ -1,0 +1,169 @@
+"""Verdict in space: the answers of a scene in space held against the assembly: the same, something else, or not confirmed and why."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.samples import Numbers, holding, letters_open, sets_of_numbers, sets_wanted, with_givens
+from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
+from rotsolve.confirm.space.inquiry import SEVERAL, Unfit
+from rotsolve.confirm.verdicts import (
+    NO_CASE,
+    NO_NUMBER,
+    OTHERWISE,
+    Solved,
+    asked_letters,
+    both_sets,
+    not_so,
+    said_of,
+)
+from rotsolve.core.derivation import Answer, AnswerConfirmation
+from rotsolve.language.problem import Find, Problem
+
+SAME = 2e-6  # of the size of what is compared
+NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
+ROUGHLY = "the scene asks for an approximation"
+EITHER_WAY = ("principal_axis",)  # directions that have no sense
+
+Said = Mapping[str, "float | str"]
+
+
+def confirmations_in_space(
+    answers: Sequence[Answer],
+    problem: Problem,
+    solved: Solved,
+    admitted: Callable[[Numbers], bool],
+    points: Sequence[Mapping[str, Fraction]] = (),
+) -> tuple[AnswerConfirmation, ...]:
+    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object."""
+    verdicts: dict[str, AnswerConfirmation] = {}
+    wanted, tried = sets_wanted(problem), 0
+    for numbers in numbers_tried(problem, points):
+        if tried >= wanted + len(points):
+            break
+        found = {item.name: item for item in heard_at(answers, problem, numbers, solved)}
+        objects = any(item.holds is False or item.astray for item in found.values())
+        if objects and letters_open(problem) and not admitted(numbers):  # numbers of its own a scene may have
+            found = {name: AnswerConfirmation(name, None, NO_CASE) for name in found}
+        verdicts |= {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
+        tried += any(verdict.holds is not None for verdict in found.values())
+    return tuple(verdicts.values())
+
+
+def numbers_tried(problem: Problem, points: Sequence[Mapping[str, Fraction]]) -> Iterator[Numbers]:
+    """The sets of numbers: those of the cases and those that are drawn; where all is a number, that one."""
+    for point in points if letters_open(problem) else ():
+        yield with_givens(problem, {name: float(size) for name, size in point.items()})
+    yield from sets_of_numbers(problem)
+
+
+def confirmed_in_space_at(
+    answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers
+) -> tuple[str, ...]:
+    """The answers that the assembly gives too at one set of numbers for the letters that have none."""
+    found = heard_at(answers, problem, with_givens(problem, numbers), solved)
+    return tuple(item.name for item in found if item.holds)
+
+
+def heard_at(
+    answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved
+) -> Iterator[AnswerConfirmation]:
+    """What the assembly says of each answer at one set of numbers."""
+    known = {**numbers, **asked_letters(problem, numbers, solved)}
+    cases = [case for several in answers if (case := holding(several, numbers)) is not None]
+    said = {case.name: said_of(case, known) for case in cases}
+    found = {item.name: item for item in judged_in_space(cases, problem, known, said, numbers)}
+    for several in answers:
+        yield found.get(several.name, AnswerConfirmation(several.name, None, NO_CASE))
+
+
+def judged_in_space(
+    answers: Sequence[Answer], problem: Problem, known: Numbers, said: Mapping[str, Said], numbers: Numbers
+) -> Iterator[AnswerConfirmation]:
+    """What the assembly says of answers that come to some numbers."""
+    put: Put = answers_put_in(problem)
+    told = {key: size for key, name in put.items() if isinstance(size := said.get(name, {}).get(""), float)}
+    hearing = Hearing(problem, known, told)
+    for answer in answers:
+        finds = [find for find in problem.finds if find.group == answer.name]
+        yield heard(finds, answer, said[answer.name], hearing, numbers)
+
+
+def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbers: Numbers) -> AnswerConfirmation:
+    """One answer held against what the assembly has."""
+    name = answer.name
+    try:
+        if any(find.choice is not None for find in finds):
+            return AnswerConfirmation(name, None, "a choice in space")
+        parts = {key: number for key, number in said.items() if isinstance(number, float)}
+        if not parts:
+            return not_so(name, NO_NUMBER, hearing.problem, numbers)
+        if finds[0].where is not None:
+            own = parts[""]
+            found = hearing.under_condition(finds[0], own)
+            return verdict_of(name, abs(found - own) <= SAME * max(abs(own), 1e-9), (own,), (found,), hearing)
+        if hearing.is_put_in(finds[0]):
+            return tested(name, parts, hearing, finds[0])
+        return compared_in_space(finds, answer, parts, hearing)
+    except Unfit as reason:
+        return not_so(name, str(reason), hearing.problem, numbers)
+    except NotConfirmed as reason:
+        return AnswerConfirmation(name, None, str(reason))
+    except (ArithmeticError, ValueError) as error:
+        return AnswerConfirmation(name, None, f"the assembly has no number ({error})")
+
+
+def tested(name: str, parts: Mapping[str, float], hearing: Hearing, find: Find) -> AnswerConfirmation:
+    """An answer that was put in is right where the equations then leave nothing over."""
+    own, size = parts[""], max(abs(parts[""]), 1e-9)
+    found = own + hearing.correction(find)
+    holds = abs(found - own) <= SAME * size
+    return verdict_of(name, holds, (own,), (found,), hearing)
+
+
+def compared_in_space(
+    finds: list[Find], answer: Answer, parts: Mapping[str, float], hearing: Hearing
+) -> AnswerConfirmation:
+    """All parts of an answer beside those of the assembly, which has several of each where several motions are possible."""
+    vector = any(part in parts for part in "xyz")
+    keys = [key for key in parts if key or not vector or len(parts) == 1] or list(parts)
+    answered = tuple(parts[key] for key in keys)
+    columns = [hearing.numbers_of(finds, answer.name, key) for key in keys]
+    count = max(map(len, columns))
+    rows = [tuple(column[way if len(column) > 1 else 0] for column in columns) for way in range(count)]
+    if not all(math.isfinite(part) for row in rows for part in row):
+        raise NotConfirmed("its number is beyond those of the assembly")
+    natural = hearing.natural(answer)
+    loose = bool(finds[0].terms) and finds[0].terms[0].path.quantity in EITHER_WAY
+    fits = [
+        row for row in rows if close(answered, row, natural) or (loose and close(answered, turned_round(row), natural))
+    ]
+    if fits and len(rows) > 1:
+        return AnswerConfirmation(answer.name, None, SEVERAL, answered, fits[0])
+    nearest = min(rows, key=lambda row: math.dist(row, answered))
+    return verdict_of(answer.name, bool(fits), answered, (fits or [nearest])[0], hearing)
+
+
+def close(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
+    """Whether numbers are the same, beside the largest of them; what should be nothing, beside the size of such quantities in the scene."""
+    size = max(map(abs, (*answered, *own)), default=0.0)
+    room = max(SAME * size, NOTHING * natural) if not any(answered) else SAME * size
+    return all(abs(a - b) <= room for a, b in zip(answered, own, strict=True))
+
+
+def turned_round(row: Sequence[float]) -> tuple[float, ...]:
+    return tuple(-part for part in row)
+
+
+def verdict_of(
+    name: str, holds: bool, answered: tuple[float, ...], own: tuple[float, ...], hearing: Hearing
+) -> AnswerConfirmation:
+    """What is contradicted is so, but for what is meant as an approximation."""
+    if holds:
+        return AnswerConfirmation(name, True, "", answered, own)
+    if hearing.problem.assume:
+        return AnswerConfirmation(name, None, ROUGHLY, answered, own)
+    return AnswerConfirmation(name, False, OTHERWISE, answered, own)

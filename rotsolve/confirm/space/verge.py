@@ -1,0 +1,65 @@
+"""Verge: letters under a condition: the value with which a quantity is as large as told, or from which on a motion is steady or stable."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.space.inquiry import Inquiry, Unfit, only_one
+from rotsolve.confirm.space.stability import is_stable
+from rotsolve.language.problem import Condition, Find
+
+STEP = 1e-5  # by how much a letter is changed, to see what that changes
+BESIDE = 1e-6  # how near a value has to be to that from which on a motion is what is asked, as a part of it
+NEAR = (BESIDE, 1e-4)  # for roots, and for what grows or not, which rounding tells less closely
+WithLetter = Callable[[float], Inquiry]
+
+
+def step_to(condition: Condition, own: float, with_letter: WithLetter) -> float:
+    """The nearest number with which a quantity has the value that a condition tells, by Newton's steps."""
+    if condition.phrase is None or condition.value is None or condition.word is not None:
+        raise NotConfirmed("a condition of this kind in space")
+
+    def gap(value: float) -> float:
+        inquiry = with_letter(value)
+        return only_one(inquiry.numbers(condition.phrase, "")) - inquiry.rig.value(condition.value)  # type: ignore[arg-type]
+
+    step = STEP * (abs(own) or 1.0)
+    up, down, here = gap(own + step), gap(own - step), gap(own)
+    slope = (up - down) / 2
+    if abs(slope) <= 1e-9 * STEP * max(abs(up), abs(down), abs(here)):
+        raise NotConfirmed("its condition does not hang on it")
+    return own - here / slope * step
+
+
+def just_holds(find: Find, own: float, with_letter: WithLetter) -> float:
+    """The answer itself where beyond it the motion of a state is steady or stable, and short of it not; else a number beside it."""
+    condition = find.where
+    assert condition is not None
+    extreme = find.extreme or find.modifier or next((term.modifier for term in find.terms), "")
+    way = {"smallest": 1.0, "largest": -1.0}.get(extreme)
+    if way is None:
+        raise NotConfirmed("whether the largest or the smallest is asked")
+    test, near = (is_steady, NEAR[0]) if condition.word == "steady" else (holds_still, NEAR[1])
+    inside, outside = (with_letter(own + abs(own) * part * way * near) for part in (1.0, -1.0))
+    if test(inside, condition.owner) and not test(outside, condition.owner):
+        return own
+    return own + 0.1 * way * abs(own)  # the edge is somewhere else
+
+
+def is_steady(inquiry: Inquiry, name: str) -> bool:
+    """Whether a steady motion has what the state tells."""
+    try:
+        return bool(inquiry.ways(name))
+    except Unfit:
+        return False
+
+
+def holds_still(inquiry: Inquiry, name: str) -> bool:
+    """Whether a small disturbance of a state does not grow, of the one body that nods there."""
+    found = inquiry.ways(name)
+    world = found[0].worlds[0]
+    nodding = [body for body in inquiry.rig.bodies if world.stance.lines.nods(body)]
+    if len(found) != 1 or len(nodding) != 1:
+        raise NotConfirmed("the stability of which motion")
+    return is_stable(world, nodding[0])

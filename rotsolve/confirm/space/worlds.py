@@ -1,0 +1,252 @@
+"""Worlds: how a rig moves at a state, and what forces that takes: all ways in which the equations let it.
+
+The ties on velocities leave some rates open; a steady state then asks that the equations of motion leave nothing over, which is quadratic
+in these rates: each root is a way of its own. What stays open even so gets numbers that mean nothing, several of them: what hangs on
+those is not told.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+
+from msgspec import Struct
+
+from rotsolve.confirm.linear import General, solved_generally
+from rotsolve.confirm.space.efforts import Efforts
+from rotsolve.confirm.space.rig import Lines, Rig, Told
+from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.ties import SPEED, Key, Rates, Tie, Ties
+from rotsolve.language.problem import State
+
+RIGHT = 1e-8  # of the largest number: what is left of an equation that holds
+ANY = (
+    (0.0, 0.0),
+    (0.618, -0.414),
+    (-1.27, 0.732),
+)  # how far along what is open: of the rates, of accelerations and reactions
+ROOTS = 8  # how many ways are told apart
+STEPS = 40  # of Newton's iteration
+
+
+class World(Struct, frozen=True, dict=True):
+    """One way in which all moves at a state: velocities, and accelerations with the unknown parts of forces."""
+
+    stance: Stance
+    efforts: Efforts
+    now: Rates
+    found: Rates
+
+
+class Manner(Struct, frozen=True):
+    """Worlds that differ only in what nothing tells, and how well the equations hold in them: 0 where they do."""
+
+    worlds: tuple[World, ...]
+    clash: float
+
+
+class Equations:
+    """Linear equations with keys for unknowns."""
+
+    def __init__(self) -> None:
+        self.places: dict[Key, int] = {}
+        self.rows: list[dict[int, float]] = []
+
+    def add(self, tie: Tie) -> None:
+        row: dict[int, float] = {}
+        for part, key in tie.terms:
+            if part:
+                place = self.places.setdefault(key, len(self.places))
+                row[place] = row.get(place, 0.0) + part
+        self.rows.append(row)
+
+    def solve(self, right: Sequence[float]) -> General:
+        return solved_generally(self.rows, right, len(self.places))
+
+    def named(self, values: Sequence[float]) -> Rates:
+        return Rates({key: values[place] for key, place in self.places.items()})
+
+
+class Moving:
+    """All that can be said of a stance: its velocities, and for each choice of the open ones its accelerations and forces."""
+
+    def __init__(self, stance: Stance, more: Iterable[Tie] = ()) -> None:
+        self.stance, self.efforts = stance, Efforts(stance)
+        ties = [tie for tie in (*Ties(stance).all(), *more) if tie.speed is not None]
+        speeds = Equations()
+        for tie in ties:
+            speeds.add(tie)
+        for name in stance.rig.bodies:
+            for kind in (SPEED, "turning"):
+                for k in range(3):
+                    speeds.places.setdefault((kind, name, k), len(speeds.places))
+        self.speeds = speeds
+        self.moving = speeds.solve([tie.speed or 0.0 for tie in ties])
+        self.broken = max(map(abs, self.moving.left), default=0.0) / self.moving.size
+
+    def rates(self, openly: Sequence[float]) -> Rates:
+        """The velocities, with so much of each that is open."""
+        values = list(self.moving.values)
+        for part, way in zip(openly, self.moving.free, strict=True):
+            if part:
+                values = [value + part * step for value, step in zip(values, way, strict=True)]
+        return self.speeds.named(values)
+
+    def forced(self, now: Rates) -> tuple[Equations, General]:
+        """Accelerations and forces that go with velocities."""
+        equations, right = Equations(), []
+        for tie in (*Ties(self.stance, now).all(), *self.efforts.laws(now)):
+            if tie.gain is not None:
+                equations.add(tie)
+                right.append(tie.gain)
+        return equations, equations.solve(right)
+
+    def over(self, openly: Sequence[float]) -> list[float]:
+        """What is left of the equations of motion, by the side of the largest number in them."""
+        _, found = self.forced(self.rates(openly))
+        return found.left
+
+    def way(self, choices: Iterable[Sequence[float]]) -> Manner:
+        """The worlds of some choices of what is open, which differ in nothing that is told."""
+        worlds, clash = [], self.broken
+        for number, openly in enumerate(choices, 1):
+            now = self.rates(openly)
+            equations, found = self.forced(now)
+            clash = max(clash, max(map(abs, found.left), default=0.0) / found.size)
+            for several in range(2 if found.free else 1):
+                values = list(found.values)
+                for place, step in enumerate(found.free):
+                    share = ANY[number % len(ANY)][place % 2] * (1.0 + 0.3 * place) * several * found.size
+                    values = [value + share * part for value, part in zip(values, step, strict=True)]
+                worlds.append(World(self.stance, self.efforts, now, equations.named(values)))
+        return Manner(tuple(worlds), clash)
+
+
+def manners_of(rig: Rig, state: State | None, told: Told) -> list[Manner]:
+    """All ways in which a rig may move at a state."""
+    stance = Stance(rig, Lines(rig, state, told))
+    standing = Moving(stance)
+    count = len(standing.moving.free)
+    if stance.open:
+        others = [Moving(Stance(rig, Lines(rig, state, told), guess)) for guess in (1.1, 1.9)]
+        ways = [one.way([anyhow(count, number)]) for number, one in enumerate([standing, *others], 1)]
+        return [Manner(tuple(world for way in ways for world in way.worlds), max(way.clash for way in ways))]
+    roots = steady_roots(standing, count) if count and standing.stance.lines.steady else None
+    if roots is None:
+        return [standing.way([anyhow(count, number) for number in range(3 if count else 1)])]
+    return [standing.way([root]) for root in roots]
+
+
+def anyhow(count: int, number: int) -> list[float]:
+    """Numbers for what is open: they mean nothing."""
+    first, second = ANY[number % len(ANY)]
+    return [(first if place % 2 else second) * (1.0 + 0.37 * place) + 0.2 * number for place in range(count)]
+
+
+# steady motions
+
+
+def steady_roots(standing: Moving, count: int) -> list[list[float]] | None:
+    """The rates with which nothing is left over; None where all are as good."""
+    scale = natural_rate(standing)
+    model = quadratic(standing.over, count, scale)
+    if model is None:
+        return None
+    if count == 1:
+        return [[root * scale] for root in common_roots(model)]
+    found: list[list[float]] = []
+    for start in starts(count):
+        root = newton(model, start)
+        if root is not None and all(math.dist(root, other) > 1e-6 * (1.0 + math.hypot(*root)) for other in found):
+            found.append(root)
+    return [[part * scale for part in root] for root in found[:ROOTS]]
+
+
+def natural_rate(standing: Moving) -> float:
+    """A rate such as the scene has: the largest that is told, or √(g/l)."""
+    sizes = [abs(value) for value in standing.moving.values]
+    return max([*sizes, math.sqrt(standing.stance.rig.gravity), 1.0])
+
+
+Model = tuple[
+    list[float], list[list[float]], list[list[list[float]]]
+]  # r₀ + Σ b_i x_i + Σ c_ij x_i x_j, component by component
+
+
+def quadratic(over: Callable[[Sequence[float]], list[float]], count: int, scale: float) -> Model | None:
+    """What is left over as a quadratic of the rates in units of a scale; None where it is nothing whatever they are."""
+
+    def at(**parts: float) -> list[float]:
+        return over([scale * parts.get(f"x{k}", 0.0) for k in range(count)])
+
+    base = at()
+    linear, square = [], [[base] * count for _ in range(count)]
+    for i in range(count):
+        up, down = at(**{f"x{i}": 1.0}), at(**{f"x{i}": -1.0})
+        linear.append([(a - b) / 2 for a, b in zip(up, down, strict=True)])
+        square[i][i] = [(a + b) / 2 - c for a, b, c in zip(up, down, base, strict=True)]
+        for j in range(i):
+            both = at(**{f"x{i}": 1.0, f"x{j}": 1.0})
+            alone = [base, linear[i], linear[j], square[i][i], square[j][j]]
+            mixed = [value - sum(parts) for value, *parts in zip(both, *alone, strict=True)]
+            square[i][j] = square[j][i] = [part / 2 for part in mixed]
+    size = max((abs(part) for row in (base, *linear, *(c for cs in square for c in cs)) for part in row), default=0.0)
+    rate_parts = [part for row in (*linear, *(c for cs in square for c in cs)) for part in row]
+    if max(map(abs, rate_parts), default=0.0) <= RIGHT * max(size, RIGHT):
+        return None
+    return base, linear, square
+
+
+def common_roots(model: Model) -> list[float]:
+    """The real roots that all components of a quadratic of one rate share."""
+    base, (linear,), ((square,),) = model
+    sizes = [max(abs(a), abs(b), abs(c)) for a, b, c in zip(base, linear, square, strict=True)]
+    best = max(range(len(sizes)), key=sizes.__getitem__)
+    roots = quadratic_roots(square[best], linear[best], base[best])
+    most = sizes[best]
+
+    def holds(x: float) -> bool:
+        left = (c + b * x + a * x * x for a, b, c in zip(square, linear, base, strict=True))
+        return all(abs(part) <= 1e-7 * most * (1.0 + x * x) for part in left)
+
+    return [root for root in roots if holds(root)]
+
+
+def quadratic_roots(a: float, b: float, c: float) -> list[float]:
+    """The real roots of a x² + b x + c, the smaller one first."""
+    if abs(a) <= 1e-13 * max(abs(b), abs(c)):
+        return [-c / b] if b else []
+    inside = b * b - 4 * a * c
+    if inside < -1e-13 * b * b or (inside < 0 and not b):
+        return []
+    whole = -0.5 * (b + math.copysign(math.sqrt(max(inside, 0.0)), b))
+    roots = {whole / a, c / whole if whole else 0.0}
+    return sorted(roots)
+
+
+def starts(count: int) -> list[list[float]]:
+    """Where Newton's iteration sets out from."""
+    sizes = (0.31, -0.47, 2.3, -3.1, 0.05)
+    return [[sizes[(number + k * (1 + number // 5)) % 5] for k in range(count)] for number in range(5 * min(count, 3))]
+
+
+def newton(model: Model, start: Sequence[float]) -> list[float] | None:
+    """A root near a start, by Gauss's and Newton's steps; None where it comes to none."""
+    base, linear, square = model
+    x, count = list(start), len(start)
+    size = max((abs(part) for row in (base, *linear, *(c for cs in square for c in cs)) for part in row), default=1.0)
+    for _ in range(STEPS):
+        slopes = [
+            [linear[i][n] + 2 * sum(square[i][j][n] * x[j] for j in range(count)) for i in range(count)]
+            for n in range(len(base))
+        ]
+        left = [base[n] + sum(x[i] * (linear[i][n] + slopes[n][i]) for i in range(count)) / 2 for n in range(len(base))]
+        if max(map(abs, left), default=0.0) <= 1e-12 * size * (1.0 + max(map(abs, x)) ** 2):
+            return x
+        rows = [{j: sum(slope[i] * slope[j] for slope in slopes) for j in range(count)} for i in range(count)]
+        right = [-sum(slope[i] * part for slope, part in zip(slopes, left, strict=True)) for i in range(count)]
+        step = solved_generally(rows, right, count).values
+        x = [part + move for part, move in zip(x, step, strict=True)]
+        if not all(map(math.isfinite, x)) or max(map(abs, x)) > 1e6:
+            return None
+    return None

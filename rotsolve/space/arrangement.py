@@ -1,0 +1,171 @@
+"""Arrangement in space: what holds and carries each body, and where its points are in its own axes as it is drawn."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from msgspec import Struct
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ZERO, Formula, add, multiply, total
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor, displaced
+from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, minus, tidied, vector_sum, way_between
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import Body, Joint, PointRef
+from rotsolve.language.problem import Problem
+from rotsolve.motion.rigid import RigidPiece, pieces
+
+ANGLES = ("precession_angle", "tilt", "spin_angle")
+RATES = ("precession", "nutation", "spin")
+NODAL = (*ANGLES, *RATES, "axial_rate")
+
+
+class JointedBodies(Struct, frozen=True, dict=True):
+    """The bodies of a scene in space with their joints; refuses by name what it can't follow."""
+
+    problem: Problem
+
+    @cached_property
+    def bodies(self) -> dict[str, Body]:
+        return {body.name: body for body in self.problem.bodies}
+
+    @cached_property
+    def joints(self) -> tuple[Joint, ...]:
+        """All joints of the scene, in the order of the file."""
+        found = (item.joint_in_space() for item in self.problem.connections)
+        return tuple(joint for joint in found if joint is not None)
+
+    def joint(self, name: str) -> Joint | None:
+        return next((joint for joint in self.joints if joint.owner == name), None)
+
+    def of_body(self, name: str) -> tuple[Joint, ...]:
+        """The joints that hold a body, those by which another carries it first."""
+        own = [joint for joint in self.joints if joint.body.owner == name]
+        return tuple(sorted(own, key=lambda joint: joint.rolls))
+
+    def main(self, name: str) -> Joint | None:
+        """The joint about which a body turns: the first that holds a point of it, not one on which it only rolls."""
+        own = [joint for joint in self.of_body(name) if not (joint.rolls or joint.flat)]
+        return own[0] if own else None
+
+    def carrier(self, name: str) -> str:
+        """The body that carries another; '' for what the ground holds, or nothing."""
+        joint = self.main(name)
+        return joint.carrier.owner if joint is not None and joint.carrier.owner in self.bodies else ""
+
+    @cached_property
+    def order(self) -> tuple[str, ...]:
+        """The bodies, what carries others before these; a ring of them is refused."""
+        done: list[str] = []
+        pending = list(self.bodies)
+        while pending:
+            ready = [name for name in pending if self.carrier(name) in ("", *done)]
+            if not ready:
+                joint = self.main(pending[0])
+                span = joint.body.span if joint is not None else None
+                raise Unsolvable("bodies that carry each other in a ring are not solved yet", span=span)
+            done += ready
+            pending = [name for name in pending if name not in ready]
+        return tuple(done)
+
+    @cached_property
+    def nodding(self) -> frozenset[str]:
+        """The bodies of which some state tells a tilt, or a rate about the vertical or their axis."""
+        lines = (line for state in self.problem.states for line in state.conditions)
+        return frozenset(line.path.owner for line in lines if line.path is not None and line.path.quantity in NODAL)
+
+    # places in a body's own axes, from its centre
+
+    def spot(self, ref: PointRef) -> Triple:
+        """Where a point of a body is in its own axes, from the centre of its shape."""
+        body = self.bodies[ref.owner]
+        named = dict(body.points)
+        if ref.point in named:
+            x, y, *rest = named[ref.point]
+            return (x, y, rest[0] if rest else ZERO)
+        if ref.point in (None, "center"):
+            return NOTHING
+        if ref.point == "cm":
+            return self.centre(ref.owner)
+        part = next((part for part in body.parts if part.body.name == ref.point), None)
+        if part is not None and part.at is not None:
+            x, y, *rest = part.at
+            return (x, y, rest[0] if rest else ZERO)
+        shape = shape_of(body)
+        if ref.point in shape.points or ref.argument is not None:
+            x, y = shape.locate(ref.point or "center", ref.argument)
+            return (x, y, shape.rise(ref.point or "center"))
+        raise Unsolvable(f"where `{ref.owner}.{ref.point}` is in space nothing tells", span=ref.span)
+
+    def pieces(self, name: str) -> tuple[RigidPiece, ...]:
+        return pieces(self.bodies[name])
+
+    def mass(self, name: str) -> Formula:
+        own = self.pieces(name)
+        return own[0].mass if len(own) == 1 else simplify(total([piece.mass for piece in own]))
+
+    def centre(self, name: str) -> Triple:
+        """The centre of mass in a body's own axes: Σ m r/Σ m."""
+        own = self.pieces(name)
+        if len(own) == 1:
+            return own[0].place()
+        whole, result = self.mass(name), NOTHING
+        for piece in own:
+            x, y, z = piece.place()
+            share = (multiply(piece.mass, x), multiply(piece.mass, y), multiply(piece.mass, z))
+            result = (add(result[0], share[0]), add(result[1], share[1]), add(result[2], share[2]))
+        x, y, z = (part if part == ZERO else simplify(part / whole) for part in result)
+        return (x, y, z)
+
+    def reference(self, name: str) -> Triple:
+        """The point about which a body turns, in its own axes: where its joint holds it, else its centre of mass."""
+        joint = self.main(name)
+        return self.centre(name) if joint is None else self.spot(joint.body)
+
+    def arm(self, ref: PointRef) -> Triple:
+        """A point from the reference of its body, in the body's own axes."""
+        return tidied(way_between(self.reference(ref.owner), self.spot(ref)))
+
+    def pointlike(self, name: str) -> bool:
+        """Whether a body is a mere particle."""
+        body = self.bodies[name]
+        whole = body.inertia is not None or body.gyration is not None or body.tensor is not None or bool(body.parts)
+        return not whole and shape_of(body).pointlike
+
+    def axis(self, name: str) -> Triple | None:
+        """The direction in its own axes about which a body spins, as its `axis` tells, else that about which its inertia is symmetric."""
+        body = self.bodies[name]
+        if body.axis:
+            x, y, z = body.axis
+            return (x, y, z)
+        return next((way for way in (Z, X, Y) if self.symmetric(name, way)), None)
+
+    def symmetric(self, name: str, way: Triple) -> bool:
+        """Whether the inertia of a body is the same about all directions across one of its own axes.
+
+        Of a body of which only one moment of inertia is told that is the one about its axis.
+        """
+        tensor = self.whole_tensor(name)
+        if tensor is None:
+            return True
+        one, other = {X: ("yy", "zz"), Y: ("zz", "xx"), Z: ("xx", "yy")}[way]
+        gaps = [tensor.entry(one) - tensor.entry(other), tensor.xy, tensor.yz, tensor.zx]
+        centre = self.centre(name)
+        beside = [part for part, own in zip(centre, way, strict=True) if own == ZERO]
+        return all(is_zero(gap) for gap in (*gaps, *beside))
+
+    def whole_tensor(self, name: str) -> InertiaTensor | None:
+        """The inertia tensor about the centre of mass, in givens alone; None where the scene tells no more than one moment of it."""
+        body, result = self.bodies[name], InertiaTensor()
+        if body.tensor is not None:
+            return body.tensor
+        centre = self.centre(name)
+        for piece in self.pieces(name):
+            if piece.tensor is None:
+                return None
+            x, y, z = vector_sum(piece.place(), minus(centre))
+            off = displaced(piece.mass, (x, y, z))
+            parts = (add(piece.tensor.entry(word), add(off.entry(word), result.entry(word))) for word in ENTRIES)
+            result = InertiaTensor(*parts)
+        return result

@@ -1,0 +1,178 @@
+"""Attitude: the axes along which a body's vectors are written, how these stand and turn, and how the body turns in them.
+
+Euler angles z-x-z: φ about the vertical, the tilt θ from the vertical to the body's axis e₃ about the line of nodes, ψ about e₃.
+**Node axes**: e₁ along the line of nodes (level), e₂ = e₃ × e₁; they turn at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃, the body at Ω + ψ̇ e₃
+(Landau & Lifshitz, Mechanics, §35). Space axes are at the moment those in which the line of nodes lies along x, unless φ is told.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula, add, multiply, negate
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.heading import heading
+from rotsolve.core.vectors.triple import (
+    AS_DRAWN,
+    NOTHING,
+    Rows,
+    Triple,
+    X,
+    Y,
+    Z,
+    after,
+    cross_product,
+    rotated,
+    scaled_by,
+    transposed,
+    turn_about,
+    vector_sum,
+)
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.problem import State
+from rotsolve.space.arrangement import JointedBodies
+
+SPACE, BODY, NODE = "space", "body", "node"
+
+
+class MovingBodies(Protocol):
+    """A moment of a scene, as frames and rolling bodies see it."""
+
+    state: State
+    held: JointedBodies
+
+    def attitude(self, name: str) -> Attitude: ...
+    def axes(self, name: str) -> Axes: ...
+    def own_axes(self, name: str) -> Axes: ...
+    def nods(self, name: str) -> bool: ...
+    def arm(self, ref: PointRef) -> Triple: ...
+    def velocity(self, ref: PointRef) -> Triple: ...
+    def acceleration(self, ref: PointRef) -> Triple: ...
+    def vector_told(self, owner: str, word: str) -> tuple[Triple, str, str] | None: ...
+    def ask(self, word: str, owner: str, component: str = "") -> Formula: ...
+
+
+class Axes(Struct, frozen=True):
+    """A named set of axes at a moment: `rows` turn its components into those in space, `rate` is its angular velocity Ω in its own
+    components, `change` are the rates of these; `lost` says that nothing tells how they stand."""
+
+    name: str
+    rows: Rows = AS_DRAWN
+    rate: Triple = NOTHING
+    change: Triple = NOTHING
+    lost: str = ""
+
+    def to(self, other: Axes, vector: Triple) -> Triple:
+        """A vector of these axes in the components of others; refused where nothing tells how one of them stands."""
+        if (self.rows, self.lost) == (other.rows, other.lost) or vector == NOTHING:
+            return vector
+        if self.lost or other.lost:
+            raise Unsolvable(
+                self.lost or other.lost, help="tell its `tilt` and its rates, or of a hinge its `angle`, in that state"
+            )
+        return rotated(transposed(other.rows), rotated(self.rows, vector))
+
+
+IN_SPACE = Axes(SPACE)
+
+
+class Attitude(Struct, frozen=True):
+    """How a body stands and turns: `own` turns its own components, as it is drawn, into those of `axes`, in which its inertia is constant.
+
+    `omega` is its angular velocity ω in them, and `rates` are those of its components. `about` is the direction, in these axes, about
+    which it is symmetric, where its inertia is the same about all directions across.
+    """
+
+    axes: Axes
+    own: Rows
+    omega: Triple
+    rates: Triple
+    about: Triple | None = None
+
+    @property
+    def alpha(self) -> Triple:
+        """The angular acceleration dω/dt = (rates of the components) + Ω × ω."""
+        return vector_sum(self.rates, cross_product(self.axes.rate, self.omega))
+
+
+class Nodding(Struct, frozen=True):
+    """The Euler angles of a body, their rates, and the rates of these."""
+
+    angles: Triple  # φ, θ, ψ
+    rates: Triple
+    seconds: Triple
+
+
+def node_axes(turning: Nodding) -> Axes:
+    """e₁ along the line of nodes, e₃ along the body's axis."""
+    phi, theta, _ = turning.angles
+    precession, nutation, _ = turning.rates
+    further, faster, _ = turning.seconds
+    cos, sin = heading(theta).cos(), heading(theta).sin()
+    rate = (nutation, multiply(precession, sin), multiply(precession, cos))
+    both = multiply(precession, nutation)
+    change = (
+        faster,
+        add(multiply(further, sin), multiply(both, cos)),
+        add(multiply(further, cos), negate(multiply(both, sin))),
+    )
+    return Axes(NODE, after(turn_about(Z, phi), turn_about(X, theta)), rate, change)
+
+
+def nodding(turning: Nodding, permuted: Rows) -> Attitude:
+    """A symmetric body in node axes: ω = Ω + ψ̇ e₃. `permuted` puts its axis along e₃."""
+    axes = node_axes(turning)
+    spin, faster = turning.rates[2], turning.seconds[2]
+    omega, rates = vector_sum(axes.rate, scaled_by(spin, Z)), vector_sum(axes.change, scaled_by(faster, Z))
+    return Attitude(axes, permuted, omega, rates, Z)
+
+
+def in_euler_angles(turning: Nodding, permuted: Rows) -> Attitude:
+    """A body without symmetry in its own axes: ω₁ = φ̇ sin θ sin ψ + θ̇ cos ψ, ω₂ = φ̇ sin θ cos ψ − θ̇ sin ψ, ω₃ = φ̇ cos θ + ψ̇."""
+    in_nodes, spin = nodding(turning, permuted), turning.rates[2]
+    back = transposed(turn_about(Z, turning.angles[2]))
+    omega = rotated(back, in_nodes.omega)
+    rates = vector_sum(
+        rotated(back, in_nodes.rates), cross_product(omega, scaled_by(spin, Z))
+    )  # (d/dt) R⁻¹ v = R⁻¹ v̇ − ψ̇ e₃ × R⁻¹ v
+    rows = after(in_nodes.axes.rows, turn_about(Z, turning.angles[2]))
+    return Attitude(Axes(BODY, rows, omega, rates), permuted, omega, rates)
+
+
+def as_drawn(rows: Rows, omega: Triple, rates: Triple, about: Triple | None = None, *, lost: str = "") -> Attitude:
+    """A body in its own axes, which turn with it: the rates of the components are those of ω itself."""
+    return Attitude(Axes(BODY, rows, omega, rates, lost), AS_DRAWN, omega, rates, about)
+
+
+def on_axle(carrier: Attitude, direction: Triple, spin: Formula, faster: Formula, own: Rows) -> Attitude:
+    """A body that is symmetric about the axle on which another carries it, in the axes of that: ω = Ω + s n."""
+    axes = Axes(carrier.axes.name, carrier.axes.rows, carrier.omega, carrier.alpha)
+    omega, rates = (
+        vector_sum(carrier.omega, scaled_by(spin, direction)),
+        vector_sum(carrier.alpha, scaled_by(faster, direction)),
+    )
+    return Attitude(axes, own, omega, rates, direction)
+
+
+def hinged_on(carrier: Attitude, direction: Triple, angle: Formula, spin: Formula, faster: Formula) -> Attitude:
+    """A body on a hinge of another one, in its own axes: turned about the hinge by an angle, ω = Ω + s n, α = dΩ/dt + ṡ n + Ω × s n."""
+    inward = turn_about(direction, negate(angle))
+    relative = scaled_by(spin, direction)
+    omega = vector_sum(rotated(inward, carrier.omega), relative)
+    alpha = vector_sum(carrier.alpha, scaled_by(faster, direction), cross_product(carrier.omega, relative))
+    rows = after(carrier.axes.rows, turn_about(direction, angle))
+    return as_drawn(rows, omega, rotated(inward, alpha))
+
+
+def permutation(axis: Triple) -> Rows:
+    """The even permutation of its own axes that puts a body's axis along e₃."""
+    if axis == X:
+        return (Y, Z, X)
+    return (Z, X, Y) if axis == Y else AS_DRAWN
+
+
+def at_rest_in(rows: Rows) -> Attitude:
+    """What does not turn."""
+    return Attitude(Axes(SPACE, rows), AS_DRAWN, NOTHING, NOTHING)

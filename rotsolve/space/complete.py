@@ -1,0 +1,44 @@
+"""Complete: a problem in space made ready for the laws: letters for what the scene leaves out, and what can't be, refused."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from rotsolve.core.faults import Fault, SceneError, Unsolvable
+from rotsolve.language.problem import Problem
+from rotsolve.motion.complete import MadeLetters, complete_body
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.limits import body_limits
+from rotsolve.space.arrangement import JointedBodies
+
+
+def configured_in_space(problem: Problem) -> Configuration:
+    """The problem with letters for masses and sizes that it leaves out; its joints are checked."""
+    try:
+        letters = MadeLetters(problem)
+        bodies = tuple(complete_body(body, letters) for body in problem.bodies)
+        whole = replace(problem, bodies=bodies, givens=(*problem.givens, *letters.made))
+        held = JointedBodies(whole)
+        _ = held.order
+        for body in whole.bodies:
+            several = [joint for joint in held.of_body(body.name) if not joint.rolls]
+            if len(several) > 1:
+                message = f"`{body.name}` is held by several joints: that is not solved in space yet"
+                raise Unsolvable(
+                    message, span=several[1].body.span, help="one joint, with `bearings` where there are two"
+                )
+    except Unsolvable as error:
+        fault = error.fault
+        raise Unsolvable(
+            fault.message, span=fault.span, help=fault.help, lines=problem.lines, file=problem.file
+        ) from None
+    configuration = Configuration(whole)
+    faults = [
+        Fault(limit.words, body.span, limit.help, "limits")
+        for body in whole.bodies
+        for limit in body_limits(body)
+        if configuration.signs.by_numbers(limit.gap) == -1
+    ]
+    if faults:
+        raise SceneError(faults[:1], problem.lines, problem.file)
+    return configuration

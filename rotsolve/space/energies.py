@@ -1,0 +1,39 @@
+"""Energies in space: K = ½ ω · I ω about a point at rest, else about the centre of mass with ½ M v²; and the height of that."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import HALF, ZERO, Formula, add, multiply
+from rotsolve.core.vectors.tensor import InertiaTensor
+from rotsolve.core.vectors.triple import Triple, dot_product, square, square_of
+from rotsolve.language.bodies import PointRef
+from rotsolve.space.inertia import CM
+from rotsolve.space.laws import SpaceLaws
+
+
+def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formula, Formula]:
+    """The energy of rotation and of travel of a body; about a point at rest all is rotation."""
+    moment, held = laws.moment, laws.moment.held
+    fixed = laws.fixed(name) and which != "translational" and not held.pointlike(name)
+    point = laws.about(name)[1] if fixed else CM
+    velocity = moment.velocity(PointRef(name, CM))
+    travel = ZERO if fixed or which == "rotational" else multiply(HALF * held.mass(name), square_of(velocity))
+    if which == "translational" or held.pointlike(name):
+        return ZERO, travel
+    return half_quadratic(laws.tensor(name, point), moment.attitude(name).omega), travel
+
+
+def height_above(laws: SpaceLaws, name: str) -> Formula:
+    """Of the centre of mass above the point about which the body turns."""
+    moment = laws.moment
+    return moment.tidy(dot_product(moment.up(name), moment.arm(PointRef(name, CM))))
+
+
+def half_quadratic(tensor: InertiaTensor, omega: Triple) -> Formula:
+    """½ Σ I_ij ω_i ω_j, the squares drawn together."""
+    x, y, z = omega
+    result: Formula = ZERO
+    for entry, part in ((tensor.xx, x), (tensor.yy, y), (tensor.zz, z)):
+        result = add(result, multiply(multiply(HALF, entry), square(part)))
+    for entry, one, other in ((tensor.xy, x, y), (tensor.yz, y, z), (tensor.zx, z, x)):
+        result = add(result, multiply(entry, multiply(one, other)))
+    return result

@@ -1,0 +1,92 @@
+"""Frames that turn: motion relative to a body, and the inertial forces that are felt in its axes.
+
+a = a_frame + Ω̇ × r + Ω × (Ω × r) + 2 Ω × v_rel + a_rel (Goldstein, Poole & Safko, Classical Mechanics, §4.10); the inertial forces are
+−m times its parts: centrifugal −m Ω × (Ω × r), Euler −m Ω̇ × r, Coriolis −2 m Ω × v_rel.
+"""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import ONE, Formula, multiply, negate
+from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, scaled_by, triple, vector_sum
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.problem import Path
+from rotsolve.paths.meaning import NotYet, path_text
+from rotsolve.space.attitude import Axes, MovingBodies
+
+TWO = 2 * ONE
+
+
+class Relative:
+    """The motion of a body as a state tells it relative to another one, in the axes of that; what it does not tell has letters."""
+
+    def __init__(self, moment: MovingBodies, name: str, frame: str) -> None:
+        self.moment, self.name, self.frame = moment, name, frame
+        self.axes: Axes = moment.own_axes(frame)
+        held = moment.attitude(frame)
+        self.omega = held.axes.to(self.axes, held.omega)
+        self.alpha = held.axes.to(self.axes, held.alpha)
+        self.place = self._told("position") or NOTHING
+        self.slip = self._told("velocity") or NOTHING
+
+    def _told(self, word: str) -> Triple | None:
+        told = self.moment.vector_told(self.name, word)
+        return told[0] if told is not None and told[2] == self.frame else None
+
+    @property
+    def faster(self) -> Triple:
+        """The relative acceleration: as told, none in a steady state or where the body rests in the frame, else letters."""
+        told = self._told("acceleration")
+        if told is not None:
+            return told
+        if self.moment.state.steady:
+            return NOTHING
+        return triple([self.moment.ask("acceleration", self.name, f"{axis} relative") for axis in AXES])
+
+    def origin(self, word: str) -> Triple:
+        """The velocity or acceleration of the frame's origin, which its own axes start from."""
+        ref = PointRef(self.frame, "center")
+        own = self.moment.velocity(ref) if word == "velocity" else self.moment.acceleration(ref)
+        return self.moment.axes(self.frame).to(self.axes, own)
+
+    def velocity(self) -> Triple:
+        """v = v_frame + Ω × r + v_rel."""
+        return vector_sum(self.origin("velocity"), cross_product(self.omega, self.place), self.slip)
+
+    def acceleration(self) -> Triple:
+        """a = a_frame + Ω̇ × r + Ω × (Ω × r) + 2 Ω × v_rel + a_rel."""
+        return vector_sum(
+            self.origin("acceleration"),
+            cross_product(self.alpha, self.place),
+            cross_product(self.omega, cross_product(self.omega, self.place)),
+            scaled_by(TWO, cross_product(self.omega, self.slip)),
+            self.faster,
+        )
+
+    def felt(self, which: str, mass: Formula) -> Triple:
+        """An inertial force."""
+        if which == "centrifugal":
+            return scaled_by(negate(mass), cross_product(self.omega, cross_product(self.omega, self.place)))
+        if which == "euler":
+            return scaled_by(negate(mass), cross_product(self.alpha, self.place))
+        return scaled_by(negate(multiply(TWO, mass)), cross_product(self.omega, self.slip))
+
+
+def frame_of(moment: MovingBodies, name: str) -> str:
+    """The body relative to which a state tells the motion of another; '' where it does not."""
+    for word in ("position", "velocity", "acceleration"):
+        told = moment.vector_told(name, word)
+        if told is not None and told[2]:
+            return told[2]
+    return ""
+
+
+def inertial_force(moment: MovingBodies, path: Path, frame: str, which: str) -> tuple[Triple, Axes]:
+    """An inertial force on a body, in the axes of the frame in which it is felt."""
+    if not frame or not frame_of(moment, path.owner):
+        raise NotYet(
+            f"`{path_text(path)}` is felt in a frame that turns, and nothing tells which",
+            path.span,
+            f"tell `{path.owner}.position relative to FRAME` in the state",
+        )
+    relative = Relative(moment, path.owner, frame)
+    return relative.felt(which, moment.held.mass(path.owner)), relative.axes

@@ -1,0 +1,196 @@
+"""Inertia in space: the entries of a body's inertia tensor about a point as letters, with the steps that define them; turned into axes.
+
+I_P = I_cm + M (d² 1 − d dᵀ); of a body symmetric about n, I = I_t (1 − n nᵀ) + I_a n nᵀ; in turned axes I' = R I Rᵀ.
+"""
+
+from __future__ import annotations
+
+from msgspec import Struct
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, multiply, negate
+from rotsolve.algebra.units.dimension import INERTIA as KG_M2
+from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
+from rotsolve.core.registry import Registry, SceneQuantity
+from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
+from rotsolve.core.vectors.triple import NOTHING, Rows, Triple, dot_product, is_axis, minus, rotated, vector_sum
+from rotsolve.core.writing import spoken
+from rotsolve.language.problem import Given
+from rotsolve.laws import inertia
+from rotsolve.motion.spread import Spread
+from rotsolve.space.arrangement import JointedBodies
+
+CM = "cm"
+
+
+class Tensors(Struct):
+    """The tensors of a scene; `steps` are what defines the letters in them, in the order in which they were asked for."""
+
+    held: JointedBodies
+    registry: Registry
+    givens: tuple[Given, ...]
+    positive: frozenset[str]
+    section: str
+    steps: dict[Equation, None]
+
+    def about(self, name: str, point: Triple, spot: str) -> InertiaTensor:
+        """The tensor about a point of a body, in its own axes; `spot` is the point's name."""
+        body = self.held.bodies[name]
+        spot = CM if same_place(point, self.held.centre(name)) else spot
+        if body.tensor is not None:
+            return self._shifted(name, body.tensor, point, spot)
+        if body.inertia is not None or body.gyration is not None:
+            return self._of_axis(name, point, spot)
+        spread = self._spread(name, point, spot)
+        entries = {}
+        for word in ENTRIES:
+            told = inertia.moment(spread, word)
+            self.steps.update(dict.fromkeys(told.definitions))
+            entries[word] = told.formula
+            if told.formula != ZERO and not isinstance(told.formula, Symbol):
+                entries[word] = self.letter(name, word, spot, told.formula, told.label)
+        return InertiaTensor(**entries)
+
+    def spelled(self, value: Formula) -> Formula:
+        """A formula with what the letters of moments of inertia stand for."""
+        told = {step.left.name: step.right for step in self.steps if isinstance(step.left, Symbol)}
+        while told.keys() & value.symbols():
+            value = value.substitute(told)
+        return simplify(value, positive=self.positive)
+
+    def letter(self, name: str, word: str, spot: str, formula: Formula, label: str, shifts: bool = False) -> Formula:
+        """A letter for an entry, with what it stands for."""
+        where = "" if spot == CM else f"_{spot}"
+        quantity = SceneQuantity("inertia", name, "", f"{word}{where}", "I", KG_M2)
+        law = PARALLEL_AXES if shifts else INERTIA
+        symbol = self.registry.ask(quantity)
+        self.steps[law.equation(symbol, formula, self.section, (name,), words=label)] = None
+        return symbol
+
+    def _spread(self, name: str, point: Triple, spot: str) -> Spread:
+        """The pieces of a body as seen from a point."""
+        held = self.held
+        return Spread(
+            name,
+            held.pieces(name),
+            held.mass(name),
+            self.registry,
+            self.section,
+            point,
+            spot,
+            point == held.centre(name),
+            None,
+            False,
+            False,
+            NOTHING,
+            self.positive,
+            tuple((given.name, given.dimension) for given in self.givens),
+        )
+
+    def _shifted(self, name: str, given: InertiaTensor, point: Triple, spot: str) -> InertiaTensor:
+        """A tensor that is given about one point about another one: down to the centre of mass by −M d², up again by M d²."""
+        held = self.held
+        told = self.told_about(name)
+        if same_place(told, point):
+            return given
+        centre, mass = held.centre(name), held.mass(name)
+        down, up = (displaced(mass, vector_sum(place, minus(centre))) for place in (told, point))
+        entries = {}
+        for word in ENTRIES:
+            change = add(up.entry(word), negate(down.entry(word)))
+            entry = given.entry(word)
+            if change != ZERO and not is_zero(change):
+                entry = self.letter(
+                    name, word, spot, add(entry, change), f"moment of inertia, {spoken(name)}, parallel axes", True
+                )
+            entries[word] = entry
+        return InertiaTensor(**entries)
+
+    def told_about(self, name: str) -> Triple:
+        """The point about which the scene tells a body's inertia, in its own axes."""
+        from rotsolve.language.problem import PointRef
+
+        about = self.held.bodies[name].inertia_about
+        return self.held.centre(name) if about is None else self.held.spot(PointRef(name, about))
+
+    def _of_axis(self, name: str, point: Triple, spot: str) -> InertiaTensor:
+        """Of a body of which the scene tells one moment, that about its axis; the moment across has a letter, and no number."""
+        held, body = self.held, self.held.bodies[name]
+        axis = held.axis(name) or (ZERO, ZERO, ONE)
+        mass = held.mass(name)
+        axial = body.inertia if body.inertia is not None else multiply(mass, (body.gyration or ZERO) ** 2)
+        across = self.registry.ask(SceneQuantity("inertia", name, "", "across", "I", KG_M2))
+        central = round_about_way(axis, axial, across)
+        return self._shifted_from_centre(name, central, point, spot, mass)
+
+    def _shifted_from_centre(
+        self, name: str, central: InertiaTensor, point: Triple, spot: str, mass: Formula
+    ) -> InertiaTensor:
+        up = displaced(mass, vector_sum(point, minus(self.told_about(name))))
+        entries = {}
+        for word in ENTRIES:
+            entry = central.entry(word)
+            if up.entry(word) != ZERO:
+                words = f"moment of inertia, {spoken(name)}, parallel axes"
+                entry = self.letter(name, word, spot, add(entry, up.entry(word)), words, True)
+            entries[word] = entry
+        return InertiaTensor(**entries)
+
+
+def same_place(one: Triple, other: Triple) -> bool:
+    """Whether two places are the same."""
+    return one == other or all(is_zero(a - b) for a, b in zip(one, other, strict=True))
+
+
+def round_about_way(axis: Triple, axial: Formula, across: Formula) -> InertiaTensor:
+    """I_t (1 − n nᵀ) + I_a n nᵀ of a unit vector n."""
+    entries = {}
+    for word in ENTRIES:
+        i, j = (AXES.index(letter) for letter in word)
+        both = multiply(axis[i], axis[j])
+        one = ONE if i == j else ZERO
+        entries[word] = add(multiply(across, add(one, negate(both))), multiply(axial, both))
+    return InertiaTensor(**entries)
+
+
+def in_axes(tensor: InertiaTensor, own: Rows, about: Triple | None, axis: Triple | None) -> InertiaTensor:
+    """A tensor in the axes into which `own` turns a body's own ones; of one that is symmetric about `axis`, which lies `about` in them."""
+    if own == ((ONE, ZERO, ZERO), (ZERO, ONE, ZERO), (ZERO, ZERO, ONE)):
+        return tensor
+    if about is not None and axis is not None and is_axis(axis):
+        across = (axis[1], axis[2], axis[0])
+        axial, other = (entry_along(tensor, way) for way in (axis, across))
+        return round_about_way(about, axial, other)
+    return tensor.turned(own)
+
+
+def entry_along(tensor: InertiaTensor, direction: Triple) -> Formula:
+    """nᵀ I n: the moment of inertia about a direction."""
+    return dot_product(direction, product(tensor, direction))
+
+
+def product(tensor: InertiaTensor, vector: Triple) -> Triple:
+    """I v."""
+    rows = ((tensor.xx, tensor.xy, tensor.zx), (tensor.xy, tensor.yy, tensor.yz), (tensor.zx, tensor.yz, tensor.zz))
+    return rotated(rows, vector)
+
+
+def moment_along(tensor: InertiaTensor, direction: Triple) -> Formula:
+    """Σ n_i n_j I_ij of a unit vector, with the squares drawn together."""
+    x, y, z = direction
+    terms = (
+        multiply(tensor.xx, squared(x)),
+        multiply(tensor.yy, squared(y)),
+        multiply(tensor.zz, squared(z)),
+        multiply(2 * ONE, multiply(tensor.xy, multiply(x, y))),
+        multiply(2 * ONE, multiply(tensor.yz, multiply(y, z))),
+        multiply(2 * ONE, multiply(tensor.zx, multiply(z, x))),
+    )
+    result: Formula = ZERO
+    for term in terms:
+        result = add(result, term)
+    return result
+
+
+def squared(part: Formula) -> Formula:
+    return part if part in (ZERO, ONE) else simplify(part**2)

@@ -1,0 +1,201 @@
+"""The laws in space: Newton's second law in three components, and dL/dt = Στ in axes that turn: (rates of L's components) + Ω × L.
+
+About a point that is held at rest, else about the centre of mass (Goldstein, Poole & Safko, Classical Mechanics, §5.1; Euler's equations
+are these in the body's own principal axes, §5.5). The axes are such that the body's inertia is constant in them: its own, or of a
+symmetric body those of its line of nodes or of what carries it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import (
+    ANGULAR_MOMENTUM_IN_SPACE,
+    RATE_IN_AXES,
+    RULE,
+    SECOND_LAW,
+    Equation,
+)
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import of_kinds
+from rotsolve.core.vectors.heading import heading
+from rotsolve.core.vectors.tensor import InertiaTensor
+from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, vector_sum
+from rotsolve.core.writing import spoken
+from rotsolve.language.bodies import PointRef
+from rotsolve.space.arrangement import RATES
+from rotsolve.space.attitude import NODE, Attitude, Axes
+from rotsolve.space.inertia import CM, Tensors, in_axes, product
+from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.pushes import ForceInSpace, Pushes
+
+NODE_NAMES = {"x": "e₁", "y": "e₂", "z": "e₃"}
+
+
+class SpaceLaws:
+    """What the laws say of each body at one moment."""
+
+    def __init__(self, moment: SpaceMoment, pushes: Pushes, tensors: Tensors, *, fast: bool = False) -> None:
+        self.moment, self.pushes, self.tensors = moment, pushes, tensors
+        self.fast = fast  # whether the scene takes spins to be much faster than the precession
+        self.unwritten: dict[str, Unsolvable] = {}  # the bodies of which no law can be written, each with the reason
+
+    def equations(self) -> Iterator[Equation]:
+        """All laws at this moment, with what defines the letters in them; a body of which none can be written is left out."""
+        for name in self.moment.held.order:
+            if self.moment.held.bodies[name].moved:
+                continue
+            try:
+                yield from list(self.of_body(name))
+            except Unsolvable as error:
+                self.unwritten[name] = error
+        yield from self.grips()
+        for owner, part in self.pushes.conditions:
+            words = f"{spoken(owner)} turns freely about its axis"
+            yield RULE.equation(part, ZERO, self.moment.when, words=words)
+
+    def grips(self) -> Iterator[Equation]:
+        """The point of contact of a wheel that something carries is at rest; of one that is free that tells how its centre moves."""
+        moment, held = self.moment, self.moment.held
+        for joint in held.joints:
+            name = joint.body.owner
+            if not joint.rolls or held.main(name) is None or held.bodies[name].moved:
+                continue
+            own = moment.attitude(name)
+            velocity = vector_sum(moment.reference_velocity(name), cross_product(own.omega, self.pushes.place(joint)))
+            for part in velocity:
+                if part != ZERO:
+                    yield RULE.equation(
+                        part, ZERO, moment.when, (name,), words=f"{spoken(name)} rolls: the touching point is at rest"
+                    )
+
+    def of_body(self, name: str) -> Iterator[Equation]:
+        """Newton's second law and the rate of the angular momentum of a body."""
+        pushes = list(self.pushes.on(name))
+        yield from self.second_law(name, pushes)
+        if not self.moment.held.pointlike(name):
+            yield from self.rotation(name, pushes)
+
+    # points and words
+
+    def fixed(self, name: str) -> bool:
+        """Whether the point about which a body turns is at rest."""
+        joint = self.moment.held.main(name)
+        return joint is not None and joint.carrier.owner not in self.moment.held.bodies
+
+    def about(self, name: str) -> tuple[Triple, str]:
+        """The point about which the law of rotation is written, from the reference, and its name."""
+        joint = self.moment.held.main(name)
+        if joint is not None and self.fixed(name):
+            return NOTHING, joint.body.point or "center"
+        return self.moment.arm(PointRef(name, CM)), CM
+
+    def tensor(self, name: str, point: str) -> InertiaTensor:
+        """The tensor of a body about one of its points, in the axes of its attitude."""
+        held, own = self.moment.held, self.moment.attitude(name)
+        place = held.spot(PointRef(name, point))
+        tensor = self.tensors.about(name, place, point)
+        axis = held.axis(name) if own.about is not None else None
+        return in_axes(tensor, own.own, own.about, axis)
+
+    def sought(self, value: Formula) -> bool:
+        """Whether a component of L holds a rate that nothing tells, so that a letter for it would only stand in the way."""
+        return bool(of_kinds(value.symbols(), (*RATES, "axial_rate", "angular_velocity")))
+
+    def along(self, name: str, axis: str) -> str:
+        """What an axis of a body's axes is called."""
+        return NODE_NAMES[axis] if self.moment.axes(name).name == NODE else axis
+
+    # the laws
+
+    def second_law(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
+        """Σ F = m a, along the axes in which the force of the body's joint is written."""
+        held, moment = self.moment.held, self.moment
+        mass = held.mass(name)
+        own, axes = moment.axes(name), self.newton_axes(name)
+        forces = NOTHING
+        for push in pushes:
+            forces = vector_sum(forces, push.along(axes))
+        wanted = [moment.tidy(part) for part in own.to(axes, moment.acceleration(PointRef(name, CM)))]
+        for axis, left, right in zip(AXES, forces, wanted, strict=True):
+            if left != ZERO or right != ZERO:
+                words = f", along {axis}"
+                yield SECOND_LAW.equation(left, multiply(mass, right), moment.when, (name,), component=words)
+
+    def newton_axes(self, name: str) -> Axes:
+        """The axes in which Newton's second law is written."""
+        joints = self.moment.held.of_body(name)
+        return self.pushes.reaction_axes(joints[0]) if joints else self.moment.named_axes("space", name)
+
+    def momentum(self, name: str, point: str) -> Triple:
+        """L = I ω about a point, in the axes of the body, as formulas of the letters of its tensor."""
+        return product(self.tensor(name, point), self.moment.attitude(name).omega)
+
+    def rotation(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
+        """dL/dt = Στ: the components of L as letters, then the law along each axis."""
+        own, (place, point) = self.moment.attitude(name), self.about(name)
+        tensor = self.tensor(name, point)
+        letters, defined = self.letters_of(name, tensor, own, point)
+        yield from defined
+        changes = product(tensor, own.rates)
+        turning = cross_product(own.axes.rate, letters)
+        torque = NOTHING
+        for push in pushes:
+            torque = vector_sum(torque, push.torque(place))
+        where = f" about its {'centre of mass' if point == CM else spoken(point)}"
+        for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
+            if (left, change, across) == (ZERO, ZERO, ZERO):
+                continue
+            right, relation = add(change, across), "="
+            remark: Words = ()
+            if axis == "x" and own.axes.name == NODE:
+                left, right, remark = self.without_sine(name, left, right)
+            if self.fast and own.axes.name == NODE:
+                right, remark, relation = *self.of_fast_spin(name, right), "≈"
+            along = self.along(name, axis)
+            yield RATE_IN_AXES.equation(
+                left, right, self.moment.when, (name,), remark, relation=relation, about=where, axis=along
+            )
+
+    def of_fast_spin(self, name: str, right: Formula) -> tuple[Formula, Words]:
+        """The rate of L without what is small where the spin is much faster than the precession: Ω² beside ω₃ Ω."""
+        rate = self.moment.ask("precession", name)
+        if not isinstance(rate, Symbol):
+            return right, ()
+        found = coefficients(right, rate.name)
+        if found is None or len(found) < 3:
+            return right, ()
+        return add(found[0], multiply(found[1], rate)), ("the spin is fast: ", rate**2, " left out")
+
+    def without_sine(self, name: str, left: Formula, right: Formula) -> tuple[Formula, Formula, Words]:
+        """Both sides divided by sin θ, where each is a multiple of it and θ is not 0."""
+        tilt = self.moment.nodding(name).angles[1]
+        sine = heading(tilt).sin()
+        if not isinstance(tilt, Symbol) or ZERO in (left, right) or sine == ZERO:
+            return left, right, ()
+        upright = {tilt.name: ZERO}
+        if not all(is_zero(side.substitute(upright)) for side in (left, right)):
+            return left, right, ()
+        tidy = self.moment.tidy
+        return tidy(left / sine), tidy(right / sine), (sine, " ≠ 0 divided out")
+
+    def letters_of(self, name: str, tensor: InertiaTensor, own: Attitude, point: str) -> tuple[Triple, list[Equation]]:
+        """The components of L as letters with what defines them; one that is a mere multiple of a given stays as it is."""
+        found, defined = [], []
+        where = f" about its {'centre of mass' if point == CM else spoken(point)}"
+        for axis, value in zip(AXES, product(tensor, own.omega), strict=True):
+            if value == ZERO or self.sought(value):
+                found.append(value)
+                continue
+            index = {"x": "1", "y": "2", "z": "3"}[axis] if own.axes.name == NODE else axis
+            letter = self.moment.ask("angular_momentum", name, f"{index}", kind=f"angular_momentum about {point}")
+            found.append(letter)
+            defined.append(
+                ANGULAR_MOMENTUM_IN_SPACE.equation(
+                    letter, value, self.moment.when, (name,), about=where, axis=self.along(name, axis)
+                )
+            )
+        return (found[0], found[1], found[2]), defined

@@ -1,0 +1,431 @@
+"""Moment: a scene in space at one state: how each body stands and turns, where its points are, and how these move.
+
+Vectors of a body are in the axes of its `Attitude`. What a state tells is put in; what it does not tell has a letter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula
+from rotsolve.core.drive import TURNING
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.registry import Registry, SceneQuantity
+from rotsolve.core.remembered import remembered
+from rotsolve.core.symbols import TIME
+from rotsolve.core.vectors.triple import (
+    AS_DRAWN,
+    AXES,
+    NOTHING,
+    Rows,
+    Triple,
+    Z,
+    after,
+    aligning,
+    cross_product,
+    in_turn,
+    is_axis,
+    rotated,
+    scaled_by,
+    square_of,
+    transposed,
+    triple,
+    turn_about,
+    unit_along,
+    vector_sum,
+)
+from rotsolve.core.writing import spoken
+from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.problem import EXTREMES, Condition, State
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.space.arrangement import ANGLES, RATES, JointedBodies
+from rotsolve.space.attitude import (
+    BODY,
+    IN_SPACE,
+    NODE,
+    Attitude,
+    Axes,
+    Nodding,
+    as_drawn,
+    at_rest_in,
+    hinged_on,
+    in_euler_angles,
+    nodding,
+    on_axle,
+    permutation,
+)
+from rotsolve.space.frames import Relative, frame_of
+from rotsolve.space.rolling import centre_acceleration, centre_velocity
+
+SECOND = "rate of "  # in front of the word of a rate: how fast that changes
+
+
+class SpaceMoment:
+    """One state of a scene in space."""
+
+    def __init__(self, held: JointedBodies, registry: Registry, state: State, known: Arrangement) -> None:
+        self.held, self.registry, self.state = held, registry, state
+        self.positive, self.order, self.signs = known.positive, known.order, known.signs
+        self.when = state.name
+        self.before: SpaceMoment | None = None  # the moment before an event that leads to this one
+        self.later = False  # whether time has passed since the first state
+        self.used: set[int] = set()  # the lines of the state that something has read, by their places
+
+    def tidy(self, value: Formula) -> Formula:
+        """A formula in textbook form."""
+        return simplify(value, order=self.order, positive=self.positive)
+
+    # what the state tells
+
+    def line(self, owner: str, word: str, component: str = "", point: str | None = None) -> Condition | None:
+        """The line of the state about a quantity of a body, or about a component of it."""
+        for number, line in enumerate(self.state.conditions):
+            path = line.path
+            if path is not None and (path.owner, path.quantity, path.component or "", path.point) == (
+                owner,
+                word,
+                component,
+                point,
+            ):
+                self.used.add(number)
+                return line
+        return None
+
+    def rests(self, owner: str) -> bool:
+        """Whether the state says that a body is at rest."""
+        for number, line in enumerate(self.state.conditions):
+            if line.rest and line.owner in ("", "all", owner):
+                self.used.add(number)
+                return True
+        return False
+
+    def told(self, owner: str, word: str) -> Formula | None:
+        """The value that the state gives to a quantity of a body."""
+        line = self.line(owner, word)
+        return None if line is None else line.value
+
+    def vector_told(self, owner: str, word: str, point: str | None = None) -> tuple[Triple, str, str] | None:
+        """The components that the state gives to a vector of a body, the name of their axes, and to what body they are relative."""
+        lines = [self.line(owner, word, axis, point) for axis in AXES]
+        found = [line for line in lines if line is not None]
+        if not found:
+            return None
+        parts = [ZERO if line is None or line.value is None else line.value for line in lines]
+        return (parts[0], parts[1], parts[2]), found[0].axes, found[0].relative
+
+    def ask(self, word: str, owner: str, component: str = "", letter: str = "", kind: str = "") -> Formula:
+        """The letter of a quantity at this moment, or the value that the state gives it."""
+        known = self.told(owner, word) if not component and not kind else None
+        entry = QUANTITIES[word]
+        quantity = SceneQuantity(kind or word, owner, self.when, component, letter or entry.letter, entry.dimension)
+        if known is not None:
+            self.registry.fix(quantity, known)
+        return self.registry.ask(quantity)
+
+    def rate_of(self, word: str, owner: str) -> Formula:
+        """How fast a rate changes; not at all where the state is steady."""
+        if self.state.steady:
+            return ZERO
+        entry = QUANTITIES["angular_acceleration"]
+        kind = SECOND + word
+        quantity = SceneQuantity(kind, owner, self.when, "", f"{QUANTITIES[word].letter}dot", entry.dimension)
+        return self.registry.ask(quantity)
+
+    # how bodies stand and turn
+
+    @remembered
+    def attitude(self, name: str) -> Attitude:
+        """How a body stands and turns at this moment."""
+        held, body, joint = self.held, self.held.bodies[name], self.held.main(name)
+        led = [(word, axis, value) for word, axis, value in body.moved if word in TURNING]
+        if led:
+            return self._led(name, led)
+        if joint is None or joint.free:
+            if self.nods(name):
+                return self._nods(name)
+            return self._anyhow(name)
+        carrier = held.carrier(name)
+        base = self.attitude(carrier) if carrier else at_rest_in(AS_DRAWN)
+        if not joint.turning:
+            return hinged_on(base, Z, ZERO, ZERO, ZERO)
+        return self._about_axis(name, joint, base, bool(carrier))
+
+    def turned(self, name: str) -> Rows:
+        """How a body is turned from how it is drawn, as the scene says."""
+        return in_turn(((item.about, item.by) for item in self.held.bodies[name].turned), self.positive)
+
+    def nods(self, name: str) -> bool:
+        """Whether the scene speaks of a body's tilt, precession or spin."""
+        return name in self.held.nodding and self.held.carrier(name) == ""
+
+    def _led(self, name: str, led: Sequence[tuple[str, str, Formula]]) -> Attitude:
+        """A body whose angular velocity is prescribed, in space axes; its rate is its derivative by time."""
+        parts = {(word, axis): value for word, axis, value in led}
+        omega, alpha = (
+            triple([parts.get((word, axis), ZERO) for axis in AXES])
+            for word in ("angular_velocity", "angular_acceleration")
+        )
+        if alpha == NOTHING:
+            alpha = triple([differentiate(part, TIME) for part in omega])
+        rows = self.turned(name)
+        back = transposed(rows)
+        return as_drawn(rows, rotated(back, omega), rotated(back, alpha))
+
+    def _nods(self, name: str) -> Attitude:
+        """A body by its Euler angles; with ω₃ for ψ̇ + φ̇ cos θ where the state does not tell the spin."""
+        lines = self.line(name, "spin"), self.line(name, "axial_rate")
+        if lines[0] is not None and lines[1] is not None:
+            help = "`spin` is ψ̇, relative to the line of nodes; `axial_rate` is ω₃ = ψ̇ + φ̇ cos θ: give one of them"
+            raise Unsolvable(f"`{name}` has both a `spin` and an `axial_rate`", span=lines[1].span, help=help)
+        axis = self.held.axis(name)
+        if axis is None:
+            raise Unsolvable(f"`{name}` has no axis: its tilt and spin have no meaning", help="give it `axis: z`")
+        turning, symmetric = self.nodding(name), self.held.symmetric(name, axis)
+        found = (nodding if symmetric else in_euler_angles)(turning, permutation(axis))
+        if not symmetric or self.told(name, "spin") is not None or self.rests(name):
+            return found
+        axial, faster = self.ask("axial_rate", name), self.rate_of("axial_rate", name)
+        omega, rates = (found.omega[0], found.omega[1], axial), (found.rates[0], found.rates[1], faster)
+        return Attitude(found.axes, found.own, omega, rates, found.about)
+
+    @remembered
+    def nodding(self, name: str) -> Nodding:
+        """The Euler angles of a body and their rates: what the state tells; φ = ψ = 0 where it does not, so that e₁ lies along x."""
+        angles = triple(
+            [
+                told
+                if (told := self.told(name, word)) is not None
+                else self.ask(word, name)
+                if word == "tilt"
+                else ZERO
+                for word in ANGLES
+            ]
+        )
+        rests, steady = self.rests(name), self.state.steady or self.extreme_tilt(name)
+        still = {
+            "precession": rests,
+            "nutation": rests or steady,
+            "spin": rests,
+        }  # what is nothing unless the state tells it
+        rates = triple(
+            [ZERO if still[word] and self.told(name, word) is None else self.ask(word, name) for word in RATES]
+        )
+        return Nodding(angles, rates, triple([self.rate_of(word, name) for word in RATES]))
+
+    def angle_of(self, name: str, number: int) -> Formula:
+        """An Euler angle: as told, through an event as before; φ = ψ = 0 where nothing tells them."""
+        told = self.told(name, ANGLES[number])
+        if told is not None:
+            return told
+        if self.before is not None:
+            return self.before.nodding(name).angles[number]
+        return self.ask(ANGLES[number], name) if ANGLES[number] == "tilt" else ZERO
+
+    def extreme_tilt(self, name: str) -> bool:
+        """Whether the state says that the tilt of a body is largest or smallest there, so that it nods no more."""
+        line = self.line(name, "tilt")
+        return line is not None and line.word in EXTREMES
+
+    def _anyhow(self, name: str) -> Attitude:
+        """A body that may turn about any axis, in its own axes."""
+        for word in ("angular_velocity", "angular_acceleration"):
+            line = self.line(name, word)
+            if line is not None:
+                help = f"write `{name}.{word}: [x, y, z]`"
+                raise Unsolvable(
+                    f"`{name}` may turn about any axis: its {spoken(word)} has three components",
+                    span=line.span,
+                    help=help,
+                )
+        rows, told = self.turned(name), self.vector_told(name, "angular_velocity")
+        if self.rests(name):
+            omega = NOTHING
+        elif told is None:
+            omega = triple([self.ask("angular_velocity", name, axis) for axis in AXES])
+        else:
+            omega = self.in_own(rows, told, name)
+        given = self.vector_told(name, "angular_acceleration")
+        if self.state.steady:
+            alpha = NOTHING
+        elif given is not None:
+            alpha = self.in_own(rows, given, name)
+        else:
+            alpha = triple([self.ask("angular_acceleration", name, axis) for axis in AXES])
+        return as_drawn(rows, omega, alpha, self.held.axis(name), lost=self.lost(name))
+
+    def in_own(self, rows: Rows, told: tuple[Triple, str, str], name: str) -> Triple:
+        """A vector that a state tells, in a body's own axes."""
+        vector, axes, _ = told
+        return vector if axes in (BODY, name) else rotated(transposed(rows), vector)
+
+    def _about_axis(self, name: str, joint: Joint, base: Attitude, on_body: bool) -> Attitude:
+        """A body on a hinge or an axle."""
+        direction = unit_along(joint.turning[0], self.positive)
+        spun = joint.aligned and self.held.axis(name) is not None
+        word = "spin" if on_body and spun else "angular_velocity"
+        rate, faster = self._driven(name, joint, word)
+        axis = self.held.axis(name)
+        if spun and axis is not None:
+            if not self.held.symmetric(name, axis):
+                help = "a wheel on an axle is symmetric about it; hold other bodies by a `hinge`"
+                raise Unsolvable(f"`{name}` is not symmetric about its axle", span=joint.body.span, help=help)
+            return on_axle(base, direction, rate, faster, aligning(axis, direction))
+        if on_body:
+            angle = self.told(name, "angle")
+            return hinged_on(base, direction, ZERO if angle is None else angle, rate, faster)
+        angle, lost = self.told(name, "angle"), ""
+        rows = self.turned(name)
+        if angle is not None:
+            rows = after(rows, turn_about(direction, angle))
+        else:
+            lost = self.lost(name)
+        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), axis, lost=lost)
+
+    def lost(self, name: str) -> str:
+        """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""
+        return f"how `{name}` stands at `{self.when}` nothing tells" if self.later else ""
+
+    def axle_spin(self, name: str) -> Formula | None:
+        """How fast a body spins on the axle on which another one carries it; None of others."""
+        joint = self.held.main(name)
+        carried = joint is not None and joint.aligned and self.held.carrier(name) != ""
+        return self._driven(name, joint, "spin")[0] if carried and joint is not None else None
+
+    def _driven(self, name: str, joint: Joint, word: str) -> tuple[Formula, Formula]:
+        """The rate of a body about its hinge or axle and how fast that changes: as it is driven, as the state tells, else letters."""
+        drive = dict(joint.drive)
+        rate, faster = drive.get("angular_velocity"), drive.get("angular_acceleration")
+        if "angle" in drive:
+            rate = differentiate(drive["angle"], TIME)
+        if rate is None:
+            rate = ZERO if self.rests(name) else self.told(name, word)
+        elif faster is None:
+            faster = differentiate(rate, TIME)
+        if rate is None:
+            rate = self.ask(word, name)
+        if faster is None:
+            given = self.told(name, "angular_acceleration")
+            faster = given if given is not None else self.rate_of(word, name)
+        return rate, faster
+
+    # points
+
+    def axes(self, name: str) -> Axes:
+        """The axes in which the vectors of a body are written."""
+        return self.attitude(name).axes
+
+    def arm(self, ref: PointRef) -> Triple:
+        """A point from the reference of its body, in the body's axes."""
+        return rotated(self.attitude(ref.owner).own, self.held.arm(ref))
+
+    def fixed_in_axes(self, name: str, arm: Triple) -> bool:
+        """Whether a point keeps its place in the axes of a body, which spins in them: it lies on its axis."""
+        about = self.attitude(name).about
+        return (
+            about is not None
+            and all(part == ZERO or own != ZERO for part, own in zip(arm, about, strict=True))
+            and is_axis(about)
+        )
+
+    def velocity(self, ref: PointRef) -> Triple:
+        """v = v_ref + ω × r of a point, in the axes of its body."""
+        own, arm = self.attitude(ref.owner), self.arm(ref)
+        return vector_sum(self.reference_velocity(ref.owner), cross_product(own.omega, arm))
+
+    def acceleration(self, ref: PointRef) -> Triple:
+        """a = a_ref + α × r + ω × (ω × r) of a point, in the axes of its body; of a point on its axis by how these axes turn."""
+        own, arm = self.attitude(ref.owner), self.arm(ref)
+        omega, alpha = own.omega, own.alpha
+        if self.fixed_in_axes(ref.owner, arm):
+            omega, alpha = own.axes.rate, own.axes.change
+        return vector_sum(
+            self.reference_acceleration(ref.owner),
+            cross_product(alpha, arm),
+            cross_product(omega, cross_product(omega, arm)),
+        )
+
+    def reference_velocity(self, name: str) -> Triple:
+        """The velocity of the point about which a body turns, in its axes."""
+        return self._of_reference(name, "velocity")
+
+    def reference_acceleration(self, name: str) -> Triple:
+        return self._of_reference(name, "acceleration")
+
+    @remembered
+    def _of_reference(self, name: str, word: str) -> Triple:
+        """Of the point held that of what carries it; of a free body that of its centre of mass: led, told, or letters in space axes."""
+        joint = self.held.main(name)
+        axes = self.axes(name)
+        if joint is not None:
+            if joint.sliding:
+                raise Unsolvable(
+                    f"the motion of what `{joint.owner}` lets slide is not solved yet", span=joint.body.span
+                )
+            if joint.carrier.owner not in self.held.bodies:
+                return NOTHING
+            moved = self.velocity(joint.carrier) if word == "velocity" else self.acceleration(joint.carrier)
+            return self.axes(joint.carrier.owner).to(axes, moved)
+        return IN_SPACE.to(axes, self.of_centre(name, word))
+
+    @remembered
+    def of_centre(self, name: str, word: str) -> Triple:
+        """The velocity or acceleration of the centre of mass of a free body, in space axes."""
+        led = {(kind, axis): value for kind, axis, value in self.held.bodies[name].moved}
+        order = ("position", "velocity", "acceleration")
+        for back in range(order.index(word), -1, -1):
+            if any((order[back], axis) in led for axis in AXES):
+                parts = [led.get((order[back], axis), ZERO) for axis in AXES]
+                for _ in range(order.index(word) - back):
+                    parts = [differentiate(part, TIME) for part in parts]
+                return triple(parts)
+        frame = frame_of(self, name)
+        if frame:
+            relative = Relative(self, name, frame)
+            return relative.axes.to(IN_SPACE, relative.velocity() if word == "velocity" else relative.acceleration())
+        rolling = next((joint for joint in self.held.of_body(name) if joint.rolls), None)
+        if rolling is not None:
+            found = (centre_velocity if word == "velocity" else centre_acceleration)(rolling, self)
+            return self.axes(name).to(IN_SPACE, found)
+        told = self.vector_told(name, word)
+        if word == "velocity" and self.rests(name):
+            return NOTHING
+        if told is not None:
+            vector, seen, _ = told
+            return self.named_axes(seen, name).to(IN_SPACE, vector)
+        if word == "acceleration" and self.state.steady and not self.held.of_body(name):
+            return NOTHING
+        return triple([self.ask(word, name, axis) for axis in AXES])
+
+    def up(self, name: str) -> Triple:
+        """The upward vertical in the axes of a body: as the state tells it in the body's own, else as the body stands."""
+        told = self.vector_told(name, "vertical")
+        if told is None:
+            return IN_SPACE.to(self.axes(name), Z)
+        if self.signs.decide(square_of(told[0]) - ONE):
+            line = self.line(name, "vertical", "x")
+            help = "the squares of its components add up to 1"
+            raise Unsolvable(
+                f"the vertical of `{name}` is a direction of length 1",
+                span=None if line is None else line.span,
+                help=help,
+            )
+        return told[0]
+
+    def named_axes(self, axes: str, name: str) -> Axes:
+        """The axes that a question or line names: of space, of a body, or the node axes of one."""
+        if axes in ("", "space"):
+            return IN_SPACE
+        if axes in (BODY, NODE):
+            return self.own_axes(name) if axes == BODY else self.axes(name)
+        return self.own_axes(axes)
+
+    def own_axes(self, name: str) -> Axes:
+        """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""
+        own = self.attitude(name)
+        if own.axes.name != NODE:
+            return Axes(BODY, after(own.axes.rows, own.own), own.omega, own.rates)
+        rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
+        return Axes(BODY, rows)

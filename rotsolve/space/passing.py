@@ -1,0 +1,204 @@
+"""Passing from state to state in space: what is conserved on the way, and what a blow changes.
+
+A body on which nothing but its weight and an ideal joint acts keeps its energy. Its angular momentum keeps all components about
+the centre of mass of a free body, and about a fixed point without gravity; with gravity that along the vertical, and, of a
+symmetric body, that along its axis: I₃ ω₃ (Goldstein, Poole & Safko, Classical Mechanics, §5.7).
+A blow J at r changes M v by J and L by r × J.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
+from rotsolve.core.equation import BLOWS, CONSERVATION, MOMENTUM, RULE, TWISTS, Equation
+from rotsolve.core.vectors.heading import heading
+from rotsolve.core.vectors.tensor import AXES
+from rotsolve.core.vectors.triple import (
+    NOTHING,
+    Triple,
+    cross_product,
+    dot_product,
+    is_axis,
+    minus,
+    scaled_by,
+    square,
+    square_of,
+    triple,
+    unit_along,
+    vector_sum,
+    way_between,
+)
+from rotsolve.core.writing import spoken
+from rotsolve.language.bodies import PointRef
+from rotsolve.motion.timeline import Interval
+from rotsolve.space.attitude import IN_SPACE, NODE
+from rotsolve.space.energies import height_above, kinetic_energies
+from rotsolve.space.inertia import CM
+from rotsolve.space.laws import SpaceLaws
+
+Pairing = tuple[Formula, Formula]
+
+
+def left_alone(laws: SpaceLaws, name: str) -> bool:
+    """Whether nothing acts on a body but its weight and an ideal joint that holds it to the ground."""
+    held = laws.moment.held
+    joints = [joint for joint in held.joints if name in (joint.body.owner, joint.carrier.owner)]
+    ideal = all(
+        not (joint.drive or joint.rolls or joint.flat or joint.sliding or held.carrier(name)) for joint in joints
+    )
+    pushed = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
+    return ideal and len(joints) < 2 and not pushed and not held.bodies[name].moved
+
+
+def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """What is conserved in a phase."""
+    for name in before.moment.held.order:
+        if not left_alone(before, name):
+            continue
+        yield from of_energy(name, interval, before, after)
+        if before.moment.held.pointlike(name):
+            continue
+        yield from turning_tilts(name, interval, before, after)
+        for words, (first, last) in momenta(name, before, after):
+            if first != last:
+                yield MOMENTUM.equation(first, last, interval.name, (name,), words=f"{words}, {spoken(name)}")
+
+
+def turning_tilts(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """Between two tilts at which a symmetric top nods no more: with u = cos θ, a = I₃ ω₃ and W = M g l,
+    2 I₁ W (1 − u²) + I₁² φ̇₀² sin²θ₀ (u₀ + u) = a² (u₀ − u) + 2 I₁ φ̇₀ a sin²θ₀, the energy with φ̇ from the angular momentum about the
+    vertical, divided by u₀ − u (Goldstein, Poole & Safko, Classical Mechanics, §5.7)."""
+    first, last = before.moment, after.moment
+    gravity, joint = before.pushes.gravity, first.held.main(name)
+    nods = first.nods(name) and first.axes(name).name == NODE and joint is not None and joint.free
+    if not nods or gravity is None or any(moment.nodding(name).rates[1] != ZERO for moment in (first, last)):
+        return
+    angles = [heading(moment.nodding(name).angles[1]) for moment in (first, last)]
+    if angles[0] == angles[1]:
+        return
+    start, end = (angle.cos() for angle in angles)
+    square_of_sine, rate = square(angles[0].sin()), first.nodding(name).rates[0]
+    tensor = before.tensor(name, before.about(name)[1])
+    spin, weight = multiply(tensor.zz, first.attitude(name).omega[2]), multiply(first.held.mass(name), gravity)
+    lift = multiply(weight, first.arm(PointRef(name, CM))[2])
+    left = add(
+        multiply(multiply(2 * tensor.xx, lift), add(ONE, negate(square(end)))),
+        multiply(multiply(square(multiply(tensor.xx, rate)), square_of_sine), add(start, end)),
+    )
+    right = add(
+        multiply(square(spin), add(start, negate(end))),
+        multiply(multiply(2 * tensor.xx, rate), multiply(spin, square_of_sine)),
+    )
+    words = f"energy and angular momentum between two tilts without nutation, {spoken(name)}"
+    yield MOMENTUM.equation(left, right, interval.name, (name,), words=words)
+
+
+def of_energy(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """K₁ + M g h₁ = K₂ + M g h₂; of a free body without gravity its rotation alone."""
+    gravity = before.pushes.gravity
+    held = not before.fixed(name)
+    if held and gravity is not None:
+        return  # nothing tells how far it has fallen
+    first, last = (energy_of(laws, name, "rotational" if held else "") for laws in (before, after))
+    if first != last:
+        yield CONSERVATION.equation(first, last, interval.name, (name,), since="")
+
+
+def energy_of(laws: SpaceLaws, name: str, which: str) -> Formula:
+    """Kinetic energy and M g h."""
+    turning, travelling = kinetic_energies(laws, name, which)
+    gravity = laws.pushes.gravity
+    weight = ZERO if gravity is None else multiply(laws.moment.held.mass(name), gravity)
+    return add(add(turning, travelling), ZERO if weight == ZERO else multiply(weight, height_above(laws, name)))
+
+
+def momenta(name: str, before: SpaceLaws, after: SpaceLaws) -> Iterator[tuple[str, Pairing]]:
+    """The components of the angular momentum that stay, in words, before and after."""
+    joint, gravity = before.moment.held.main(name), before.pushes.gravity
+    vectors = [own_momentum(laws, name) for laws in (before, after)]
+    if joint is not None and joint.turning:
+        way = unit_along(joint.turning[0], before.moment.positive)
+        upright = before.moment.axes(name).to(IN_SPACE, way)[:2] == (ZERO, ZERO)
+        if gravity is None or upright:
+            yield "angular momentum about the axis", (dot_product(way, vectors[0]), dot_product(way, vectors[1]))
+        return
+    if joint is not None and not joint.free:
+        return
+    if any(laws.moment.axes(name).lost for laws in (before, after)):
+        if joint is None or gravity is None:  # L stays in space, of which its own axes know the size
+            yield "size of the angular momentum", (square_of(vectors[0]), square_of(vectors[1]))
+        return
+    if joint is None or gravity is None:
+        ends = [
+            laws.moment.axes(name).to(IN_SPACE, vector) for laws, vector in zip((before, after), vectors, strict=True)
+        ]
+        yield from ((f"angular momentum along {axis}", (a, b)) for axis, a, b in zip(AXES, *ends, strict=True))
+    else:
+        ups = [laws.moment.up(name) for laws in (before, after)]
+        yield "angular momentum about the vertical", (dot_product(ups[0], vectors[0]), dot_product(ups[1], vectors[1]))
+    axes = before.moment.attitude(name)
+    if axes.axes.name == NODE and axes.about is not None:
+        yield "angular momentum along its axis, I₃ ω₃", (vectors[0][2], vectors[1][2])
+
+
+def own_momentum(laws: SpaceLaws, name: str) -> Triple:
+    """L about the point of the law of rotation, in the axes of the body."""
+    return laws.momentum(name, laws.about(name)[1])
+
+
+def through(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """What a blow changes; a body that it does not touch moves on as it did."""
+    event = interval.event
+    assert event is not None
+    ref, size, way = event.blow_in_space()
+    blow = scaled_by(size, unit_along(way, before.moment.positive))
+    for name in before.moment.held.order:
+        if before.moment.held.bodies[name].moved:
+            continue
+        force = IN_SPACE.to(before.moment.axes(name), blow) if ref.owner == name else NOTHING
+        yield from laws_of_blow(name, interval, ref, force, before, after)
+
+
+def laws_of_blow(
+    name: str, interval: Interval, ref: PointRef, blow: Triple, before: SpaceLaws, after: SpaceLaws
+) -> Iterator[Equation]:
+    """M (v′ − v) = Σ J and L′ − L = Σ r × J of a body, about the point that its joint holds, else its centre of mass."""
+    moment, held = before.moment, before.moment.held
+    joint, (place, point) = held.main(name), before.about(name)
+    impulse, twist = joint_impulse(name, before)
+    centres = [laws.moment.velocity(PointRef(name, CM)) for laws in (before, after)]
+    gained = scaled_by(held.mass(name), way_between(centres[0], centres[1]))
+    for left, right in zip(vector_sum(blow, impulse), gained, strict=True):
+        if left != right:
+            yield BLOWS.equation(left, right, interval.name, (name,))
+    if held.pointlike(name):
+        return
+    momenta_ = [laws.momentum(name, point) for laws in (before, after)]
+    arm = way_between(place, moment.arm(ref)) if ref.owner == name else NOTHING
+    turning = vector_sum(cross_product(arm, blow), twist, cross_product(minus(place), impulse))
+    where = f" about its {'centre of mass' if point == CM else spoken(point)}"
+    for left, right in zip(turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
+        if left != right:
+            yield TWISTS.equation(left, right, interval.name, (name,), about=where)
+    way = None if joint is None or joint.free else before.pushes.direction(joint)
+    if way is not None and not is_axis(way):
+        words = f"{spoken(name)} turns freely about its axis"
+        yield RULE.equation(dot_product(way, twist), ZERO, interval.name, (name,), words=words)
+
+
+def joint_impulse(name: str, laws: SpaceLaws) -> tuple[Triple, Triple]:
+    """The impulse of the joint that holds a body, at its reference, and its angular impulse across the axis."""
+    joint = laws.moment.held.main(name)
+    if joint is None:
+        return NOTHING, NOTHING
+    push = triple([laws.moment.ask("impulse", joint.owner, axis) for axis in AXES])
+    if joint.free:
+        return push, NOTHING
+    letters = triple([laws.moment.ask("angular_impulse", joint.owner, axis) for axis in AXES])
+    way = laws.pushes.direction(joint)
+    if way is None:
+        return push, letters
+    if not is_axis(way):
+        return push, letters
+    return push, triple([ZERO if part != ZERO else letter for part, letter in zip(way, letters, strict=True)])

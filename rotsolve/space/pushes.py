@@ -1,0 +1,210 @@
+"""Pushes: the forces and couples on each body of a scene in space: weight, what its joints do to it and to what carries it, actions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import ZERO, Formula, multiply, negate
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.triple import (
+    AXES,
+    NOTHING,
+    Triple,
+    Z,
+    cross_product,
+    dot_product,
+    is_axis,
+    minus,
+    scaled_by,
+    triple,
+    unit_along,
+    vector_sum,
+    way_between,
+)
+from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.elements import Action
+from rotsolve.space.attitude import IN_SPACE, NODE, Axes
+from rotsolve.space.moment import SpaceMoment
+
+
+class ForceInSpace(Struct, frozen=True):
+    """A force (or none) on a body, and a couple, each along some `axes`; `arm` is where it acts, from the body's reference, in its own."""
+
+    owner: str
+    body: str
+    force: Triple
+    axes: Axes
+    arm: Triple
+    own: Axes
+    couple: Triple = NOTHING
+
+    def along(self, axes: Axes) -> Triple:
+        """The force in the components of other axes."""
+        return self.axes.to(axes, self.force)
+
+    def torque(self, about: Triple) -> Triple:
+        """r × F + M about a point, from the reference, in the axes of the body."""
+        arm = way_between(about, self.arm)
+        turning = NOTHING if arm == NOTHING else cross_product(arm, self.along(self.own))
+        return vector_sum(turning, self.axes.to(self.own, self.couple))
+
+
+class Pushes:
+    """All forces and couples at one moment."""
+
+    def __init__(self, moment: SpaceMoment, gravity: Formula | None, actions: tuple[Action, ...]) -> None:
+        self.moment, self.gravity, self.actions = moment, gravity, actions
+        self.conditions: list[
+            tuple[str, Formula]
+        ] = []  # what free axes leave: parts of couples along them that are nothing
+
+    def on(self, name: str) -> Iterator[ForceInSpace]:
+        """All that acts on a body."""
+        held = self.moment.held
+        weight = self.weight(name)
+        if weight is not None:
+            yield weight
+        for joint in held.joints:
+            if joint.body.owner == name:
+                yield from self.by_joint(joint)
+            elif joint.carrier.owner == name:
+                yield from (self.back(joint, push) for push in self.by_joint(joint))
+        for action in self.actions:
+            if any(ref.owner == name for ref in action.touches()):
+                yield self.by_action(action)
+
+    def weight(self, name: str) -> ForceInSpace | None:
+        """M g down at the centre of mass."""
+        mass = self.moment.held.mass(name)
+        if self.gravity is None or mass == ZERO:
+            return None
+        down = scaled_by(negate(multiply(mass, self.gravity)), self.moment.up(name))
+        axes = self.moment.axes(name)
+        if self.moment.vector_told(name, "vertical") is None:
+            axes, down = IN_SPACE, scaled_by(negate(multiply(mass, self.gravity)), Z)
+        return ForceInSpace("gravity", name, down, axes, self.moment.arm(PointRef(name, "cm")), self.moment.axes(name))
+
+    def reaction_axes(self, joint: Joint) -> Axes:
+        """The axes along which the parts of a joint's force are written: level ones of what nods, else those of the body."""
+        axes = self.moment.axes(joint.body.owner)
+        nods = axes.name == NODE or self.moment.nods(joint.body.owner) or joint.rolls
+        return IN_SPACE if nods else axes
+
+    def letters(self, word: str, joint: Joint, mark: str = "") -> Triple:
+        """Three letters for a force or couple of a joint."""
+        x, y, z = (self.moment.ask(word, joint.owner, f"{axis}{mark}") for axis in AXES)
+        return (x, y, z)
+
+    def by_joint(self, joint: Joint) -> Iterator[ForceInSpace]:
+        """What a joint does to the body that it holds."""
+        name, axes = joint.body.owner, self.reaction_axes(joint)
+        if joint.flat:
+            raise Unsolvable(
+                f"the forces of `{joint.owner}` on a face are not solved in space yet", span=joint.body.span
+            )
+        own = self.moment.axes(name)
+        if joint.bearings:
+            yield from self._by_bearings(joint)
+            return
+        force, place = self.letters("force", joint), self.place(joint)
+        couple = NOTHING if joint.free or joint.rolls else self.couple(joint)
+        if couple == NOTHING:
+            yield ForceInSpace(joint.owner, name, force, axes, place, own)
+        elif axes == own:
+            yield ForceInSpace(joint.owner, name, force, axes, place, own, couple)
+        else:
+            yield ForceInSpace(joint.owner, name, force, axes, place, own)
+            yield ForceInSpace(joint.owner, name, NOTHING, own, place, own, couple)
+
+    def place(self, joint: Joint) -> Triple:
+        """Where a joint acts on its body: at the point held, or at the lowest one where it rolls."""
+        if joint.rolls:
+            from rotsolve.space.rolling import lowest
+
+            return lowest(joint, self.moment)
+        return self.moment.arm(joint.body)
+
+    def direction(self, joint: Joint) -> Triple | None:
+        """The axis of a joint, in the axes of its body."""
+        if not joint.turning:
+            return None
+        own = self.moment.attitude(joint.body.owner)
+        way = unit_along(joint.turning[0], self.moment.positive)
+        return own.about if joint.aligned and own.about is not None else way
+
+    def couple(self, joint: Joint) -> Triple:
+        """The couple of a hinge or clamp: across its axis, and along it only where something drives it."""
+        axis = self.direction(joint)
+        x, y, z = self.letters("torque", joint)
+        if axis is None or joint.drive:
+            return (x, y, z)
+        if is_axis(axis):
+            return (
+                ZERO if axis[0] != ZERO else x,
+                ZERO if axis[1] != ZERO else y,
+                ZERO if axis[2] != ZERO else z,
+            )
+        self.conditions.append((joint.owner, dot_product(axis, (x, y, z))))
+        return (x, y, z)
+
+    def _by_bearings(self, joint: Joint) -> Iterator[ForceInSpace]:
+        """Two bearings on the axis: each pushes across it, the first along it too; what drives the shaft twists it along the axis."""
+        name, axis = joint.body.owner, self.direction(joint)
+        assert axis is not None
+        held = self.moment.arm(joint.body)
+        for number, place in enumerate(joint.bearings, 1):
+            force = self.letters("force", joint, f"_{number}")
+            if number == 2:
+                if is_axis(axis):
+                    x, y, z = (ZERO if way != ZERO else part for part, way in zip(force, axis, strict=True))
+                    force = (x, y, z)
+                else:
+                    self.conditions.append((joint.owner, dot_product(axis, force)))
+            twist = NOTHING
+            if number == 1 and joint.drive:
+                twist = scaled_by(self.moment.ask("torque", joint.owner, "drive"), axis)
+            own = self.moment.axes(name)
+            yield ForceInSpace(joint.owner, name, force, own, vector_sum(held, scaled_by(place, axis)), own, twist)
+
+    def back(self, joint: Joint, push: ForceInSpace) -> ForceInSpace:
+        """What the body does to what carries it: the opposite, at the same place."""
+        carrier, body = joint.carrier.owner, joint.body.owner
+        ours, theirs = self.moment.axes(body), self.moment.axes(carrier)
+        shift = way_between(self.moment.arm(joint.body), push.arm)
+        arm = vector_sum(self.moment.arm(joint.carrier), ours.to(theirs, shift))
+        return ForceInSpace(joint.owner, carrier, minus(push.force), push.axes, arm, theirs, minus(push.couple))
+
+    def by_action(self, action: Action) -> ForceInSpace:
+        """A force or couple from outside, along a direction in space, a couple also about the body's own axis."""
+        ref = action.touches()[0]
+        own = self.moment.axes(ref.owner)
+        strength, way = action.strength(), getattr(action, "direction", None)
+        vector: Triple | None
+        if isinstance(strength, str):  # whatever it takes
+            word = "torque" if action.twists() else "force"
+            vector = triple([self.moment.ask(word, action.name, axis) for axis in AXES])
+        elif isinstance(strength, tuple):
+            vector = strength
+        elif way is not None:
+            vector = scaled_by(strength, unit_along(way, self.moment.positive))
+        else:
+            vector = None
+        if action.twists():
+            axis = self.moment.attitude(ref.owner).about
+            if vector is None and axis is None:
+                raise Unsolvable(
+                    f"about which axis `{action.name}` turns nothing tells",
+                    span=ref.span,
+                    help="give it `direction: z`",
+                )
+            axes, couple = (IN_SPACE, vector) if vector is not None else (own, scaled_by(strength, axis or NOTHING))
+            return ForceInSpace(action.name, ref.owner, NOTHING, axes, self.moment.arm(ref), own, couple)
+        if vector is None:
+            raise Unsolvable(
+                f"in which direction `{action.name}` pulls nothing tells",
+                span=ref.span,
+                help="give it `direction: [x, y, z]`",
+            )
+        return ForceInSpace(action.name, ref.owner, vector, IN_SPACE, self.moment.arm(ref), own)

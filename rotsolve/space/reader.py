@@ -1,0 +1,473 @@
+"""Reader in space: what a path of a question stands for at a moment; vectors by components, along the axes that the question names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Sum, Symbol, add, call, multiply, sqrt
+from rotsolve.algebra.units.dimension import ANGLE
+from rotsolve.core.equation import KINETIC_ENERGY
+from rotsolve.core.quantity import DIRECTED, INERTIAL, QUANTITIES
+from rotsolve.core.symbols import has_quantities
+from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor
+from rotsolve.core.vectors.triple import (
+    AXES,
+    NOTHING,
+    Triple,
+    cross_product,
+    dot_product,
+    length_of,
+    minus,
+    scaled_by,
+    square_of,
+    triple,
+    unit_along,
+    vector_sum,
+)
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.grammar import ANGLE_OF
+from rotsolve.language.problem import Find, Path, Problem, Term
+from rotsolve.paths.meaning import Meaning, NotYet, label_of, path_text
+from rotsolve.space.arrangement import NODAL
+from rotsolve.space.attitude import IN_SPACE, Axes
+from rotsolve.space.energies import height_above, kinetic_energies
+from rotsolve.space.inertia import CM, in_axes, moment_along, product
+from rotsolve.space.laws import SpaceLaws
+
+Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
+AT_REST = (
+    "inertia",
+    "inertia_tensor",
+    "principal_moments",
+    "principal_axis",
+    "freedoms",
+    "mass",
+    "cm",
+)  # asked of what need not move
+
+
+def entries_in_space(find: Find) -> tuple[Find, ...]:
+    """A question for a vector or a tensor as questions for its entries; any other question alone."""
+    if len(find.terms) != 1 or find.modifier or not proportional(find.formula):
+        return (find,)
+    term = find.terms[0]
+    names = entries_of(term)
+    whole = term.path.component
+    parts = []
+    for name in names:
+        path = replace(term.path, component=name if whole is None else f"{whole} {name}")
+        parts.append(replace(find, name=f"{find.name}_{name}", terms=(replace(term, path=path),), whole=find.name))
+    return tuple(parts) or (find,)
+
+
+def proportional(formula: Formula) -> bool:
+    """Whether a formula is a multiple of its only quantity by givens, so that it may be a vector."""
+    rest = formula.substitute({"#0": ONE})
+    return "#0" in formula.symbols() and (formula == Symbol("#0") or is_zero(formula - rest * Symbol("#0")))
+
+
+def entries_of(term: Term) -> tuple[str, ...]:
+    """The names of the entries of what a term asks for; none of a scalar."""
+    path = term.path
+    if term.modifier not in ("", "change of", "mean") or path.component in (*AXES, *ENTRIES):
+        return ()
+    if path.quantity in DIRECTED or path.quantity == "cm":
+        return AXES
+    if path.quantity == "principal_moments" and path.component is None:
+        return ("1", "2", "3")
+    return ENTRIES if path.quantity == "inertia_tensor" else ()
+
+
+class SpaceReader:
+    """Reads paths at one moment; `moments` are those of all states."""
+
+    def __init__(self, dynamics: SpaceLaws, moments: Mapping[str, SpaceLaws], problem: Problem) -> None:
+        self.dynamics, self.moments, self.problem = dynamics, moments, problem
+        self.moment, self.held = dynamics.moment, dynamics.moment.held
+        self.bodies = self.held.bodies
+
+    def meaning(self, path: Path, term: Term | None = None) -> Meaning:
+        """What a path stands for; raises `NotYet` for what has no meaning here."""
+        term = term or Term(path)
+        if term.modifier == ANGLE_OF and term.other is not None:
+            return self.angle(term, term.other)
+        kind = QUANTITIES[path.quantity]
+        refused = self.dynamics.unwritten.get(path.owner)
+        if refused is not None and path.quantity not in AT_REST:
+            raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
+        found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
+        meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
+        return replace(meaning, label=meaning.label or label_of(plainly_named(path), term))
+
+    # vectors
+
+    def vector_meant(self, path: Path, term: Term) -> Formula:
+        """A component of a vector along the axes that are asked for, or its size."""
+        vector, axes = self.vector(path, term)
+        asked = self.asked_axes(path, term)
+        component = (path.component or "").split()[-1:] or [""]
+        if component[0] not in AXES:
+            return self.moment.tidy(length_of(vector))
+        found = axes.to(asked, vector)
+        return tidied_part(found[AXES.index(component[0])])
+
+    def asked_axes(self, path: Path, term: Term) -> Axes:
+        """The axes that a question names, those of space where it names none."""
+        name = path.owner if path.owner in self.bodies else self.body_of(path)
+        return self.moment.named_axes(term.axes or "", name)
+
+    def body_of(self, path: Path) -> str:
+        """The body on which a connection or action acts."""
+        joint = self.held.joint(path.owner)
+        if joint is not None:
+            return joint.body.owner
+        action = next((item for item in self.problem.actions if item.name == path.owner), None)
+        if action is None:
+            raise NotYet(f"`{path_text(path)}` has no meaning in space")
+        return action.touches()[0].owner
+
+    def vector(self, path: Path, term: Term) -> Seen:
+        """A vector, and the axes along which its components are."""
+        reading = (OF_BODIES if path.owner in self.bodies else OF_ELEMENTS).get(path.quantity)
+        if reading is None:
+            raise NotYet(f"`{path_text(path)}` is not solved in space yet")
+        return reading(self, path, term)
+
+    def point(self, path: Path) -> PointRef:
+        """The point of a path, the centre of mass of a body that is named alone."""
+        return PointRef(path.owner, path.point or CM, path.argument)
+
+    def angular_velocity(self, path: Path, term: Term) -> Seen:
+        own = self.moment.attitude(path.owner)
+        return own.omega, own.axes
+
+    def angular_acceleration(self, path: Path, term: Term) -> Seen:
+        own = self.moment.attitude(path.owner)
+        return own.alpha, own.axes
+
+    def velocity(self, path: Path, term: Term) -> Seen:
+        return self.moment.velocity(self.point(path)), self.moment.axes(path.owner)
+
+    def acceleration(self, path: Path, term: Term) -> Seen:
+        return self.moment.acceleration(self.point(path)), self.moment.axes(path.owner)
+
+    def momentum(self, path: Path, term: Term) -> Seen:
+        velocity, axes = self.velocity(replace(path, point=None), term)
+        return scaled_by(self.held.mass(path.owner), velocity), axes
+
+    def about(self, path: Path, term: Term) -> tuple[Triple, str]:
+        """The point about which a torque or an angular momentum is asked, from the reference of its body, and its name."""
+        if term.about is None:
+            return self.dynamics.about(path.owner)
+        joint = self.held.joint(term.about.owner)
+        ref = joint.body if joint is not None else term.about
+        if ref.owner != path.owner:
+            raise NotYet(f"`{ref.owner}` is no point of `{path.owner}`", term.about.span)
+        return self.moment.arm(PointRef(ref.owner, ref.point or "center", ref.argument)), ref.point or "center"
+
+    def angular_momentum(self, path: Path, term: Term) -> Seen:
+        """L = I ω about a point at rest; about the centre of mass; about another point with r × m v of the centre of mass."""
+        name, own = path.owner, self.moment.attitude(path.owner)
+        place, _ = self.about(path, term)
+        at_rest, own_point = self.dynamics.about(name)
+        if place == at_rest:
+            tensor = self.dynamics.tensor(name, own_point)
+            letters, _ = self.dynamics.letters_of(name, tensor, own, own_point)
+            return letters, own.axes
+        spin = product(self.dynamics.tensor(name, CM), own.omega)
+        arm = vector_sum(self.moment.arm(PointRef(name, CM)), minus(place))
+        velocity = self.moment.velocity(PointRef(name, CM))
+        return vector_sum(spin, cross_product(arm, scaled_by(self.held.mass(name), velocity))), own.axes
+
+    def torque(self, path: Path, term: Term) -> Seen:
+        """The torque on a body about a point: of all forces (`net`), of its weight, of one connection or action."""
+        place, _ = self.about(path, term)
+        which = (path.component or "net").split()[0]
+        which = "net" if which in AXES else which
+        torque = NOTHING
+        for push in self.dynamics.pushes.on(path.owner):
+            if which in ("net", push.owner):
+                torque = vector_sum(torque, push.torque(place))
+        if which == "net":
+            return self.rate_of_momentum(path, place), self.moment.axes(path.owner)
+        return torque, self.moment.axes(path.owner)
+
+    def rate_of_momentum(self, path: Path, place: Triple) -> Triple:
+        """What all torques together come to: dL/dt about the point at rest or the centre of mass, else the sum of the torques."""
+        at_rest, point = self.dynamics.about(path.owner)
+        if place != at_rest:
+            torque = NOTHING
+            for push in self.dynamics.pushes.on(path.owner):
+                torque = vector_sum(torque, push.torque(place))
+            return torque
+        own, tensor = self.moment.attitude(path.owner), self.dynamics.tensor(path.owner, point)
+        letters, _ = self.dynamics.letters_of(path.owner, tensor, own, point)
+        return vector_sum(product(tensor, own.rates), cross_product(own.axes.rate, letters))
+
+    def force(self, path: Path, term: Term) -> Seen:
+        """The force on a body: of all (`net`: m a), its weight, of one connection or action; in a frame that turns its inertial ones."""
+        which = (path.component or "net").split()[0]
+        which = "net" if which in AXES else which
+        axes = self.moment.axes(path.owner)
+        if which in INERTIAL:
+            from rotsolve.space.frames import frame_of, inertial_force
+
+            return inertial_force(self.moment, path, term.relative or frame_of(self.moment, path.owner), which)
+        if which == "net":
+            acceleration, _ = self.acceleration(replace(path, point=None), term)
+            return scaled_by(self.held.mass(path.owner), acceleration), axes
+        return self.forces_of(path.owner, which), axes
+
+    def own_axis(self, path: Path, term: Term) -> Seen:
+        """The direction of one of a body's own axes, in space."""
+        rows = self.moment.own_axes(path.owner).rows
+        column = AXES.index(path.quantity[0])
+        return (rows[0][column], rows[1][column], rows[2][column]), IN_SPACE
+
+    def rotation_axis(self, path: Path, term: Term) -> Seen:
+        """The axis of the rotation that all turns of a body come to: n ∝ the part of R that changes sign when it is transposed."""
+        from rotsolve.space.rotations import axis_of
+
+        return axis_of(self.moment.own_axes(path.owner).rows, path), IN_SPACE
+
+    def principal_axis(self, path: Path, term: Term) -> Seen:
+        from rotsolve.space.principal import lone_axis
+
+        tensor = self.tensor_about(path, term)
+        return lone_axis(tensor, self.dynamics.tensors.spelled, path), self.moment.own_axes(path.owner)
+
+    # of connections and actions
+
+    def joint_force(self, path: Path, term: Term) -> Seen:
+        """The force of a connection on the body that it holds, or of one of its bearings."""
+        name = self.body_of(path)
+        pushes = [push for push in self.dynamics.pushes.on(name) if push.owner == path.owner and push.force != NOTHING]
+        if path.point is not None:
+            pushes = [push for number, push in enumerate(pushes, 1) if path.point == f"bearing{number}"]
+        if len(pushes) == 1:
+            return pushes[0].force, pushes[0].axes
+        return self.forces_of(name, path.owner), self.moment.axes(name)
+
+    def joint_impulse(self, path: Path, term: Term) -> Seen:
+        """The impulse of a joint on the body that it holds, or of a blow itself, in the event that leads to this moment."""
+        before = self.moment.before
+        joint = self.held.joint(path.owner)
+        if before is None:
+            raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
+        if joint is None:
+            raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
+        parts = triple([before.ask("impulse", path.owner, axis) for axis in AXES])
+        return parts, before.axes(joint.body.owner)
+
+    def forces_of(self, name: str, owner: str) -> Triple:
+        """What one connection, action or gravity pushes a body with, in the axes of the body."""
+        axes, force = self.moment.axes(name), NOTHING
+        for push in self.dynamics.pushes.on(name):
+            force = vector_sum(force, push.along(axes) if push.owner == owner else NOTHING)
+        return force
+
+    def joint_torque(self, path: Path, term: Term) -> Seen:
+        """The torque of a connection or action about the point held, or about another one."""
+        name = self.body_of(path)
+        place, _ = self.about(replace(path, owner=name), term)
+        torque = NOTHING
+        for push in self.dynamics.pushes.on(name):
+            torque = vector_sum(torque, push.torque(place) if push.owner == path.owner else NOTHING)
+        return torque, self.moment.axes(name)
+
+    # angles between vectors
+
+    def angle(self, term: Term, other: Term) -> Meaning:
+        """tan = |a × b|/(a · b) of vectors in one plane of the axes, cos = a · b/(|a| |b|) of others."""
+        one, axes = self.vector(term.path, term)
+        two, others = self.vector(other.path, other)
+        two = others.to(axes, two)
+        if sum(part != ZERO for part in cross_product(one, two)) > 1:
+            cosine = simplify(dot_product(one, two) / sqrt(multiply(square_of(one), square_of(two))))
+            return Meaning(Call("acos", (cosine,)), ANGLE, label="angle between two vectors, cos = a · b/(|a| |b|)")
+        words = "angle between two vectors, tan = |a × b|/(a · b)"
+        return Meaning(call("atan2", length_of(cross_product(one, two)), dot_product(one, two)), ANGLE, label=words)
+
+    # scalars
+
+    def scalar(self, path: Path, term: Term) -> Formula | Meaning:
+        """A quantity without a direction."""
+        if path.quantity in NODAL:
+            return self.of_nodding(path)
+        reading = SCALARS.get(path.quantity)
+        if reading is None or (path.owner and path.owner not in self.bodies and path.quantity != "freedoms"):
+            raise NotYet(f"`{path_text(path)}` is not solved in space yet")
+        return reading(self, path, term)
+
+    def of_nodding(self, path: Path) -> Formula | Meaning:
+        """An Euler angle or its rate; of a free symmetric body the rates about its angular momentum."""
+        moment = self.moment
+        spin = moment.axle_spin(path.owner) if path.quantity == "spin" else None
+        if spin is not None:
+            return spin
+        if not moment.nods(path.owner):
+            from rotsolve.space.free import about_own_momentum
+
+            return about_own_momentum(self.dynamics, path)
+        if path.quantity == "axial_rate" and moment.told(path.owner, "axial_rate") is None:
+            return Meaning(
+                moment.attitude(path.owner).omega[2], QUANTITIES["axial_rate"].dimension, label="ω₃ = ψ̇ + φ̇ cos θ"
+            )
+        return moment.ask(path.quantity, path.owner)
+
+    def kinetic_energy(self, path: Path, term: Term) -> Meaning:
+        """½ Σ I_ij ω_i ω_j about a point at rest; else about the centre of mass, and ½ M v²."""
+        names = [path.owner] if path.owner else list(self.held.order)
+        terms: list[Formula] = []
+        for name in names:
+            turning, travelling = kinetic_energies(self.dynamics, name, path.component or "")
+            terms += [turning, travelling]
+        formula: Formula = ZERO
+        for term_ in terms:
+            formula = add(formula, term_)
+        return Meaning(
+            formula,
+            QUANTITIES["kinetic_energy"].dimension,
+            label="kinetic energy, ½ ω · I ω + ½ M v²",
+            law=KINETIC_ENERGY,
+        )
+
+    def energy(self, path: Path, term: Term) -> Meaning:
+        """K + M g h, h from the point about which the body turns."""
+        gravity = self.problem.gravity
+        result = self.kinetic_energy(path, term).formula
+        for name in [path.owner] if path.owner else list(self.held.order):
+            if gravity is not None:
+                result = add(
+                    result, multiply(multiply(self.held.mass(name), gravity), height_above(self.dynamics, name))
+                )
+        return Meaning(result, QUANTITIES["energy"].dimension, label="energy, ½ ω · I ω + M g h")
+
+    def tensor_about(self, path: Path, term: Term) -> InertiaTensor:
+        """The tensor of a body about the point that is asked, in its own axes."""
+        ref = term.about
+        point = PointRef(path.owner, CM) if ref is None else PointRef(path.owner, ref.point or "center", ref.argument)
+        joint = None if ref is None else self.held.joint(ref.owner)
+        point = point if joint is None else joint.body
+        spot = point.point or "center"
+        return self.dynamics.tensors.about(path.owner, self.held.spot(point), spot)
+
+    def inertia(self, path: Path, term: Term) -> Meaning:
+        """nᵀ I n about a direction, in the body's own axes; about its axis where none is named."""
+        tensor = self.tensor_about(path, term)
+        along = term.along if isinstance(term.along, tuple) else self.held.axis(path.owner)
+        if along is None:
+            joint = self.held.main(path.owner)
+            along = joint.turning[0] if joint is not None and joint.turning else None
+        if along is None:
+            raise NotYet(
+                f"about which axis is the moment of inertia of `{path.owner}` asked?", help="say `along [x, y, z]`"
+            )
+        x, y, z = along
+        direction = unit_along((x, y, z), self.moment.positive)
+        formula, steps = moment_along(tensor, direction), tuple(self.dynamics.tensors.steps)
+        words = "moment of inertia about an axis, Σ nᵢ nⱼ Iᵢⱼ"
+        return Meaning(formula, QUANTITIES["inertia"].dimension, label=words, laws=steps)
+
+    def inertia_tensor(self, path: Path, term: Term) -> Meaning:
+        """An entry along the body's own axes, or those that are asked for: R I Rᵀ."""
+        tensor = self.tensor_about(path, term)
+        if term.axes == "space":
+            tensor = in_axes(tensor, self.moment.own_axes(path.owner).rows, None, None)
+        entry = (path.component or "zz").split()[-1]
+        words = "inertia tensor, R I Rᵀ" if term.axes == "space" else "inertia tensor"
+        steps = tuple(self.dynamics.tensors.steps)
+        return Meaning(
+            tidied_part(tensor.entry(entry)),
+            QUANTITIES["inertia_tensor"].dimension,
+            label=f"{words}, {entry}",
+            laws=steps,
+        )
+
+    def principal_moments(self, path: Path, term: Term) -> Meaning:
+        from rotsolve.space.principal import principal_moment
+
+        tensor, number = self.tensor_about(path, term), (path.component or "1").split()[-1]
+        found = principal_moment(tensor, self.dynamics.tensors.spelled, number, path, self.moment.signs.decide)
+        steps = tuple(self.dynamics.tensors.steps)
+        return Meaning(found, QUANTITIES["inertia"].dimension, label="principal moment of inertia", laws=steps)
+
+    def rotation_angle(self, path: Path, term: Term) -> Meaning:
+        """cos = (trace R − 1)/2."""
+        rows = self.moment.own_axes(path.owner).rows
+        trace = add(add(rows[0][0], rows[1][1]), rows[2][2])
+        return Meaning(
+            Call("acos", (simplify((trace - ONE) / 2),)),
+            ANGLE,
+            label="angle of the whole rotation, 1 + 2 cos = trace R",
+        )
+
+    def freedoms(self, path: Path, term: Term) -> Formula:
+        from rotsolve.space.freedoms import freedoms_of
+
+        return freedoms_of(self.held, path)
+
+    def stability(self, path: Path, term: Term) -> Meaning:
+        from rotsolve.space.stability import growth
+
+        return growth(self.dynamics, path)
+
+    def mass(self, path: Path, term: Term) -> Formula:
+        return self.held.mass(path.owner)
+
+    def speed(self, path: Path, term: Term) -> Formula:
+        return tidied_part(length_of(self.velocity(path, term)[0]))
+
+    def period(self, path: Path, term: Term) -> Meaning:
+        from rotsolve.space.free import steady_period
+
+        return steady_period(self.dynamics, path)
+
+
+def tidied_part(value: Formula) -> Formula:
+    """A component with what cancels left out, where it is a sum."""
+    return simplify(value) if isinstance(value, Sum) or not has_quantities(value) else value
+
+
+def plainly_named(path: Path) -> Path:
+    """A path with a component that a label can name."""
+    component = (path.component or "").split()[0] if path.component else None
+    return replace(path, component=component)
+
+
+OF_BODIES: dict[str, Callable[[SpaceReader, Path, Term], Seen]] = {
+    "angular_velocity": SpaceReader.angular_velocity,
+    "angular_acceleration": SpaceReader.angular_acceleration,
+    "velocity": SpaceReader.velocity,
+    "acceleration": SpaceReader.acceleration,
+    "momentum": SpaceReader.momentum,
+    "angular_momentum": SpaceReader.angular_momentum,
+    "torque": SpaceReader.torque,
+    "force": SpaceReader.force,
+    "x_axis": SpaceReader.own_axis,
+    "y_axis": SpaceReader.own_axis,
+    "z_axis": SpaceReader.own_axis,
+    "rotation_axis": SpaceReader.rotation_axis,
+    "principal_axis": SpaceReader.principal_axis,
+}
+OF_ELEMENTS: dict[str, Callable[[SpaceReader, Path, Term], Seen]] = {
+    "force": SpaceReader.joint_force,
+    "torque": SpaceReader.joint_torque,
+    "impulse": SpaceReader.joint_impulse,
+}
+SCALARS: dict[str, Callable[[SpaceReader, Path, Term], Formula | Meaning]] = {
+    "kinetic_energy": SpaceReader.kinetic_energy,
+    "energy": SpaceReader.energy,
+    "inertia": SpaceReader.inertia,
+    "inertia_tensor": SpaceReader.inertia_tensor,
+    "principal_moments": SpaceReader.principal_moments,
+    "rotation_angle": SpaceReader.rotation_angle,
+    "freedoms": SpaceReader.freedoms,
+    "stability": SpaceReader.stability,
+    "mass": SpaceReader.mass,
+    "speed": SpaceReader.speed,
+    "period": SpaceReader.period,
+}

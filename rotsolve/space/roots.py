@@ -1,0 +1,74 @@
+"""Roots in space: which of several steady motions is meant. Where nothing tells, the question is refused by name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import key_of
+from rotsolve.language.problem import EXTREMES
+from rotsolve.solver.steps import PickedRoot
+
+if TYPE_CHECKING:
+    from rotsolve.equations.scene_equations import SceneEquations
+    from rotsolve.search.numbers import Numbers
+
+SMALL = 1e-12
+SEVERAL = "two steady motions are possible, and nothing tells which is meant"
+HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `top.precession: smallest`"
+
+
+def chosen(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
+    """The root that the scene asks for by `smallest` or `largest`, or the only real one; None where the ordinary choice may go on."""
+    key = key_of(name)
+    if key.kind == "tilt":
+        return tilted(roots, numbers)
+    if key.kind != "precession":
+        return None
+    real = [index for index, root in enumerate(roots) if numbers.of(root) is not None]
+    if not real:
+        refuse_too_slow(key.owner, key.when, scene, numbers)
+        return None
+    if len(real) == 1 or all(numbers.side(roots[index] - roots[real[0]]) == 0 for index in real[1:]):
+        return PickedRoot(real[0])
+    word = key.component if key.component in EXTREMES else word_told(key.owner, key.when, scene)
+    if not word:
+        problem = scene.configuration.problem
+        raise Unsolvable(SEVERAL, help=HELP, lines=problem.lines, file=problem.file)
+    signs = [-1 if word == "largest" else 1] * len(real)
+    index = real[numbers.least([sign * roots[k] for sign, k in zip(signs, real, strict=True)])]
+    return PickedRoot(index, (f"the {'smaller' if word == 'smallest' else 'larger'} of both",))
+
+
+def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numbers) -> None:
+    """Refuse a steady precession that is none, since the body spins too slowly, with the least spin that allows one."""
+    limit = scene.steady_limit(owner, state)  # type: ignore[attr-defined]
+    share = numbers.of(limit.right / limit.left) if limit is not None else None
+    if share is None or share <= 1:
+        return
+    problem, rate = scene.configuration.problem, numbers.of(scene.axial_rate(owner, state))  # type: ignore[attr-defined]
+    span = scene.configuration.timeline.state(state).span
+    least = f", at least {abs(rate) * math.sqrt(share):.4g} rad/s" if rate is not None else ""
+    message = f"`{owner}` spins too slowly for a steady precession at `{state}`"
+    help = f"it needs I₃ ω₃ ≥ 2 √(I₁ M g l cos θ){least}"
+    raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+
+
+def tilted(roots: Sequence[Formula], numbers: Numbers) -> PickedRoot | None:
+    """The tilt that lies from 0 to 180°, where only one does."""
+    values = [(index, numbers.of(root)) for index, root in enumerate(roots)]
+    within = [index for index, value in values if value is not None and -SMALL < value < math.pi + SMALL]
+    if len(within) != 1:
+        return None
+    return PickedRoot(within[0], ("a tilt lies from 0 to 180°",) if len(values) > 1 else ())
+
+
+def word_told(owner: str, state: str, scene: SceneEquations) -> str:
+    """What a state says of the precession: `smallest` or `largest`; '' where it does not."""
+    for line in scene.configuration.timeline.state(state).conditions:
+        if line.path is not None and (line.path.owner, line.path.quantity) == (owner, "precession") and line.word:
+            return line.word
+    return ""

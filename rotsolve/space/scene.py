@@ -1,0 +1,201 @@
+"""Scene in space: its moments, and all that the laws write about them, as the search and the derivation see them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Formula, Symbol, add, negate
+from rotsolve.core.derivation import Words, in_a_row
+from rotsolve.core.equation import RATE_IN_AXES, RULE, Equation
+from rotsolve.core.facts import Facts
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.vectors.heading import heading
+from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
+from rotsolve.core.writing import spoken
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import Condition, Term
+from rotsolve.paths.meaning import Meaning, NotYet
+from rotsolve.space.arrangement import JointedBodies
+from rotsolve.space.attitude import NODE
+from rotsolve.space.inertia import Tensors
+from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.passing import conserved, through
+from rotsolve.space.pushes import Pushes
+from rotsolve.space.reader import SpaceReader
+from rotsolve.space.stability import limit_of, steady_limit
+
+SIZE_OF_CHANGE = "size of change of"
+CHANGES = ("change of", "lost")
+
+
+class SpaceEquations(SceneEquations, dict=True):
+    """One reading of a scene in space."""
+
+    def __post_init__(self) -> None:
+        """Nothing is fixed beforehand: each moment puts in what its state tells."""
+
+    @cached_property
+    def held(self) -> JointedBodies:
+        return JointedBodies(self.configuration.problem)
+
+    @cached_property
+    def tensors(self) -> Tensors:
+        """The inertia tensors of all bodies, which do not change."""
+        problem, first = self.configuration.problem, self.configuration.timeline.states[0].name
+        return Tensors(self.held, self.registry, problem.givens, self.configuration.positive, first, {})
+
+    @cached_property
+    def dynamics(self) -> Mapping[str, SpaceLaws]:
+        """What the laws speak of at each state."""
+        problem, found = self.configuration.problem, {}
+        for state in self.configuration.timeline.states:
+            moment = SpaceMoment(self.held, self.registry, state, self.configuration)
+            pushes = Pushes(moment, problem.gravity, problem.actions)
+            found[state.name] = SpaceLaws(moment, pushes, self.tensors, fast="fast spin" in problem.assume)
+            before = self.configuration.timeline.before(state.name)
+            if before is not None:
+                moment.later = before.event is None or found[before.start].moment.later
+                moment.before = found[before.start].moment if before.event is not None else None
+        return found
+
+    def reader(self, state: str, *, generic: bool = False) -> SpaceReader:  # type: ignore[override]
+        return SpaceReader(self.dynamics[state], self.dynamics, self.configuration.problem)
+
+    def facts(self, state: str, *, generic: bool = False, virtual: bool = False) -> Facts:
+        """No planar facts: its laws are written from its own geometry."""
+        return Facts(state, state, (), (), (), ())
+
+    def diagram_words(self, state: str) -> Iterator[Words]:
+        """What acts on each body: forces with their places, couples, by components."""
+        laws = self.dynamics[state]
+        for name in self.held.order:
+            for force in laws.pushes.on(name):
+                words: list[str | Formula] = [f"{spoken(name)}, {spoken(force.owner)}: "]
+                if force.force != NOTHING:
+                    words += [
+                        "force (",
+                        *in_a_row(force.force),
+                        ") in ",
+                        force.axes.name,
+                        " axes at (",
+                        *in_a_row(force.arm),
+                        ")",
+                    ]
+                if force.couple != NOTHING:
+                    words += [
+                        " and " * (len(words) > 1),
+                        "couple (",
+                        *in_a_row(force.couple),
+                        ") in ",
+                        force.axes.name,
+                        " axes",
+                    ]
+                yield tuple(words)
+
+    def unread_lines(self) -> Iterator[Condition]:
+        """The lines of states that no moment has read."""
+        for laws in self.dynamics.values():
+            lines = laws.moment.state.conditions
+            yield from (line for number, line in enumerate(lines) if number not in laws.moment.used)
+
+    def conventions(self) -> Iterator[Words]:
+        """Along which axes the components are that are not those of space."""
+        for name in self.held.order:
+            axes = [laws.moment.axes(name).name for laws in self.dynamics.values()]
+            if NODE in axes:
+                told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
+                turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
+                yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
+
+    def section(self, state: str) -> str:
+        return state
+
+    def steady_extreme(self, term: Term) -> tuple[Meaning, str]:
+        """The smaller or larger precession of a steady motion: its law with a letter of its own for that root."""
+        state = term.at or (self.configuration.timeline.states[0].name)
+        dynamics, path = self.dynamics[state], term.path
+        if path.quantity != "precession" or not dynamics.moment.state.steady or not dynamics.moment.nods(path.owner):
+            raise NotYet(
+                f"the {term.modifier} `{path.quantity}` is asked of a steady precession",
+                path.span,
+                "say `steady: true` in its state, with its `tilt` and its `spin` or `axial_rate`",
+            )
+        own, kind = dynamics.moment.ask("precession", path.owner), QUANTITIES["precession"]
+        root = self.registry.ask(SceneQuantity("precession", path.owner, state, term.modifier, "Omega", kind.dimension))
+        laws = [law for law in dynamics.equations() if law.law == RATE_IN_AXES and own.symbols() & law.symbols()]
+        if not isinstance(own, Symbol) or not laws:
+            raise NotYet(f"`{path.owner}` has one `precession` only", path.span, f"leave out `{term.modifier}`")
+        return Meaning(root, kind.dimension, laws=(laws[0].renamed({own.name: root}),)), state
+
+    def steady_limit(self, owner: str, state: str) -> Equation | None:
+        """Where the steady precession of a body is just possible; None where it has none with two roots."""
+        try:
+            return steady_limit(self.dynamics[state], owner)
+        except NotYet:
+            return None
+
+    def axial_rate(self, owner: str, state: str) -> Formula:
+        """ω₃ of a body by the state."""
+        return self.dynamics[state].moment.attitude(owner).omega[2]
+
+    def verge(self, condition: Condition) -> Equation:
+        """Where the motion of a state is just stable, or just possible as a steady one."""
+        dynamics = self.dynamics[condition.owner]
+        spoken_of = {line.path.owner for line in dynamics.moment.state.conditions if line.path is not None}
+        names = [name for name in self.held.order if dynamics.moment.nods(name) and name in spoken_of]
+        if len(names) != 1:
+            raise NotYet(
+                f"of which body the motion at `{condition.owner}` is {condition.word} nothing tells", condition.span
+            )
+        return (steady_limit if condition.word == "steady" else limit_of)(dynamics, names[0])
+
+    def between(self, term: Term) -> tuple[Meaning, str]:
+        """The change of a quantity from one state to a later one, along axes that stay."""
+        assert term.start is not None and term.end is not None
+        path, word = term.path, term.modifier
+        if word == SIZE_OF_CHANGE:
+            return self.size_of_change(term)
+        if word not in CHANGES:
+            raise NotYet(f"`{word} {path.quantity}` from one state to another is not solved in space yet", path.span)
+        ends = [self.reader(state).meaning(path, replace(term, modifier="")) for state in (term.start, term.end)]
+        first, last = (end.formula for end in ends)
+        formula = add(last, negate(first)) if word != "lost" else add(first, negate(last))
+        laws = tuple(dict.fromkeys(law for end in ends for law in end.laws))
+        label = f"change, {ends[0].label}" if word != "lost" else f"what is lost, {ends[0].label}"
+        return Meaning(formula, ends[0].dimension, label=label, laws=laws), term.end
+
+    def size_of_change(self, term: Term) -> tuple[Meaning, str]:
+        """√(Δx² + Δy² + Δz²)."""
+        parts = []
+        for axis in AXES:
+            path = replace(term.path, component=" ".join(filter(None, (term.path.component, axis))))
+            parts.append(self.between(replace(term, path=path, modifier=CHANGES[0])))
+        meaning, state = parts[0]
+        whole = tuple(part.formula for part, _ in parts)
+        return replace(meaning, formula=length_of(triple(whole)), label="size of the change"), state
+
+    def _written(self) -> Iterator[Equation]:
+        """All that the laws say at each state."""
+        for dynamics in self.dynamics.values():
+            yield from dynamics.equations()
+            yield from axial_rules(dynamics)
+        for interval in self.configuration.timeline.intervals:
+            ends = self.dynamics[interval.start], self.dynamics[interval.end]
+            yield from through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
+        yield from self.tensors.steps
+
+
+def axial_rules(dynamics: SpaceLaws) -> Iterator[Equation]:
+    """ω₃ = ψ̇ + φ̇ cos θ, where the state tells ω₃."""
+    moment = dynamics.moment
+    for name in moment.held.order:
+        if moment.nods(name) and moment.told(name, "spin") is None and moment.axes(name).name == NODE:
+            turning = moment.nodding(name)
+            along = turning.rates[2] + turning.rates[0] * heading(turning.angles[1]).cos()
+            words = "ω₃ = ψ̇ + φ̇ cos θ"
+            yield RULE.equation(moment.ask("axial_rate", name), along, moment.when, (name,), words=words)

@@ -1,0 +1,116 @@
+"""Stability of steady motions: what a small disturbance does, from the equations of motion made linear in it.
+
+Free body about its own axis k: Euler's equations for the two other components, I_i ω̇_i = (I_j − I_k) ω_j ω and
+I_j ω̇_j = (I_k − I_i) ω ω_i, give λ² = (I_j − I_k)(I_k − I_i) ω²/(I_i I_j) (Landau & Lifshitz, Mechanics, §37).
+Upright top: with small tilts x, y of its axis, I₁ ẍ + I₃ ω₃ ẏ = M g l x and I₁ ÿ − I₃ ω₃ ẋ = M g l y; x + i y ∝ exp(i σ t) has real σ,
+I₁ σ² − I₃ ω₃ σ + M g l = 0, while (I₃ ω₃)² ≥ 4 I₁ M g l (Goldstein, Poole & Safko, Classical Mechanics, §5.7).
+"""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
+from rotsolve.core.equation import STABILITY, Equation
+from rotsolve.core.facts import square
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.vectors.tensor import AXES
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.problem import Path
+from rotsolve.paths.meaning import Meaning, NotYet, path_text
+from rotsolve.space.free import own_axis_of, principal_letters
+from rotsolve.space.inertia import CM, entry_along
+from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.rolling import rolling_radius
+
+
+def growth(laws: SpaceLaws, path: Path) -> Meaning:
+    """λ² of a free body that turns about one of its principal axes."""
+    name, held = path.owner, laws.moment.held
+    own = laws.moment.attitude(name)
+    if rolls_upright(laws, name):
+        return of_rolling(laws, name)
+    axis = own_axis_of(own.omega)
+    if held.of_body(name) or not axis:
+        raise NotYet(
+            f"`{path_text(path)}` is solved for a free body that turns about one of its own axes",
+            path.span,
+            "tell its angular velocity along one axis: `[w, 0, 0]`",
+        )
+    moments = principal_letters(laws, name)
+    k = AXES.index(axis)
+    i, j = (k + 1) % 3, (k + 2) % 3
+    above = multiply(add(moments[j], negate(moments[k])), add(moments[k], negate(moments[i])))
+    formula = multiply(square(own.omega[k]), above / multiply(moments[i], moments[j]))
+    a, b = AXES[i], AXES[j]
+    words = f"small ω_{a}, ω_{b} ∝ exp(λ t): I_{a} λ ω_{a} = (I_{b} − I_{axis}) ω ω_{b}, I_{b} λ ω_{b} = (I_{axis} − I_{a}) ω ω_{a}"
+    return Meaning(formula, QUANTITIES["stability"].dimension, label=words)
+
+
+def rolls_upright(dynamics: SpaceLaws, name: str) -> bool:
+    """Whether a wheel rolls straight on, its axis level."""
+    moment = dynamics.moment
+    rolls = any(joint.rolls for joint in moment.held.of_body(name))
+    return rolls and moment.nods(name) and moment.axes(name).rows[2][2] == ZERO
+
+
+def of_rolling(dynamics: SpaceLaws, name: str) -> Meaning:
+    """λ² of a small lean η of a wheel that rolls straight on: I₁ φ̇ = I₃ ω₃ η about the vertical, and about the level line through the
+    point of contact (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇ (Routh, Advanced Rigid SpaceLaws, §244)."""
+    moment, held = dynamics.moment, dynamics.moment.held
+    joint = next(joint for joint in held.of_body(name) if joint.rolls)
+    own, tensor = moment.attitude(name), dynamics.tensor(name, CM)
+    assert own.about is not None
+    axial, across = entry_along(tensor, own.about), entry_along(tensor, (own.about[1], own.about[2], own.about[0]))
+    mass, radius = held.mass(name), rolling_radius(joint, moment)
+    shift = multiply(mass, square(radius))
+    weight = multiply(multiply(mass, dynamics.pushes.gravity or ZERO), radius)
+    righting = multiply(multiply(axial, add(axial, shift)), square(own.omega[2])) / across
+    formula = add(weight, negate(righting)) / add(across, shift)
+    words = "small lean η ∝ exp(λ t): I₁ φ̇ = I₃ ω₃ η, (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇"
+    return Meaning(formula, QUANTITIES["stability"].dimension, label=words)
+
+
+def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
+    """Where the motion of a body at a state is just stable: an upright top, on the point at which it begins to sway; a rolling wheel."""
+    moment, held = dynamics.moment, dynamics.moment.held
+    if rolls_upright(dynamics, name):
+        return STABILITY.equation(ZERO, of_rolling(dynamics, name).formula, moment.when, (name,), words="λ² = 0")
+    own = moment.attitude(name)
+    if not (
+        dynamics.fixed(name) and own.about is not None and moment.nods(name) and moment.nodding(name).angles[1] == ZERO
+    ):
+        raise NotYet(
+            f"the stability of `{name}` at `{moment.when}` is not solved yet",
+            None,
+            "solved are an upright top (`tilt: 0 deg`) on a fixed point, and `stability` of a free body about its own axes",
+        )
+    _, point = dynamics.about(name)
+    tensor = dynamics.tensor(name, point)
+    axial, across = entry_along(tensor, own.about), entry_along(tensor, (own.about[1], own.about[2], own.about[0]))
+    gravity, mass = dynamics.pushes.gravity or ZERO, held.mass(name)
+    height = moment.arm(PointRef(name, CM))[2]
+    lift = multiply(multiply(mass, gravity), height)
+    momentum = square(multiply(axial, own.omega[2]))
+    return STABILITY.equation(momentum, 4 * multiply(across, lift), moment.when, (name,))
+
+
+def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
+    """Where a steady precession is just possible: the roots of I₁ cos θ Ω² − I₃ ω₃ Ω + M g l = 0 coincide."""
+    from rotsolve.algebra.exact.normal import coefficients
+    from rotsolve.core.equation import ANGULAR_MOMENTUM_IN_SPACE, RATE_IN_AXES
+
+    rate = dynamics.moment.ask("precession", name)
+    laws = list(dynamics.equations())
+    spelled = {
+        law.left.name: law.right
+        for law in laws
+        if law.law == ANGULAR_MOMENTUM_IN_SPACE and isinstance(law.left, Symbol)
+    }
+    for law in laws:
+        gap: Formula = (law.left - law.right).substitute(spelled)
+        if law.law != RATE_IN_AXES or not isinstance(rate, Symbol) or rate.name not in gap.symbols():
+            continue
+        found = coefficients(gap, rate.name)
+        if found is not None and len(found) == 3:
+            c, b, a = found
+            return STABILITY.equation(square(b), 4 * multiply(a, c), dynamics.moment.when, (name,))
+    raise NotYet(f"`{name}` has no steady precession with two roots at `{dynamics.moment.when}`")
