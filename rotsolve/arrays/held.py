@@ -19,7 +19,6 @@ from rotsolve.core.derivation import Answer
 from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
-from rotsolve.space.complete import configured_in_space
 
 LOOKS = 12  # sets beside those with the smallest and the largest value of a given
 
@@ -33,7 +32,7 @@ def hold_sets(
     inputs = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in values.values()))
     columns = {name: column.reshape(-1) for name, column in zip(values, inputs, strict=True)}
     results = {name: np.asarray(result).reshape(-1) for name, result in found.items()}
-    whole = (configured_in_space if problem.space else configured)(problem).problem
+    whole = made_complete(problem)
     for row in rows_held(columns):
         point = {name: float(column[row]) for name, column in columns.items()}
         for name, why in contradicted_at(
@@ -43,6 +42,15 @@ def hold_sets(
             raise NotForMany(
                 f"an assembly of all bodies' equations contradicts `{name}` with {numbers}{why}: leave such sets out, or ask `as_decided`"
             )
+
+
+def made_complete(problem: Problem) -> Problem:
+    """The problem with letters for what it leaves out."""
+    if problem.space:
+        from rotsolve.space.complete import configured_in_space
+
+        return configured_in_space(problem).problem
+    return configured(problem).problem
 
 
 def rows_held(columns: Mapping[str, Any]) -> list[int]:

@@ -22,6 +22,7 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.confirm import NotConfirmed, jet
 from rotsolve.confirm.jet import Jet
+from rotsolve.language.problem import Find, WhichOf
 
 FLOATS: dict[str, Any] = {
     **{
@@ -45,6 +46,7 @@ JETS: dict[str, Any] = {
 }
 PANELS = 64
 CLOSE = 2e-6  # within which two quantities count as equal
+BOUNDS = {"above": ">", "below": "<"}
 SIGNS: dict[str, Callable[[float, float], bool]] = {"<": lt, ">": gt, "≤": le, "≥": ge, "<=": le, ">=": ge, "≠": ne}
 
 
@@ -128,3 +130,22 @@ def related(left: float, sign: str, right: float) -> bool:
     if sign == "=":
         return same
     return SIGNS[sign](left, right) if not same else sign not in ("<", ">")
+
+
+def options_that_hold(choice: WhichOf, valued: Callable[[Find], float]) -> str:
+    """The labels of the options of a choice that hold, by the numbers of what they compare."""
+    sides = [[valued(side) for side in option.sides] for option in choice.options]
+    labels = [option.label for option in choice.options]
+    if choice.test in ("largest", "smallest"):
+        best = (max if choice.test == "largest" else min)(values[0] for values in sides)
+        held = [abs(values[0] - best) <= CLOSE * max(abs(best), 1e-9) for values in sides]
+    elif choice.bound is not None:
+        bound = valued(choice.bound)
+        held = [related(values[0], BOUNDS[choice.test], bound) for values in sides]
+    else:
+        signs = [option.signs for option in choice.options]
+        held = [
+            all(related(a, sign, b) for a, sign, b in zip(values, marks, values[1:], strict=False))
+            for values, marks in zip(sides, signs, strict=True)
+        ]
+    return ", ".join(label for label, holds in zip(labels, held, strict=True) if holds) or "none"

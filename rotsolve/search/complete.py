@@ -35,6 +35,8 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
 
     `whole` asks that it follows all states, as it has to where they are said to contradict each other.
     """
+    if problem.space:
+        return unsolved_in_space(problem, names)
     try:
         ready = configured(problem).problem
     except (NotYet, Unsolvable):
@@ -48,6 +50,25 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
                 return Fault(message, find.span, help, "unsolvable")
             if other_way := released_before(course, find):
                 return Fault(f"`{find.name}` is not solved by these laws: {other_way}", find.span, PARTED, "unsolvable")
+    return None
+
+
+def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
+    """The same of a scene in space: what its assembly tells of one of the questions, though letters have numbers that are drawn."""
+    from rotsolve.confirm.space.inquiry import Inquiry, Unfit
+    from rotsolve.space.complete import configured_in_space
+
+    try:
+        ready = configured_in_space(problem).problem
+        inquiry = Inquiry(ready, next(sets_of_numbers(ready)), {})
+    except (NotConfirmed, NotYet, Unsolvable):
+        return None
+    for find in (find for find in ready.finds if find.name in names and find.where is None):
+        try:
+            if inquiry.tells(find):
+                return Fault(f"`{find.name}` is not solved by these laws", find.span, COMPLETE, "unsolvable")
+        except (NotConfirmed, Unfit, ArithmeticError, ValueError):
+            continue
     return None
 
 

@@ -14,10 +14,10 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
-from rotsolve.confirm.numbers import CLOSE, related, value_of
+from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term, WhichOf
+from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term
 
 MEANS = {  # what the mean of a quantity is the mean of, over time
     "power": ("work", ""),
@@ -29,7 +29,6 @@ MEANS = {  # what the mean of a quantity is the mean of, over time
     "force": ("impulse", ""),
     "torque": ("angular_impulse", ""),
 }
-BOUNDS = {"above": ">", "below": "<"}
 
 Said = Mapping[str, "float | str"]
 
@@ -44,7 +43,7 @@ class Asker:
     def answer(self, find: Find, said: Said) -> Reckoned:
         """The value of a question; `said` is what the program answers, which a condition or an unknown letter is tried with."""
         if find.choice is not None:
-            return Reckoned({}, 1.0, self.chosen(find.choice))
+            return Reckoned({}, 1.0, options_that_hold(find.choice, lambda side: self.valued(side).number))
         if find.where is not None and isinstance(said.get(""), float):
             from rotsolve.confirm.course.conditions import tried
 
@@ -192,26 +191,6 @@ class Asker:
         from rotsolve.confirm.course.spans import SPANS, Between
 
         return SPANS[word](Between(self.course, start, end), term)
-
-    # choices
-
-    def chosen(self, choice: WhichOf) -> str:
-        """The labels of the options that hold."""
-        sides = [[self.valued(side).number for side in option.sides] for option in choice.options]
-        labels = [option.label for option in choice.options]
-        if choice.test in ("largest", "smallest"):
-            best = (max if choice.test == "largest" else min)(values[0] for values in sides)
-            held = [abs(values[0] - best) <= CLOSE * max(abs(best), 1e-9) for values in sides]
-        elif choice.bound is not None:
-            bound = self.valued(choice.bound).number
-            held = [related(values[0], BOUNDS[choice.test], bound) for values in sides]
-        else:
-            signs = [option.signs for option in choice.options]
-            held = [
-                all(related(a, sign, b) for a, sign, b in zip(values, marks, values[1:], strict=False))
-                for values, marks in zip(sides, signs, strict=True)
-            ]
-        return ", ".join(label for label, holds in zip(labels, held, strict=True) if holds) or "none"
 
 
 def change_over(changes: Sequence[tuple[Reckoned, Reckoned]], sign: float) -> Reckoned:

@@ -38,6 +38,8 @@ def answers_put_in(problem: Problem) -> Put:
         term = find.terms[0]
         name = term.at or (problem.states[0].name if len(problem.states) == 1 else None)
         state = next((state for state in problem.states if state.name == name), None)
+        if state is not None and state is not problem.states[0] and not state.steady:
+            continue  # the motion leads to it
         if state is None or term.path.quantity not in SOUGHT or term.modifier:
             continue
         paths = [line.path for line in state.conditions if line.path is not None and line.value is not None]

@@ -15,12 +15,14 @@ from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.worlds import Manner, Moving, manners_of
+from rotsolve.core.quantity import DIRECTED
+from rotsolve.core.symbols import TIME
 from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Problem, State, Term
 
 AGREE = 1e-7  # of the larger of two numbers that are one
 HOLDS = 1e-7  # what may be left of equations that hold, beside the largest number in them
-TIED = (*NODAL, "angle", "angular_velocity", "angular_acceleration", "velocity", "acceleration", "position", "vertical")
+TIED = (*NODAL, "angle", "angular_velocity", "angular_acceleration", "velocity", "acceleration", "position", "vertical", "time")
 READ = (
     "force",
     "torque",
@@ -42,6 +44,10 @@ class Unfit(Exception):
     """What a state tells is no motion, with the reason."""
 
 
+class LeftOpen(NotConfirmed):
+    """What the lines of a state do not tell, so that only the motion may that leads to it."""
+
+
 class Inquiry:
     """Answers questions at one set of numbers; `put` are answers in place of what no line of a state tells."""
 
@@ -60,6 +66,14 @@ class Inquiry:
             return states[0] if states else None
         return next(state for state in states if state.name == name)
 
+    def rig_at(self, state: State | None) -> Rig:
+        """The rig at the time that the first state tells, where it does."""
+        lines = () if state is None or state is not self.problem.states[0] else state.conditions
+        told = next((line for line in lines if line.path is not None and line.path.quantity == "time"), None)
+        if told is None or told.value is None:
+            return self.rig
+        return Rig(self.problem, {**self.rig.numbers, TIME: self.rig.value(told.value)})
+
     def ways(self, name: str | None) -> list[Manner]:
         """The ways in which all moves at a state, in which all its lines hold."""
         key = name or ""
@@ -74,7 +88,7 @@ class Inquiry:
 
             found = [after_blow(self.rig, event, before, state, self.put) for before in self.ways(event.from_)]
         else:
-            found = manners_of(self.rig, state, self.put)
+            found = manners_of(self.rig_at(state), state, self.put)
         if not found:
             raise Unfit(NO_WAY)
         held = [way for way in found if way.clash <= HOLDS]
@@ -84,6 +98,25 @@ class Inquiry:
         if not held:
             raise Unfit(BROKEN)
         return held
+
+    def followed(self, name: str | None) -> list[Manner]:
+        """The way in which all moves at a state to which the motion leads from the one before."""
+        key = f"{name} by motion"
+        names = [state.name for state in self.problem.states]
+        place = names.index(name) if name in names else 0
+        if not place or any(phase.without for phase in self.problem.phases):
+            raise LeftOpen(OPEN)
+        if key not in self._ways:
+            from rotsolve.confirm.space.flight import Flight
+
+            before = self.ways(names[place - 1])
+            if len(before) == 1 and len(before[0].worlds) > 1:
+                before = self.followed(names[place - 1])
+            if len(before) != 1:
+                raise NotConfirmed(SEVERAL)
+            state = self.problem.states[place]
+            self._ways[key] = [Manner((Flight(self.rig, before[0].worlds[0], state).arrival(),), 0.0)]
+        return self._ways[key]
 
     def fitting(self, ways: Sequence[Manner], line: Condition) -> Iterator[Manner]:
         """The ways in which a line holds."""
@@ -118,6 +151,15 @@ class Inquiry:
             raise NotConfirmed(f"`{find.modifier}` in space")
         return [abs(value) for value in found] if find.modifier == "size of" else found
 
+    def tells(self, find: Find) -> bool:
+        """Whether there is one number for a question, or one for each component of a vector."""
+        vector = len(find.terms) == 1 and find.terms[0].path.quantity in DIRECTED and not find.terms[0].modifier
+        return all(len(self.numbers(find, part)) == 1 for part in (AXES if vector and find.formula == Symbol("#0") else ("",)))
+
+    def one(self, find: Find) -> float:
+        """What a question is, where all ways give the same."""
+        return only_one(self.numbers(find, ""))
+
     def combined(self, find: Find, values: Sequence[float]) -> float:
         letters = {**self.rig.numbers, **{f"#{index}": value for index, value in enumerate(values)}}
         for name in find.formula.symbols() - letters.keys():
@@ -145,7 +187,10 @@ class Inquiry:
     def at(self, term: Term, name: str | None) -> list[float]:
         if term.path.quantity == "freedoms":
             return [freedoms(self.rig, term.path)]
-        found = distinct([told_by(way, term) for way in self.ways(name)])
+        try:
+            found = distinct([told_by(way, term) for way in self.ways(name)])
+        except LeftOpen:
+            found = distinct([told_by(way, term) for way in self.followed(name)])
         if term.modifier in EXTREMES:
             return [min(found) if term.modifier == "smallest" else max(found)]
         if term.modifier not in ("", "size of", ANGLE_OF, CHANGE, LOST):
@@ -191,7 +236,7 @@ def told_by(way: Manner, term: Term) -> float:
     readings = [Reading(world) for world in way.worlds]
     numbers = [reading.number(term) for reading in readings]
     if len(numbers) > 1 and max(numbers) - min(numbers) > AGREE * max(reading.size(term) for reading in readings):
-        raise NotConfirmed(OPEN)
+        raise LeftOpen(OPEN)
     return numbers[0]
 
 

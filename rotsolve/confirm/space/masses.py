@@ -235,6 +235,10 @@ def difference(one: Turned, other: Turned) -> Turned:
     return (less(one[0], other[0]), less(one[1], other[1]), less(one[2], other[2]))
 
 
+def total_rows(one: Turned, other: Turned) -> Turned:
+    return (sum_of(one[0], other[0]), sum_of(one[1], other[1]), sum_of(one[2], other[2]))
+
+
 def outer(mass: float, d: Arrow) -> Turned:
     """m d dᵀ."""
     return (scaled(mass * d[0], d), scaled(mass * d[1], d), scaled(mass * d[2], d))

@@ -1,7 +1,6 @@
-"""Passing: from one state to the next: through a blow, which changes velocities alone, or along the motion, followed in time.
+"""Passing: from one state to the next through a blow, which changes velocities alone.
 
-A blow J at r changes m v by J and I ω by r × J, with impulses of the joints as large as it takes. On the way all bodies go as their
-equations of motion say, from step to step, until what the later state tells is so for the first time.
+A blow J at r changes m v by J and I ω by r × J, with impulses of the joints as large as it takes.
 """
 
 from __future__ import annotations

@@ -12,6 +12,7 @@ from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.arrows import ALONG, Arrow, normed
 from rotsolve.confirm.space.masses import Solid, axis_told, is_symmetric, solid_of, spot_in_body
+from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import Condition, Problem, State
@@ -19,6 +20,7 @@ from rotsolve.language.problem import Condition, Problem, State
 AXES = ("x", "y", "z")
 NODAL = ("precession_angle", "tilt", "spin_angle", "precession", "nutation", "spin", "axial_rate")
 ANGLES, RATES = NODAL[:3], NODAL[3:6]
+THIN = 1e-12  # of the largest moment of inertia: none
 NOW = 0.37  # seconds: the time at which what is a formula of time is looked at, where no state tells another
 Told = Mapping[tuple[str, str, str], float]  # (state, body, quantity): answers that are put in for what no line tells
 
@@ -36,6 +38,7 @@ class Rig:
         if unknown:
             raise NotConfirmed(f"`{unknown[0].name}`: what a `{unknown[0].word}` does in space")
         self._solids: dict[str, Solid] = {}
+        self._idle: dict[str, list[Arrow]] = {}
 
     # numbers
 
@@ -61,6 +64,13 @@ class Rig:
         if name not in self._solids:
             self._solids[name] = solid_of(self.bodies[name], self.value)
         return self._solids[name]
+
+    def idle(self, name: str) -> list[Arrow]:
+        """The own directions of a body about which it has no inertia, so that nothing tells how it turns about them: a thin rod's."""
+        if name not in self._idle:
+            found = moments_and_axes(self.solid(name).tensor)
+            self._idle[name] = [way for moment, way in found if moment <= THIN * found[-1][0]]
+        return self._idle[name]
 
     def spot(self, ref: PointRef) -> Arrow:
         """Where a point is in the axes of its body, from the centre."""
@@ -118,6 +128,7 @@ class Lines:
         self.lines: list[Condition] = (
             [] if state is None else [line for line in state.conditions if line.path is not None]
         )
+        self.nodding: set[str] = set()  # bodies that are spoken of by their tilt, beside those of its lines
         self.steady = state is not None and state.steady
         self.balance = state is not None and state.balance
 
@@ -161,7 +172,9 @@ class Lines:
 
     def nods(self, name: str) -> bool:
         """Whether the state speaks of a body's tilt, precession or spin."""
-        return any(line.path is not None and line.path.quantity in NODAL for line in self.of(name))
+        return name in self.nodding or any(
+            line.path is not None and line.path.quantity in NODAL for line in self.of(name)
+        )
 
 
 def touching(joint: Joint) -> bool:

@@ -52,10 +52,10 @@ def found_eigenvalues(world: World, name: str) -> list[complex]:
     frame = omega if free else scaled(world.now.one(EULER, name, 0), ALONG[2])
     if arrow_length(less(motion(turned, omega), crossed(frame, omega))) > 1e-7 * (1.0 + arrow_length(omega) ** 2):
         raise NotConfirmed("the stability of what is not steady")
-    matrix = made_linear(motion, turned, omega, frame)
     if free:
-        matrix = [[matrix[3 + i][3 + j] + crossed(frame, ALONG[j])[i] for j in range(3)] for i in range(3)]
-    return eigenvalues(matrix)
+        columns = rate_slopes(motion, turned, omega)
+        return eigenvalues([[column[i] for column in columns] for i in range(3)])
+    return eigenvalues(made_linear(motion, turned, omega, frame))
 
 
 def motion_of(rig: Rig, name: str) -> Motion:
@@ -79,18 +79,23 @@ def motion_of(rig: Rig, name: str) -> Motion:
 def made_linear(motion: Motion, turned: Turned, omega: Arrow, frame: Arrow) -> Matrix:
     """The matrix of (η, δω)."""
     rows: Matrix = [[0.0] * 6 for _ in range(6)]
-    fast = arrow_length(omega) or 1.0
+    by_rates = rate_slopes(motion, turned, omega)
     for k, way in enumerate(ALONG):
-        slide = crossed(less(omega, frame), way)
+        slide, swept = crossed(less(omega, frame), way), crossed(frame, way)
         by_turn = slope(lambda h, way=way: motion(product_of(rotation_about(way, h), turned), omega), TURN)  # type: ignore[misc]
-        by_rate = slope(lambda h, way=way: motion(turned, sum_of(omega, scaled(h, way))), 0.1 * fast)  # type: ignore[misc]
-        swept = crossed(frame, way)
         for i in range(3):
             rows[i][k] = slide[i]
             rows[i][3 + k] = float(i == k)
             rows[3 + i][k] = by_turn[i]
-            rows[3 + i][3 + k] = by_rate[i] - swept[i]
+            rows[3 + i][3 + k] = by_rates[k][i] - swept[i]
     return rows
+
+
+def rate_slopes(motion: Motion, turned: Turned, omega: Arrow) -> list[Arrow]:
+    """∂α/∂ω by columns, exact: the accelerations are quadratic in the rates."""
+    size = arrow_length(omega) or 1.0
+    pairs = [[motion(turned, sum_of(omega, scaled(side * size, way))) for side in (1.0, -1.0)] for way in ALONG]
+    return [scaled(0.5 / size, less(up, down)) for up, down in pairs]
 
 
 def slope(function: Callable[[float], Arrow], h: float) -> Arrow:

@@ -5,6 +5,8 @@ Euler angles are z-x-z: φ about the vertical, the tilt θ from it to the body's
 
 from __future__ import annotations
 
+import math
+
 from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
@@ -52,6 +54,7 @@ class Stance:
     def __init__(self, rig: Rig, lines: Lines, guess: float = 0.7) -> None:
         self.rig, self.lines, self.guess = rig, lines, guess
         self.open: set[str] = set()
+        self.put_so: set[str] = set()  # bodies of which it is said how they are turned
         self._turned: dict[str, Turned] = {}
         self._places: dict[str, Arrow] = {}
 
@@ -66,6 +69,7 @@ class Stance:
     def put(self, name: str, rows: Turned, place: Arrow | None = None) -> None:
         """Have a body turned in some way and at some place, whatever is told."""
         self._turned[name] = rows
+        self.put_so.add(name)
         if place is not None:
             self._places[name] = place
 
@@ -109,6 +113,8 @@ class Stance:
 
     def euler(self, name: str) -> tuple[float, float, float]:
         """φ, θ and ψ; φ = ψ = 0 where nothing tells them."""
+        if name in self.put_so:
+            return euler_of(self.turned(name), put_third(self.rig.axis(name) or Z))
         phi, tilt, psi = (self.lines.told(name, word) for word in ("precession_angle", "tilt", "spin_angle"))
         if tilt is None:
             self.open.add(name)
@@ -130,7 +136,7 @@ class Stance:
             raise NotConfirmed(f"`{name}` has no axis that tilts")
         third = times_arrow(self.turned(name), axis)
         level = crossed(Z, third)
-        if self.lines.nods(name):
+        if self.lines.nods(name) and name not in self.put_so:
             level = times_arrow(rotation_about(Z, self.euler(name)[0]), X)
         elif arrow_length(level) < TINY:
             raise NotConfirmed(f"the axis of `{name}` is upright: it has no line of nodes")
@@ -224,6 +230,14 @@ class Stance:
         if not shape.flat and getattr(shape, "length", None) is None:
             return self.rig.value(radius), None, middle
         return self.rig.value(radius), times_arrow(self.turned(name), self.rig.axis(name) or Z), middle
+
+
+def euler_of(rows: Turned, permuted: Turned) -> tuple[float, float, float]:
+    """φ, θ and ψ of a rotation; φ is all of it where the axis is upright."""
+    (a, _, c), (d, _, f), (g, h, i) = product_of(rows, rows_back(permuted))
+    if math.hypot(c, f) < TINY:
+        return math.atan2(d, a), math.atan2(math.hypot(c, f), i), 0.0
+    return math.atan2(c, -f), math.atan2(math.hypot(c, f), i), math.atan2(g, h)
 
 
 def level_part(third: Arrow) -> Arrow:

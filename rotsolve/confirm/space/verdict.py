@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import Numbers, holding, letters_open, sets_of_numbers, sets_wanted, with_givens
+from rotsolve.confirm.numbers import options_that_hold
 from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
 from rotsolve.confirm.space.inquiry import SEVERAL, Unfit
 from rotsolve.confirm.verdicts import (
@@ -96,8 +97,9 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
     """One answer held against what the assembly has."""
     name = answer.name
     try:
-        if any(find.choice is not None for find in finds):
-            return AnswerConfirmation(name, None, "a choice in space")
+        if finds[0].choice is not None:
+            word = options_that_hold(finds[0].choice, hearing.inquiry.one)
+            return AnswerConfirmation(name, word == said.get(""), "" if word == said.get("") else word)
         parts = {key: number for key, number in said.items() if isinstance(number, float)}
         if not parts:
             return not_so(name, NO_NUMBER, hearing.problem, numbers)

@@ -13,10 +13,11 @@ from collections.abc import Callable, Iterable, Sequence
 from msgspec import Struct
 
 from rotsolve.confirm.linear import General, solved_generally
+from rotsolve.confirm.space.arrows import times_arrow
 from rotsolve.confirm.space.efforts import Efforts
 from rotsolve.confirm.space.rig import Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.ties import SPEED, Key, Rates, Tie, Ties
+from rotsolve.confirm.space.ties import SPEED, Key, Rates, Tie, Ties, dotted, of_turning
 from rotsolve.language.problem import State
 
 RIGHT = 1e-8  # of the largest number: what is left of an equation that holds
@@ -60,8 +61,19 @@ class Equations:
                 row[place] = row.get(place, 0.0) + part
         self.rows.append(row)
 
-    def solve(self, right: Sequence[float]) -> General:
-        return solved_generally(self.rows, right, len(self.places))
+    def solve(self, right: Sequence[float], idle: Sequence[Tie] = ()) -> General:
+        """All solutions; of those that are left open the ones in which what is `idle` is nothing."""
+        found = solved_generally(self.rows, right, len(self.places))
+        if not (found.free and idle):
+            return found
+        told, places = list(self.rows), dict(self.places)
+        for tie in idle:
+            self.add(tie)
+        again = solved_generally(self.rows, [*right, *(0.0 for _ in idle)], len(self.places))
+        if max(map(abs, again.left), default=0.0) <= RIGHT * again.size:
+            return again
+        self.rows, self.places = told, places
+        return found
 
     def named(self, values: Sequence[float]) -> Rates:
         return Rates({key: values[place] for key, place in self.places.items()})
@@ -81,7 +93,12 @@ class Moving:
                 for k in range(3):
                     speeds.places.setdefault((kind, name, k), len(speeds.places))
         self.speeds = speeds
-        self.moving = speeds.solve([tie.speed or 0.0 for tie in ties])
+        self.idle = [
+            Tie(dotted(of_turning(name), times_arrow(stance.turned(name), way)))
+            for name in stance.rig.bodies
+            for way in stance.rig.idle(name)
+        ]
+        self.moving = speeds.solve([tie.speed or 0.0 for tie in ties], self.idle)
         self.broken = max(map(abs, self.moving.left), default=0.0) / self.moving.size
 
     def rates(self, openly: Sequence[float]) -> Rates:
@@ -92,14 +109,14 @@ class Moving:
                 values = [value + part * step for value, step in zip(values, way, strict=True)]
         return self.speeds.named(values)
 
-    def forced(self, now: Rates) -> tuple[Equations, General]:
-        """Accelerations and forces that go with velocities."""
+    def forced(self, now: Rates, idle: Sequence[Tie] = ()) -> tuple[Equations, General]:
+        """Accelerations and forces that go with velocities; what is `idle` does not turn any faster where nothing tells."""
         equations, right = Equations(), []
         for tie in (*Ties(self.stance, now).all(), *self.efforts.laws(now)):
             if tie.gain is not None:
                 equations.add(tie)
                 right.append(tie.gain)
-        return equations, equations.solve(right)
+        return equations, equations.solve(right, idle)
 
     def over(self, openly: Sequence[float]) -> list[float]:
         """What is left of the equations of motion, by the side of the largest number in them."""
@@ -111,7 +128,7 @@ class Moving:
         worlds, clash = [], self.broken
         for number, openly in enumerate(choices, 1):
             now = self.rates(openly)
-            equations, found = self.forced(now)
+            equations, found = self.forced(now, self.idle)
             clash = max(clash, max(map(abs, found.left), default=0.0) / found.size)
             for several in range(2 if found.free else 1):
                 values = list(found.values)
@@ -131,10 +148,21 @@ def manners_of(rig: Rig, state: State | None, told: Told) -> list[Manner]:
         others = [Moving(Stance(rig, Lines(rig, state, told), guess)) for guess in (1.1, 1.9)]
         ways = [one.way([anyhow(count, number)]) for number, one in enumerate([standing, *others], 1)]
         return [Manner(tuple(world for way in ways for world in way.worlds), max(way.clash for way in ways))]
-    roots = steady_roots(standing, count) if count and standing.stance.lines.steady else None
+    choices = [anyhow(count, number) for number in range(3 if count else 1)]
+    tested = rates_tested(standing, count) if count and standing.stance.lines.steady else []
+    roots = steady_roots(standing, tested, count) if tested else None
     if roots is None:
-        return [standing.way([anyhow(count, number) for number in range(3 if count else 1)])]
-    return [standing.way([root]) for root in roots]
+        return [standing.way(choices)]
+    untested = len(tested) < count  # what is still open, in each of them
+    return [standing.way([with_rates(one, tested, root) for one in choices[: 3 if untested else 1]]) for root in roots]
+
+
+def with_rates(openly: Sequence[float], places: Sequence[int], rates: Sequence[float]) -> list[float]:
+    """Some of what is open put to other numbers."""
+    found = list(openly)
+    for place, rate in zip(places, rates, strict=True):
+        found[place] = rate
+    return found
 
 
 def anyhow(count: int, number: int) -> list[float]:
@@ -146,16 +174,31 @@ def anyhow(count: int, number: int) -> list[float]:
 # steady motions
 
 
-def steady_roots(standing: Moving, count: int) -> list[list[float]] | None:
+def rates_tested(standing: Moving, count: int) -> list[int]:
+    """Which of the open rates change what the equations of motion leave over; the velocity of a free body does not."""
+    if count == 1:
+        return [0]
+    scale, found = natural_rate(standing), []
+    start = [scale * part for part in anyhow(count, 1)]
+    here = standing.over(start)
+    most = max(map(abs, here), default=0.0)
+    for place in range(count):
+        beside = (standing.over(with_rates(start, [place], [start[place] + step * scale])) for step in (1.0, -1.0))
+        if any(abs(a - b) > RIGHT * max(most, abs(a)) for left in beside for a, b in zip(left, here, strict=True)):
+            found.append(place)
+    return found
+
+
+def steady_roots(standing: Moving, tested: Sequence[int], count: int) -> list[list[float]] | None:
     """The rates with which nothing is left over; None where all are as good."""
     scale = natural_rate(standing)
-    model = quadratic(standing.over, count, scale)
+    model = quadratic(lambda rates: standing.over(with_rates([0.0] * count, tested, rates)), len(tested), scale)
     if model is None:
         return None
-    if count == 1:
+    if len(tested) == 1:
         return [[root * scale] for root in common_roots(model)]
     found: list[list[float]] = []
-    for start in starts(count):
+    for start in starts(len(tested)):
         root = newton(model, start)
         if root is not None and all(math.dist(root, other) > 1e-6 * (1.0 + math.hypot(*root)) for other in found):
             found.append(root)

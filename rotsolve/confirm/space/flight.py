@@ -1,0 +1,266 @@
+"""Flight: the motion of a rig followed in time, from a world to the moment at which a later state's lines are so for the first time.
+
+Rotations go as quaternions, q̇ = ½ ω q, without the spin about a body's axis, which has an angle of its own; all of them go by Gragg's
+midpoint rule, carried to the limit of ever finer steps (Bulirsch and Stoer).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.space.arrows import (
+    STILL,
+    Arrow,
+    Turned,
+    Z,
+    arrow_length,
+    crossed,
+    inner_product,
+    less,
+    product_of,
+    rotation_about,
+    scaled,
+    times_arrow,
+)
+from rotsolve.confirm.space.masses import about_point, total_rows
+from rotsolve.confirm.space.principal import moments_and_axes
+from rotsolve.confirm.space.readings import Reading
+from rotsolve.confirm.space.rig import NODAL, Lines, Rig
+from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.ties import SPEED, TURNING, Tie, of_turning, point_terms, three_ties
+from rotsolve.confirm.space.worlds import Moving, World
+from rotsolve.core.symbols import TIME
+from rotsolve.language.problem import EXTREMES, Condition, State, Term
+
+STRIDE = 0.9  # radians that the fastest goes in a step
+FINER = (2, 4, 6, 8, 10, 12)  # midpoint steps that are carried to the limit
+EACH = 14  # numbers of a body
+LOOKS = 900  # how often the equations are solved on a way
+EXACT = 1e-8  # up to which a finer step has to agree, before it is taken
+CLOSE = 1e-8  # of a step: how nearly the moment is found
+HOLDS = 1e-7
+TOO_FAR = "the way to its state is too long to be followed"
+
+Numbers = list[float]
+Gap = Callable[[World], float]
+
+
+class Flight:
+    """A rig on its way from a world, for bodies that a later state calls by their tilt too."""
+
+    def __init__(self, rig: Rig, start: World, state: State) -> None:
+        self.rig, self.start, self.state = rig, start, state
+        if any(TIME in part.symbols() for joint in rig.joints.values() for _, part in joint.drive):
+            raise NotConfirmed("a drive that changes on the way to its state")
+        if any(body.moved for body in rig.bodies.values()):
+            raise NotConfirmed("a prescribed motion on the way to its state")
+        lines = [line.path for line in (*state.conditions, *start.stance.lines.lines)]
+        self.nodding = {path.owner for path in lines if path is not None and path.quantity in NODAL}
+        self.free = [name for name in rig.bodies if all(joint.body.owner != name for joint in rig.joints.values())]
+        self.axes = {name: rig.axis(name) or Z for name in rig.bodies}
+        self.looks = 0
+
+    # numbers of a moment
+
+    def first(self) -> Numbers:
+        """For each body a quaternion without its spin, the angle of that, a place, an angular velocity and a velocity."""
+        found: Numbers = []
+        for name in self.rig.bodies:
+            found += quaternion_of(self.start.stance.turned(name))
+            found += (0.0, *self.start.stance.place(name))
+            found += self.start.now.arrow(TURNING, name)
+            found += self.start.now.arrow(SPEED, name)
+        return found
+
+    def moving(self, numbers: Numbers) -> Moving:
+        """All that can be said at a moment."""
+        self.looks += 1
+        if self.looks > LOOKS:
+            raise NotConfirmed(TOO_FAR)
+        lines = Lines(self.rig, None, {})
+        lines.nodding = self.nodding
+        stance = Stance(self.rig, lines)
+        ties: list[Tie] = []
+        for number, name in enumerate(self.rig.bodies):
+            own = numbers[EACH * number : EACH * number + EACH]
+            rows = product_of(rows_of_quaternion(own[:4]), rotation_about(self.axes[name], own[4]))
+            stance.put(name, rows, as_arrow(own[5:8]) if name in self.free else None)
+            ties += three_ties(of_turning(name), as_arrow(own[8:11]), None)
+            if name in self.free:
+                ties += three_ties(point_terms(name, STILL), as_arrow(own[11:14]), None)
+        return Moving(stance, ties)
+
+    def slope(self, numbers: Numbers) -> Numbers:
+        """How fast all of them change."""
+        moving = self.moving(numbers)
+        now = moving.rates([0.0] * len(moving.moving.free))
+        equations, solved = moving.forced(now)
+        found = equations.named(solved.values)
+        result: Numbers = []
+        for number, name in enumerate(self.rig.bodies):
+            omega = now.arrow(TURNING, name)
+            third = times_arrow(moving.stance.turned(name), self.axes[name])
+            spin = inner_product(omega, third)
+            result += turned_on(less(omega, scaled(spin, third)), numbers[EACH * number : EACH * number + 4])
+            result += [spin, *now.arrow(SPEED, name), *found.arrow(TURNING, name), *found.arrow(SPEED, name)]
+        return result
+
+    def world(self, numbers: Numbers) -> World:
+        moving = self.moving(numbers)
+        return moving.way([[0.0] * len(moving.moving.free)]).worlds[0]
+
+    # steps
+
+    def step(self, numbers: Numbers, size: float) -> Numbers:
+        """Some time later: midpoint steps, carried to the limit of ever finer ones by powers of their squares."""
+        slope = self.slope(numbers)
+        last: list[Numbers] = []
+        for level, count in enumerate(FINER):
+            row = [midpoint(self.slope, numbers, slope, size, count)]
+            for back in range(level):
+                ratio = (count / FINER[level - 1 - back]) ** 2 - 1.0
+                row.append([a + (a - b) / ratio for a, b in zip(row[back], last[back], strict=True)])
+            last = row
+            if level and near_enough(row[-1], row[-2]):
+                return row[-1]
+        return self.step(self.step(numbers, size / 2), size / 2)
+
+    def stride(self) -> float:
+        """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I."""
+        rates = [1e-3]
+        for name in self.rig.bodies:
+            omega, third = self.start.now.arrow(TURNING, name), times_arrow(self.start.stance.turned(name), self.axes[name])
+            joint, own = self.rig.on_ground(name), self.rig.solid(name)
+            arm = STILL if joint is None else self.start.stance.arm(joint.body)
+            tensor = total_rows(self.start.efforts.tensor(name), about_point(own.mass, arm))
+            middle = moments_and_axes(tensor)[1][0]
+            rates.append(arrow_length(crossed(omega, third)))
+            rates.append(math.sqrt(arrow_length(self.start.found.arrow(TURNING, name))))
+            rates.append(arrow_length(times_arrow(tensor, omega)) / middle if middle > 0.0 else 0.0)
+        return STRIDE / max(rates)
+
+    # arrival
+
+    def arrival(self) -> World:
+        """The world in which the lines of the later state are so for the first time."""
+        lines = [line for line in self.state.conditions if line.path is not None]
+        clock = next((line for line in lines if line.path is not None and line.path.quantity == "time"), None)
+        if clock is not None and clock.value is not None:
+            return self.after(self.rig.value(clock.value))
+        if not lines:
+            raise NotConfirmed("when its state is")
+        gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
+        numbers, size, before = self.first(), self.stride(), 0.0
+        while True:
+            later = self.step(numbers, size)
+            there = gap(self.world(later))
+            if before * there < 0 and (there > before) in ways:
+                world = self.world(self.crossing(numbers, size, before, there, gap))
+                if all(abs(self.gap_of(line)(world)) <= HOLDS * self.size_of(line, world) for line in lines[1:]):
+                    return world
+            numbers, before = later, there
+
+    def after(self, time: float) -> World:
+        """The world some time after the start."""
+        count = max(1, math.ceil(time / self.stride()))
+        numbers = self.first()
+        for _ in range(count):
+            numbers = self.step(numbers, time / count)
+        return self.world(numbers)
+
+    def crossing(self, numbers: Numbers, size: float, low: float, high: float, gap: Gap) -> Numbers:
+        """The numbers at which a gap closes within a step, by the rule of Illinois."""
+        start, end, most = 0.0, size, max(abs(low), abs(high))
+        best, at, side = numbers, 0.0, 0
+        for _ in range(40):
+            middle = (start * high - end * low) / (high - low)
+            best, at = self.step(best, middle - at), middle
+            value = gap(self.world(best))
+            if abs(end - start) <= CLOSE * size or abs(value) <= CLOSE * most:
+                break
+            if value * high > 0:
+                end, high = middle, value
+                low = low / 2 if side == 1 else low
+                side = 1
+            else:
+                start, low = middle, value
+                high = high / 2 if side == -1 else high
+                side = -1
+        return best
+
+    def gap_of(self, line: Condition) -> Gap:
+        """By how much a line is not so; of a largest tilt how fast it still changes."""
+        path = line.path
+        assert path is not None
+        if line.word in EXTREMES:
+            if path.quantity != "tilt":
+                raise NotConfirmed(f"the {line.word} `{path.quantity}` on the way")
+            return lambda world: world.now.one("euler", path.owner, 1)
+        if line.value is None or line.relative:
+            raise NotConfirmed(f"a line about `{path.quantity}` on the way")
+        told, term = self.rig.value(line.value), Term(path, axes=line.axes or None)
+        return lambda world: Reading(world).number(term) - told
+
+    def size_of(self, line: Condition, world: World) -> float:
+        told = 0.0 if line.value is None else abs(self.rig.value(line.value))
+        return max(told, 1.0)
+
+
+def ways_through(line: Condition) -> tuple[bool, ...]:
+    """Whether a gap closes upwards or downwards at a line: at a largest tilt its rate falls to nothing."""
+    return {"largest": (False,), "smallest": (True,)}.get(line.word or "", (False, True))
+
+
+def near_enough(one: Numbers, other: Numbers) -> bool:
+    """Whether a finer step tells no more."""
+    return all(abs(a - b) <= EXACT * max(1.0, abs(a)) for a, b in zip(one, other, strict=True))
+
+
+def midpoint(slope: Callable[[Numbers], Numbers], start: Numbers, first: Numbers, size: float, count: int) -> Numbers:
+    """Gragg's rule: midpoint steps, the last smoothed."""
+    h = size / count
+    before, now = start, [a + h * b for a, b in zip(start, first, strict=True)]
+    for _ in range(count - 1):
+        before, now = now, [a + 2 * h * b for a, b in zip(before, slope(now), strict=True)]
+    return [(a + b + h * c) / 2 for a, b, c in zip(now, before, slope(now), strict=True)]
+
+
+def as_arrow(parts: Sequence[float]) -> Arrow:
+    x, y, z = parts
+    return (x, y, z)
+
+
+def quaternion_of(rows: Turned) -> Iterator[float]:
+    """The quaternion of a rotation, its largest part found first."""
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
+    most = max(range(4), key=squares.__getitem__)
+    columns = (
+        (squares[0], h - f, c - g, d - b),
+        (h - f, squares[1], b + d, c + g),
+        (c - g, b + d, squares[2], f + h),
+        (d - b, c + g, f + h, squares[3]),
+    )
+    size = math.sqrt(sum(part * part for part in columns[most]))
+    return (part / size for part in columns[most])
+
+
+def rows_of_quaternion(q: Sequence[float]) -> Turned:
+    """The rows of the rotation of a quaternion, of whatever length."""
+    size = math.sqrt(sum(part * part for part in q))
+    w, x, y, z = (part / size for part in q)
+    return (
+        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+    )
+
+
+def turned_on(omega: Arrow, q: Sequence[float]) -> Iterator[float]:
+    """½ ω q."""
+    (a, b, c), (w, x, y, z) = omega, q
+    return (
+        part / 2 for part in (-a * x - b * y - c * z, a * w + b * z - c * y, b * w + c * x - a * z, c * w + a * y - b * x)
+    )
