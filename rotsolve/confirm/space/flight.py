@@ -131,7 +131,10 @@ class Flight:
         """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I."""
         rates = [1e-3]
         for name in self.rig.bodies:
-            omega, third = self.start.now.arrow(TURNING, name), times_arrow(self.start.stance.turned(name), self.axes[name])
+            omega, third = (
+                self.start.now.arrow(TURNING, name),
+                times_arrow(self.start.stance.turned(name), self.axes[name]),
+            )
             joint, own = self.rig.on_ground(name), self.rig.solid(name)
             arm = STILL if joint is None else self.start.stance.arm(joint.body)
             tensor = total_rows(self.start.efforts.tensor(name), about_point(own.mass, arm))
@@ -262,5 +265,6 @@ def turned_on(omega: Arrow, q: Sequence[float]) -> Iterator[float]:
     """½ ω q."""
     (a, b, c), (w, x, y, z) = omega, q
     return (
-        part / 2 for part in (-a * x - b * y - c * z, a * w + b * z - c * y, b * w + c * x - a * z, c * w + a * y - b * x)
+        part / 2
+        for part in (-a * x - b * y - c * z, a * w + b * z - c * y, b * w + c * x - a * z, c * w + a * y - b * x)
     )

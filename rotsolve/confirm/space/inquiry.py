@@ -22,7 +22,17 @@ from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Probl
 
 AGREE = 1e-7  # of the larger of two numbers that are one
 HOLDS = 1e-7  # what may be left of equations that hold, beside the largest number in them
-TIED = (*NODAL, "angle", "angular_velocity", "angular_acceleration", "velocity", "acceleration", "position", "vertical", "time")
+TIED = (
+    *NODAL,
+    "angle",
+    "angular_velocity",
+    "angular_acceleration",
+    "velocity",
+    "acceleration",
+    "position",
+    "vertical",
+    "time",
+)
 READ = (
     "force",
     "torque",
@@ -154,7 +164,9 @@ class Inquiry:
     def tells(self, find: Find) -> bool:
         """Whether there is one number for a question, or one for each component of a vector."""
         vector = len(find.terms) == 1 and find.terms[0].path.quantity in DIRECTED and not find.terms[0].modifier
-        return all(len(self.numbers(find, part)) == 1 for part in (AXES if vector and find.formula == Symbol("#0") else ("",)))
+        return all(
+            len(self.numbers(find, part)) == 1 for part in (AXES if vector and find.formula == Symbol("#0") else ("",))
+        )
 
     def one(self, find: Find) -> float:
         """What a question is, where all ways give the same."""
