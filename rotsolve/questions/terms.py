@@ -53,6 +53,9 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
         return Meaning(swing.letters[term.path.quantity], QUANTITIES[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
     if scene.configuration.problem.space:
+        if term.at == ANY_TIME:
+            help = "leave out `at any time`: what is driven by a function of `time` is answered by t"
+            raise NotYet(f"`{path_text(term.path)}` as a function of time is not solved in space yet", help=help)
         if start or term.during:
             return scene.between(term)  # type: ignore[attr-defined, no-any-return]
         return scene.steady_extreme(term) if term.modifier in EXTREMES else at_state(term, scene)  # type: ignore[attr-defined]

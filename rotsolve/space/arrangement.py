@@ -10,15 +10,17 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, total
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor, displaced
-from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, minus, tidied, vector_sum, way_between
-from rotsolve.elements.shapes import shape_of
+from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, cross_product, minus, tidied, vector_sum, way_between
+from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef
 from rotsolve.language.problem import Problem
+from rotsolve.language.shape import WHEEL
 from rotsolve.motion.rigid import RigidPiece, pieces
 
 ANGLES = ("precession_angle", "tilt", "spin_angle")
 RATES = ("precession", "nutation", "spin")
 NODAL = (*ANGLES, *RATES, "axial_rate")
+ON_RIM = tuple(point for point in WHEEL if point != "center")  # places by the page, which a body turns under
 
 
 class JointedBodies(Struct, frozen=True, dict=True):
@@ -93,6 +95,9 @@ class JointedBodies(Struct, frozen=True, dict=True):
             x, y, *rest = part.at
             return (x, y, rest[0] if rest else ZERO)
         shape = shape_of(body)
+        if ref.point in ON_RIM or ref.point in rims(body):
+            help = f"give `{ref.owner}` a point of its own: `points: {{NAME: [x, y, z]}}`, in its own axes"
+            raise Unsolvable(f"`{ref.point}` of `{ref.owner}` is no place on it in space", span=ref.span, help=help)
         if ref.point in shape.points or ref.argument is not None:
             x, y = shape.locate(ref.point or "center", ref.argument)
             return (x, y, shape.rise(ref.point or "center"))
@@ -154,6 +159,16 @@ class JointedBodies(Struct, frozen=True, dict=True):
         centre = self.centre(name)
         beside = [part for part, own in zip(centre, way, strict=True) if own == ZERO]
         return all(is_zero(gap) for gap in (*gaps, *beside))
+
+    def turns_round(self, name: str, axis: Triple) -> bool:
+        """Whether a body is symmetric about an axis through the point about which it turns, so that its inertia is the same as it spins."""
+        beside = cross_product(way_between(self.centre(name), self.reference(name)), axis)
+        return self.symmetric(name, axis) and all(is_zero(part) for part in beside)
+
+    def wheel(self, name: str) -> bool:
+        """Whether an axle carries a body that is symmetric, put along it with its axis."""
+        joint = self.main(name)
+        return joint is not None and joint.aligned and self.axis(name) is not None
 
     def whole_tensor(self, name: str) -> InertiaTensor | None:
         """The inertia tensor about the centre of mass, in givens alone; None where the scene tells no more than one moment of it."""

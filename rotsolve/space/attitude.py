@@ -146,6 +146,13 @@ def as_drawn(rows: Rows, omega: Triple, rates: Triple, about: Triple | None = No
     return Attitude(Axes(BODY, rows, omega, rates, lost), AS_DRAWN, omega, rates, about)
 
 
+def in_own_axes(found: Attitude) -> Attitude:
+    """The same body in axes that go with it, as it is drawn."""
+    back = transposed(found.own)
+    rows = after(found.axes.rows, found.own)
+    return as_drawn(rows, rotated(back, found.omega), rotated(back, found.alpha), lost=found.axes.lost)
+
+
 def on_axle(carrier: Attitude, direction: Triple, spin: Formula, faster: Formula, own: Rows) -> Attitude:
     """A body that is symmetric about the axle on which another carries it, in the axes of that: ω = Ω + s n."""
     axes = Axes(carrier.axes.name, carrier.axes.rows, carrier.omega, carrier.alpha)

@@ -13,7 +13,18 @@ from rotsolve.algebra.units.dimension import INERTIA as KG_M2
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
-from rotsolve.core.vectors.triple import NOTHING, Rows, Triple, dot_product, is_axis, minus, rotated, vector_sum
+from rotsolve.core.vectors.triple import (
+    NOTHING,
+    Rows,
+    Triple,
+    dot_product,
+    is_axis,
+    minus,
+    rotated,
+    scaled_by,
+    square_of,
+    vector_sum,
+)
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Given
 from rotsolve.laws import inertia
@@ -38,7 +49,7 @@ class Tensors(Struct):
         body = self.held.bodies[name]
         spot = CM if same_place(point, self.held.centre(name)) else spot
         if body.tensor is not None:
-            return self._shifted(name, body.tensor, point, spot)
+            return self._shifted(name, body.tensor, self.told_about(name), point, spot)
         if body.inertia is not None or body.gyration is not None:
             return self._of_axis(name, point, spot)
         spread = self._spread(name, point, spot)
@@ -87,13 +98,11 @@ class Tensors(Struct):
             tuple((given.name, given.dimension) for given in self.givens),
         )
 
-    def _shifted(self, name: str, given: InertiaTensor, point: Triple, spot: str) -> InertiaTensor:
-        """A tensor that is given about one point about another one: down to the centre of mass by −M d², up again by M d²."""
-        held = self.held
-        told = self.told_about(name)
+    def _shifted(self, name: str, given: InertiaTensor, told: Triple, point: Triple, spot: str) -> InertiaTensor:
+        """A tensor that is given about the point `told` about another one: down to the centre of mass by −M d², up again by M d²."""
         if same_place(told, point):
             return given
-        centre, mass = held.centre(name), held.mass(name)
+        centre, mass = self.held.centre(name), self.held.mass(name)
         down, up = (displaced(mass, vector_sum(place, minus(centre))) for place in (told, point))
         entries = {}
         for word in ENTRIES:
@@ -117,24 +126,16 @@ class Tensors(Struct):
         """Of a body of which the scene tells one moment, that about its axis; the moment across has a letter, and no number."""
         held, body = self.held, self.held.bodies[name]
         axis = held.axis(name) or (ZERO, ZERO, ONE)
-        mass = held.mass(name)
+        mass, centre, told = held.mass(name), held.centre(name), self.told_about(name)
         axial = body.inertia if body.inertia is not None else multiply(mass, (body.gyration or ZERO) ** 2)
+        out = vector_sum(told, minus(centre))
+        on_axis = scaled_by(dot_product(axis, out), axis)
+        beside = square_of(
+            vector_sum(out, minus(on_axis))
+        )  # how far from the axis the point is about which it is told, squared
+        axial = axial if is_zero(beside) else simplify(axial - mass * beside)
         across = self.registry.ask(SceneQuantity("inertia", name, "", "across", "I", KG_M2))
-        central = round_about_way(axis, axial, across)
-        return self._shifted_from_centre(name, central, point, spot, mass)
-
-    def _shifted_from_centre(
-        self, name: str, central: InertiaTensor, point: Triple, spot: str, mass: Formula
-    ) -> InertiaTensor:
-        up = displaced(mass, vector_sum(point, minus(self.told_about(name))))
-        entries = {}
-        for word in ENTRIES:
-            entry = central.entry(word)
-            if up.entry(word) != ZERO:
-                words = f"moment of inertia, {spoken(name)}, parallel axes"
-                entry = self.letter(name, word, spot, add(entry, up.entry(word)), words, True)
-            entries[word] = entry
-        return InertiaTensor(**entries)
+        return self._shifted(name, round_about_way(axis, axial, across), vector_sum(centre, on_axis), point, spot)
 
 
 def same_place(one: Triple, other: Triple) -> bool:

@@ -53,6 +53,7 @@ from rotsolve.space.attitude import (
     at_rest_in,
     hinged_on,
     in_euler_angles,
+    in_own_axes,
     nodding,
     on_axle,
     permutation,
@@ -113,6 +114,10 @@ class SpaceMoment:
         found = [line for line in lines if line is not None]
         if not found:
             return None
+        if len(found) < len(AXES):
+            missing = ", ".join(axis for axis, line in zip(AXES, lines, strict=True) if line is None)
+            help = f"write all three: `{owner}.{word}: [x, y, z]`"
+            raise Unsolvable(f"of `{owner}.{word}` nothing tells {missing}", span=found[0].span, help=help)
         parts = [ZERO if line is None or line.value is None else line.value for line in lines]
         return (parts[0], parts[1], parts[2]), found[0].axes, found[0].relative
 
@@ -149,6 +154,8 @@ class SpaceMoment:
             return self._anyhow(name)
         carrier = held.carrier(name)
         base = self.attitude(carrier) if carrier else at_rest_in(AS_DRAWN)
+        if carrier and self.held.wheel(carrier):
+            base = in_own_axes(base)
         if not joint.turning:
             return hinged_on(base, Z, ZERO, ZERO, ZERO)
         return self._about_axis(name, joint, base, bool(carrier))
@@ -183,7 +190,7 @@ class SpaceMoment:
         axis = self.held.axis(name)
         if axis is None:
             raise Unsolvable(f"`{name}` has no axis: its tilt and spin have no meaning", help="give it `axis: z`")
-        turning, symmetric = self.nodding(name), self.held.symmetric(name, axis)
+        turning, symmetric = self.nodding(name), self.held.turns_round(name, axis)
         found = (nodding if symmetric else in_euler_angles)(turning, permutation(axis))
         if not symmetric or self.told(name, "spin") is not None or self.rests(name):
             return found
@@ -263,8 +270,8 @@ class SpaceMoment:
 
     def _about_axis(self, name: str, joint: Joint, base: Attitude, on_body: bool) -> Attitude:
         """A body on a hinge or an axle."""
-        direction = unit_along(joint.turning[0], self.positive)
-        spun = joint.aligned and self.held.axis(name) is not None
+        direction = self.direction(name, joint)
+        spun = self.held.wheel(name)
         word = "spin" if on_body and spun else "angular_velocity"
         rate, faster = self._driven(name, joint, word)
         axis = self.held.axis(name)
@@ -273,16 +280,23 @@ class SpaceMoment:
                 help = "a wheel on an axle is symmetric about it; hold other bodies by a `hinge`"
                 raise Unsolvable(f"`{name}` is not symmetric about its axle", span=joint.body.span, help=help)
             return on_axle(base, direction, rate, faster, aligning(axis, direction))
+        driven = dict(joint.drive).get("angle")
+        angle = driven if driven is not None else self.told(name, "angle")
         if on_body:
-            angle = self.told(name, "angle")
             return hinged_on(base, direction, ZERO if angle is None else angle, rate, faster)
-        angle, lost = self.told(name, "angle"), ""
-        rows = self.turned(name)
+        rows, lost = self.turned(name), ""
         if angle is not None:
             rows = after(rows, turn_about(direction, angle))
         else:
             lost = self.lost(name)
         return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), axis, lost=lost)
+
+    def direction(self, name: str, joint: Joint) -> Triple:
+        """The axis of a joint in the axes of its body as it is drawn: an axle is told in those of what carries it."""
+        way = unit_along(joint.turning[0], self.positive)
+        if joint.aligned and not self.held.wheel(name) and not self.held.carrier(name):
+            return rotated(transposed(self.turned(name)), way)
+        return way
 
     def lost(self, name: str) -> str:
         """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""
@@ -319,7 +333,10 @@ class SpaceMoment:
 
     def arm(self, ref: PointRef) -> Triple:
         """A point from the reference of its body, in the body's axes."""
-        return rotated(self.attitude(ref.owner).own, self.held.arm(ref))
+        own, arm = self.attitude(ref.owner), self.held.arm(ref)
+        if own.axes.name == NODE and self.nods(ref.owner):
+            return rotated(turn_about(Z, self.nodding(ref.owner).angles[2]), rotated(own.own, arm))
+        return rotated(own.own, arm)
 
     def fixed_in_axes(self, name: str, arm: Triple) -> bool:
         """Whether a point keeps its place in the axes of a body, which spins in them: it lies on its axis."""

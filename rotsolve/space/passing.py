@@ -118,7 +118,7 @@ def momenta(name: str, before: SpaceLaws, after: SpaceLaws) -> Iterator[tuple[st
     joint, gravity = before.moment.held.main(name), before.pushes.gravity
     vectors = [own_momentum(laws, name) for laws in (before, after)]
     if joint is not None and joint.turning:
-        way = unit_along(joint.turning[0], before.moment.positive)
+        way = before.moment.direction(name, joint)
         upright = before.moment.axes(name).to(IN_SPACE, way)[:2] == (ZERO, ZERO)
         if gravity is None or upright:
             yield "angular momentum about the axis", (dot_product(way, vectors[0]), dot_product(way, vectors[1]))

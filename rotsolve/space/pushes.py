@@ -131,8 +131,9 @@ class Pushes:
         if not joint.turning:
             return None
         own = self.moment.attitude(joint.body.owner)
-        way = unit_along(joint.turning[0], self.moment.positive)
-        return own.about if joint.aligned and own.about is not None else way
+        if joint.aligned and own.about is not None:
+            return own.about
+        return self.moment.direction(joint.body.owner, joint)
 
     def couple(self, joint: Joint) -> Triple:
         """The couple of a hinge or clamp: across its axis, and along it only where something drives it."""

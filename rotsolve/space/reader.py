@@ -134,11 +134,25 @@ class SpaceReader:
         reading = (OF_BODIES if path.owner in self.bodies else OF_ELEMENTS).get(path.quantity)
         if reading is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet")
+        if term.relative and (path.component or "").split()[:1] not in ([which] for which in INERTIAL):
+            return self.relative(path, term)
         return reading(self, path, term)
+
+    def relative(self, path: Path, term: Term) -> Seen:
+        """The velocity or acceleration of a body in a frame that turns, as the state tells its motion there."""
+        from rotsolve.space.frames import Relative, frame_of
+
+        if path.quantity not in ("velocity", "acceleration") or path.point not in (None, CM):
+            raise NotYet(f"`{path_text(path)} relative to` a body is not solved in space yet", path.span)
+        if frame_of(self.moment, path.owner) != term.relative:
+            help = f"tell `{path.owner}.position relative to {term.relative}` in the state, and its velocity there"
+            raise NotYet(f"how `{path.owner}` moves in `{term.relative}` nothing tells", path.span, help)
+        found = Relative(self.moment, path.owner, term.relative or "")
+        return found.slip if path.quantity == "velocity" else found.faster, found.axes
 
     def point(self, path: Path) -> PointRef:
         """The point of a path, the centre of mass of a body that is named alone."""
-        return PointRef(path.owner, path.point or CM, path.argument)
+        return PointRef(path.owner, path.point or CM, path.argument, span=path.span)
 
     def angular_velocity(self, path: Path, term: Term) -> Seen:
         own = self.moment.attitude(path.owner)

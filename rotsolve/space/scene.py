@@ -18,7 +18,7 @@ from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, Term
-from rotsolve.paths.meaning import Meaning, NotYet
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear
 from rotsolve.space.arrangement import JointedBodies
 from rotsolve.space.attitude import NODE
 from rotsolve.space.inertia import Tensors
@@ -156,8 +156,16 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def between(self, term: Term) -> tuple[Meaning, str]:
         """The change of a quantity from one state to a later one, along axes that stay."""
-        assert term.start is not None and term.end is not None
         path, word = term.path, term.modifier
+        if term.during is not None:
+            lasts = self.configuration.timeline.whole(term.during)
+            if lasts is None:
+                raise Unclear(f"there is no phase or event `{term.during}`")
+            start, end = lasts
+            if path.quantity == "impulse":
+                return self.reader(end).meaning(path, replace(term, during=None)), end
+            term = replace(term, during=None, start=start, end=end)
+        assert term.start is not None and term.end is not None
         if word == SIZE_OF_CHANGE:
             return self.size_of_change(term)
         if word not in CHANGES:

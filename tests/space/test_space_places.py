@@ -1,0 +1,107 @@
+"""Places and directions in bodies that are turned, spin, or ride on wheels, and inertia told about a point beside the axis.
+
+Values by hand, and every answer by the assembly of all bodies' equations, which takes none of them from the laws.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+
+BOX = "bodies: {b: {shape: cuboid, mass: 6 kg, sides: [1 m, 2 m, 3 m], turned: {about: x, by: 90 deg}}}\n"
+ON_WHEEL = """gravity: none
+bodies:
+  a: {shape: disc, radius: 0.5 m, mass: 1 kg, points: {q: [0.3 m, 0, 0.1 m]}}
+  b: {shape: cuboid, sides: [0.6 m, 0.3 m, 0.2 m], mass: 1 kg}
+connections:
+  h: {axle: a, along: y, angular_velocity: 2 rad/s}
+  k: {axle: [a.q, b], along: z, angular_velocity: 3 rad/s}
+find: {w: b.angular_velocity, K: b.kinetic_energy, L: b.angular_momentum, T: k.torque}
+"""
+SPUN = """gravity: none
+bodies: {b: {shape: disc, mass: 2 kg, radius: 1 m, points: {p: [1 m, 0, 0]}}}
+states: {now: {b.tilt: 0 deg, b.precession: 1 rad/s, b.nutation: 0 rad/s, b.spin: 3 rad/s, b.spin_angle: 90 deg, b.velocity: [0, 0, 0]}}
+find: {v: b.p.velocity}
+"""
+BESIDE = """bodies: {b: {shape: cone, radius: 0.1 m, length: 0.2 m, mass: 1 kg, points: {p: [0.2 m, 0.3 m, 0.4 m]}}}
+connections: {h: {ball: b.p}}
+states: {now: {b.tilt: 90 deg, b.precession: 0.6 rad/s, b.nutation: 0.4 rad/s, b.spin: 6 rad/s, b.spin_angle: 25 deg}}
+find: {p: b.momentum, L: b.angular_momentum, F: h.force}
+"""
+OFF_AXIS = "bodies: {b: {mass: 2 kg, inertia: {value: 5 kg m^2, about: p}, axis: z, points: {p: [0.5 m, 0, 0]}}}\n"
+CASES = {  # a scene, and what is known of it by hand
+    "an axle across a turned box: 2 rad/s along its own −z, where I = M (1² + 2²)/12": (
+        "gravity: none\n" + BOX + "connections: {h: {axle: b, along: y, angular_velocity: 2 rad/s}}\n"
+        "find: {w: b.angular_velocity in body axes, L: b.angular_momentum, K: b.kinetic_energy}\n",
+        {"w": (0, 0, -2), "L": (0, 5, 0), "K": (5,)},
+    ),
+    "an axle on a wheel, told in the wheel's own axes: its axis is y of space, so that 2 and 3 rad/s add up": (
+        ON_WHEEL,
+        {"w": (0, 5, 0)},
+    ),
+    "a rim point a quarter turn on: at y = 1 m, and 4 rad/s": (SPUN, {"v": (-4, 0, 0)}),
+    "a ball joint beside the axis of what spins": (BESIDE, {}),
+    "inertia about a point 0.5 m beside the axis: 5 − 2 · 0.25": (
+        "gravity: none\n" + OFF_AXIS + "connections: {h: {hinge: b.center, along: z, angular_velocity: 3 rad/s}}\n"
+        "find: {I: b.inertia, K: b.kinetic_energy}\n",
+        {"I": (4.5,), "K": (20.25,)},
+    ),
+    "a hinge driven through an angle that grows with the time, which carries the end along": (
+        "bodies: {b: {shape: rod, mass: 2 kg, length: 1 m}}\n"
+        "connections: {h: {hinge: b.start, along: [0, 0, 1], angle: (3 rad/s)*time}}\nfind: {v: b.end.velocity, F: h.force}\n",
+        {},
+    ),
+    "the impulse of a hinge during a blow at the end of a rod: ω = 2 rad/s, M ω l/2 = 3 N s": (
+        "gravity: none\nbodies: {b: {shape: rod, mass: 3 kg, length: 1 m}}\n"
+        "connections: {h: {hinge: b.start, along: z}}\nstates: {before: {b.angular_velocity: 0 rad/s}, after: {}}\n"
+        "events: {hit: {impulse: 2 N s, on: b.end, direction: [0, 1, 0], from: before, to: after}}\n"
+        "find: {J: h.impulse during hit}\n",
+        {"J": (0, 1, 0)},
+    ),
+}
+REFUSED = {  # a scene, and what is said of it
+    "a function of time": (
+        "bodies: {b: {shape: rod, mass: 2 kg, length: 1 m}}\n"
+        "connections: {h: {hinge: b.start, along: z, angle: (3 rad/s)*time}}\nfind: {v: b.end.velocity at any time}\n",
+        "as a function of time is not solved in space yet",
+    ),
+    "a place by the page": (
+        "bodies: {c: {shape: disc, mass: 2 kg, radius: 30 cm}}\nsurfaces: {floor: level}\nconnections: {r: {rolls: [c, floor]}}\n"
+        "states: {now: {c.tilt: 90 deg, c.spin: 5 rad/s, c.precession: 0 rad/s, steady: true}}\nfind: {v: c.top.velocity at now}\n",
+        "`top` of `c` is no place on it in space",
+    ),
+    "one component of three": (
+        "bodies: {b: {shape: sphere, mass: 1 kg, radius: 0.1 m}}\nsurfaces: {floor: level}\nconnections: {r: {rolls: [b, floor]}}\n"
+        "states: {now: {b.velocity: [2 m/s, 0, 0], b.angular_velocity.z: 4 rad/s}}\nfind: {w: b.angular_velocity at now}\n",
+        "of `b.angular_velocity` nothing tells x, y",
+    ),
+    "motion in a frame in which nothing tells it": (
+        "gravity: none\nbodies: {t: {shape: disc, mass: 1 kg, radius: 1 m}, b: {shape: particle, mass: 2 kg}}\n"
+        "connections: {h: {hinge: t.center, along: z, angular_velocity: 3 rad/s}}\nactions: {push: {force: any, on: b}}\n"
+        "states: {now: {b.position: [1 m, 2 m, 0], b.velocity: [1 m/s, 0, 0]}}\nfind: {v: b.velocity relative to t at now}\n",
+        "how `b` moves in `t` nothing tells",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_places_and_directions_are_those_of_the_body(name: str) -> None:
+    scene, known = CASES[name]
+    derivation = solve(f"title: T\nup: z\n{scene}").derivation
+    for item in derivation.confirmed:
+        assert item.holds is True, (item.name, item.why)
+    for answer in derivation.answers:
+        parts = answer.components or (answer,)
+        if answer.name in known:
+            found = [part.value.float for part in parts if part.value is not None]
+            assert found == pytest.approx(known[answer.name], rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_not_told_or_not_solved_is_refused_by_name(name: str) -> None:
+    scene, said = REFUSED[name]
+    with pytest.raises(Unsolvable) as caught:
+        solve(f"title: T\nup: z\n{scene}")
+    assert said in str(caught.value)
