@@ -22,7 +22,9 @@ def on_mounts(problem: Problem) -> Problem:
         item.between_points(lambda ref: middle(ref, bodies)) if on_one_axle(item) else item
         for item in problem.connections
     ]
-    while carried := next(((item, moving) for item in items if (moving := moving_on(item, items, bodies))), None):
+    while carried := next(
+        ((item, moving) for item in filter(on_one_axle, items) if (moving := moving_on(item, items, bodies))), None
+    ):
         item, moving = carried  # what an axle carries may carry the next one
         items[items.index(item)] = item.among(moving)
     for item in filter(on_one_axle, items):

@@ -103,7 +103,7 @@ def answers(course: Course, other: Course, find: Find, *, whole: bool) -> str:
         return TOLD if not whole and starts_alike(course, other) else ""
     except (NotConfirmed, ArithmeticError, ValueError):
         return ""
-    size = max(one.size, *map(abs, one.values.values()))
+    size = max([one.size, *map(abs, one.values.values())])
     if one.word != two.word or any(abs(two.values[key] - own) > SAME * size for key, own in one.values.items()):
         return ""
     try:

@@ -11,6 +11,7 @@ from rotsolve.algebra.formula import Formula, Symbol, add, negate
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import RATE_IN_AXES, RULE, Equation
 from rotsolve.core.facts import Facts
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.vectors.heading import heading
@@ -74,7 +75,11 @@ class SpaceEquations(SceneEquations, dict=True):
         """What acts on each body: forces with their places, couples, by components."""
         laws = self.dynamics[state]
         for name in self.held.order:
-            for force in laws.pushes.on(name):
+            try:
+                acting = tuple(laws.pushes.on(name))
+            except Unsolvable:  # what holds it is asked for its freedoms alone
+                continue
+            for force in acting:
                 words: list[str | Formula] = [f"{spoken(name)}, {spoken(force.owner)}: "]
                 if force.force != NOTHING:
                     words += [
