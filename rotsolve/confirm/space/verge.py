@@ -12,7 +12,6 @@ from rotsolve.language.problem import Condition, Find
 STEP = 1e-5  # by how much a letter is changed, to see what that changes
 BESIDE = 1e-6  # how near a value has to be to that from which on a motion is what is asked, as a part of it
 NEAR = (BESIDE, 1e-4)  # for roots, and for what grows or not, which rounding tells less closely
-COARSELY = 0.02  # where what grows slowly, beside the rates of the motion, is told
 WithLetter = Callable[[float], Inquiry]
 
 
@@ -42,12 +41,9 @@ def just_holds(find: Find, own: float, with_letter: WithLetter) -> float:
     if way is None:
         raise NotConfirmed("whether the largest or the smallest is asked")
     test, near = (is_steady, NEAR[0]) if condition.word == "steady" else (holds_still, NEAR[1])
-    for apart in (near, COARSELY):
-        inside, outside = (with_letter(own + abs(own) * part * way * apart) for part in (1.0, -1.0))
-        if test(inside, condition.owner) and not test(outside, condition.owner):
-            if apart == near:
-                return own
-            raise NotConfirmed("what grows next to its edge grows too slowly to be told")
+    inside, outside = (with_letter(own + abs(own) * part * way * near) for part in (1.0, -1.0))
+    if test(inside, condition.owner) and not test(outside, condition.owner):
+        return own
     return own + 0.1 * way * abs(own)  # the edge is somewhere else
 
 
