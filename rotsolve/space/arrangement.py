@@ -6,9 +6,11 @@ from functools import cached_property
 
 from msgspec import Struct
 
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, total
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.remembered import remembered
 from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor, displaced
 from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, cross_product, minus, tidied, vector_sum, way_between
 from rotsolve.elements.shapes import rims, shape_of
@@ -27,6 +29,19 @@ class JointedBodies(Struct, frozen=True, dict=True):
     """The bodies of a scene in space with their joints; refuses by name what it can't follow."""
 
     problem: Problem
+    signs: SignOracle
+
+    def vanishes(self, value: Formula) -> bool:
+        """Whether a formula is nothing: whatever its letters are, or with the numbers that they have, which is noted.
+
+        Of letters without a number it is nothing in a case that has such numbers, on the condition that it is.
+        """
+        if is_zero(value):
+            return True
+        if self.signs.lacking(value):
+            number = self.signs.at_trial(value)
+            return number is not None and number.sign == 0 and self.signs.side_at_trial(value) == 0
+        return self.signs.by_numbers(value) == 0 and self.signs.decide(value) == 0
 
     @cached_property
     def bodies(self) -> dict[str, Body]:
@@ -151,24 +166,53 @@ class JointedBodies(Struct, frozen=True, dict=True):
 
         Of a body of which only one moment of inertia is told that is the one about its axis.
         """
+        return all(self.vanishes(gap) for gap in self.asymmetries(name, way))
+
+    def asymmetries(self, name: str, way: Triple) -> list[Formula]:
+        """What is nothing where a body is symmetric about one of its own axes: products, how far its centre is off, …"""
         tensor = self.whole_tensor(name)
         if tensor is None:
-            return True
+            return []
         one, other = {X: ("yy", "zz"), Y: ("zz", "xx"), Z: ("xx", "yy")}[way]
-        gaps = [tensor.entry(one) - tensor.entry(other), tensor.xy, tensor.yz, tensor.zx]
-        centre = self.centre(name)
-        beside = [part for part, own in zip(centre, way, strict=True) if own == ZERO]
-        return all(is_zero(gap) for gap in (*gaps, *beside))
+        beside = [part for part, own in zip(self.centre(name), way, strict=True) if own == ZERO]
+        return [tensor.entry(one) - tensor.entry(other), tensor.xy, tensor.yz, tensor.zx, *beside]
 
     def turns_round(self, name: str, axis: Triple) -> bool:
         """Whether a body is symmetric about an axis through the point about which it turns, so that its inertia is the same as it spins."""
         beside = cross_product(way_between(self.centre(name), self.reference(name)), axis)
-        return self.symmetric(name, axis) and all(is_zero(part) for part in beside)
+        return self.symmetric(name, axis) and all(self.vanishes(part) for part in beside)
 
+    @remembered
     def wheel(self, name: str) -> bool:
-        """Whether an axle carries a body that is symmetric, put along it with its axis."""
+        """Whether an axle carries a body that is symmetric, put along it with its axis; refused by name where letters leave that open."""
         joint = self.main(name)
-        return joint is not None and joint.aligned and self.axis(name) is not None
+        if joint is None or not joint.aligned:
+            return False
+        if self.axis(name) is not None:
+            return True
+        for way in (Z, X, Y):
+            self.refuse_open(name, way, joint)
+        return False
+
+    def refuse_open(self, name: str, way: Triple, joint: Joint) -> None:
+        """Refuse a body of which letters leave open whether it is symmetric; in a case that is looked at it is supposed that it is not."""
+        gaps = [gap for gap in self.asymmetries(name, way) if not self.vanishes(gap)]
+        if any(self.signs.decide(gap) for gap in gaps):
+            return
+        if any(self.signs.side_at_trial(gap) for gap in gaps):
+            self.askew[name, way] = gaps
+            return
+        mass = self.mass(name)
+        names = {letter for gap in gaps for letter in simplify(gap if mass == ZERO else gap / mass).symbols()}
+        letters = " and ".join(f"`{letter}`" for letter in sorted(names))
+        message = f"whether `{name}` is symmetric, so that its axis lies along its axle, hangs on {letters}"
+        help = "give them numbers, or hold it as it is drawn by a `hinge`"
+        raise Unsolvable(message, span=joint.body.span, help=help)
+
+    @cached_property
+    def askew(self) -> dict[tuple[str, Triple], list[Formula]]:
+        """Bodies that are supposed not to be symmetric about one of their own axes, with what is nothing where they are."""
+        return {}
 
     def whole_tensor(self, name: str) -> InertiaTensor | None:
         """The inertia tensor about the centre of mass, in givens alone; None where the scene tells no more than one moment of it."""

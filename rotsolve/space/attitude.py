@@ -46,6 +46,7 @@ class MovingBodies(Protocol):
     def attitude(self, name: str) -> Attitude: ...
     def axes(self, name: str) -> Axes: ...
     def own_axes(self, name: str) -> Axes: ...
+    def symmetry_axis(self, name: str) -> Triple | None: ...
     def nods(self, name: str) -> bool: ...
     def arm(self, ref: PointRef) -> Triple: ...
     def velocity(self, ref: PointRef) -> Triple: ...
@@ -89,7 +90,7 @@ class Attitude(Struct, frozen=True):
     own: Rows
     omega: Triple
     rates: Triple
-    about: Triple | None = None
+    about: Triple | None = None  # not where it is in its own axes, in which its inertia is constant anyhow
 
     @property
     def alpha(self) -> Triple:
@@ -141,9 +142,9 @@ def in_euler_angles(turning: Nodding, permuted: Rows) -> Attitude:
     return Attitude(Axes(BODY, rows, omega, rates), permuted, omega, rates)
 
 
-def as_drawn(rows: Rows, omega: Triple, rates: Triple, about: Triple | None = None, *, lost: str = "") -> Attitude:
+def as_drawn(rows: Rows, omega: Triple, rates: Triple, *, lost: str = "") -> Attitude:
     """A body in its own axes, which turn with it: the rates of the components are those of ω itself."""
-    return Attitude(Axes(BODY, rows, omega, rates, lost), AS_DRAWN, omega, rates, about)
+    return Attitude(Axes(BODY, rows, omega, rates, lost), AS_DRAWN, omega, rates)
 
 
 def in_own_axes(found: Attitude) -> Attitude:

@@ -18,7 +18,8 @@ def configured_in_space(problem: Problem) -> Configuration:
         letters = MadeLetters(problem)
         bodies = tuple(complete_body(body, letters) for body in problem.bodies)
         whole = replace(problem, bodies=bodies, givens=(*problem.givens, *letters.made))
-        held = JointedBodies(whole)
+        configuration = Configuration(whole)
+        held = JointedBodies(whole, configuration.signs)
         _ = held.order
         for body in whole.bodies:
             several = [joint for joint in held.of_body(body.name) if not joint.rolls]
@@ -32,7 +33,6 @@ def configured_in_space(problem: Problem) -> Configuration:
         raise Unsolvable(
             fault.message, span=fault.span, help=fault.help, lines=problem.lines, file=problem.file
         ) from None
-    configuration = Configuration(whole)
     faults = [
         Fault(limit.words, body.span, limit.help, "limits")
         for body in whole.bodies

@@ -23,7 +23,7 @@ def about_own_momentum(laws: SpaceLaws, path: Path) -> Meaning:
     held, moment, name = laws.moment.held, laws.moment, path.owner
     axis = held.axis(name)
     own = moment.attitude(name)
-    along = own.about
+    along = moment.symmetry_axis(name)
     if held.of_body(name) or axis is None or along is None or not held.symmetric(name, axis) or held.bodies[name].moved:
         raise NotYet(f"`{path_text(path)}` has no meaning here", path.span, NEEDS.format(name))
     if path.quantity == "axial_rate":

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.algebra.units.dimension import INERTIA as KG_M2
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
@@ -47,7 +47,7 @@ class Tensors(Struct):
     def about(self, name: str, point: Triple, spot: str) -> InertiaTensor:
         """The tensor about a point of a body, in its own axes; `spot` is the point's name."""
         body = self.held.bodies[name]
-        spot = CM if same_place(point, self.held.centre(name)) else spot
+        spot = CM if self.same_place(point, self.held.centre(name)) else spot
         if body.tensor is not None:
             return self._shifted(name, body.tensor, self.told_about(name), point, spot)
         if body.inertia is not None or body.gyration is not None:
@@ -100,7 +100,7 @@ class Tensors(Struct):
 
     def _shifted(self, name: str, given: InertiaTensor, told: Triple, point: Triple, spot: str) -> InertiaTensor:
         """A tensor that is given about the point `told` about another one: down to the centre of mass by −M d², up again by M d²."""
-        if same_place(told, point):
+        if self.same_place(told, point):
             return given
         centre, mass = self.held.centre(name), self.held.mass(name)
         down, up = (displaced(mass, vector_sum(place, minus(centre))) for place in (told, point))
@@ -108,12 +108,16 @@ class Tensors(Struct):
         for word in ENTRIES:
             change = add(up.entry(word), negate(down.entry(word)))
             entry = given.entry(word)
-            if change != ZERO and not is_zero(change):
+            if change != ZERO and not self.held.vanishes(change):
                 entry = self.letter(
                     name, word, spot, add(entry, change), f"moment of inertia, {spoken(name)}, parallel axes", True
                 )
             entries[word] = entry
         return InertiaTensor(**entries)
+
+    def same_place(self, one: Triple, other: Triple) -> bool:
+        """Whether two places are the same."""
+        return one == other or all(self.held.vanishes(a - b) for a, b in zip(one, other, strict=True))
 
     def told_about(self, name: str) -> Triple:
         """The point about which the scene tells a body's inertia, in its own axes."""
@@ -133,14 +137,9 @@ class Tensors(Struct):
         beside = square_of(
             vector_sum(out, minus(on_axis))
         )  # how far from the axis the point is about which it is told, squared
-        axial = axial if is_zero(beside) else simplify(axial - mass * beside)
+        axial = axial if self.held.vanishes(beside) else simplify(axial - mass * beside)
         across = self.registry.ask(SceneQuantity("inertia", name, "", "across", "I", KG_M2))
         return self._shifted(name, round_about_way(axis, axial, across), vector_sum(centre, on_axis), point, spot)
-
-
-def same_place(one: Triple, other: Triple) -> bool:
-    """Whether two places are the same."""
-    return one == other or all(is_zero(a - b) for a, b in zip(one, other, strict=True))
 
 
 def round_about_way(axis: Triple, axial: Formula, across: Formula) -> InertiaTensor:

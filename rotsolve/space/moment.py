@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
@@ -106,7 +106,14 @@ class SpaceMoment:
     def told(self, owner: str, word: str) -> Formula | None:
         """The value that the state gives to a quantity of a body."""
         line = self.line(owner, word)
-        return None if line is None else line.value
+        value = None if line is None else line.value
+        return self.right_angle(value) if word == "tilt" and value is not None else value
+
+    @remembered
+    def right_angle(self, angle: Formula) -> Formula:
+        """An angle; one that is upright, level or upside down by the number of its letter as that, since then steady motions are others."""
+        exact = (ZERO, PI / 2, PI) if angle.symbols() else ()
+        return next((way for way in exact if self.held.vanishes(angle - way)), angle)
 
     def vector_told(self, owner: str, word: str, point: str | None = None) -> tuple[Triple, str, str] | None:
         """The components that the state gives to a vector of a body, the name of their axes, and to what body they are relative."""
@@ -261,7 +268,7 @@ class SpaceMoment:
             alpha = self.in_own(rows, given, name)
         else:
             alpha = triple([self.ask("angular_acceleration", name, axis) for axis in AXES])
-        return as_drawn(rows, omega, alpha, self.held.axis(name), lost=self.lost(name))
+        return as_drawn(rows, omega, alpha, lost=self.lost(name))
 
     def in_own(self, rows: Rows, told: tuple[Triple, str, str], name: str) -> Triple:
         """A vector that a state tells, in a body's own axes."""
@@ -271,11 +278,10 @@ class SpaceMoment:
     def _about_axis(self, name: str, joint: Joint, base: Attitude, on_body: bool) -> Attitude:
         """A body on a hinge or an axle."""
         direction = self.direction(name, joint)
-        spun = self.held.wheel(name)
-        word = "spin" if on_body and spun else "angular_velocity"
+        axis = self.held.axis(name) if self.held.wheel(name) else None
+        word = "spin" if on_body and axis is not None else "angular_velocity"
         rate, faster = self._driven(name, joint, word)
-        axis = self.held.axis(name)
-        if spun and axis is not None:
+        if axis is not None:
             if not self.held.symmetric(name, axis):
                 help = "a wheel on an axle is symmetric about it; hold other bodies by a `hinge`"
                 raise Unsolvable(f"`{name}` is not symmetric about its axle", span=joint.body.span, help=help)
@@ -289,7 +295,7 @@ class SpaceMoment:
             rows = after(rows, turn_about(direction, angle))
         else:
             lost = self.lost(name)
-        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), axis, lost=lost)
+        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
 
     def direction(self, name: str, joint: Joint) -> Triple:
         """The axis of a joint in the axes of its body as it is drawn: an axle is told in those of what carries it."""
@@ -337,6 +343,11 @@ class SpaceMoment:
         if own.axes.name == NODE and self.nods(ref.owner):
             return rotated(turn_about(Z, self.nodding(ref.owner).angles[2]), rotated(own.own, arm))
         return rotated(own.own, arm)
+
+    def symmetry_axis(self, name: str) -> Triple | None:
+        """The direction about which a body is symmetric, in the axes of its attitude; None where it is about none."""
+        own = self.attitude(name)
+        return self.held.axis(name) if own.about is None and own.own == AS_DRAWN else own.about
 
     def fixed_in_axes(self, name: str, arm: Triple) -> bool:
         """Whether a point keeps its place in the axes of a body, which spins in them: it lies on its axis."""
@@ -421,14 +432,17 @@ class SpaceMoment:
         told = self.vector_told(name, "vertical")
         if told is None:
             return IN_SPACE.to(self.axes(name), Z)
-        if self.signs.decide(square_of(told[0]) - ONE):
+        beyond = square_of(told[0]) - ONE
+        if not self.held.vanishes(beyond):
             line = self.line(name, "vertical", "x")
-            help = "the squares of its components add up to 1"
-            raise Unsolvable(
+            message, help = (
                 f"the vertical of `{name}` is a direction of length 1",
-                span=None if line is None else line.span,
-                help=help,
+                "the squares of its components add up to 1",
             )
+            if self.signs.decide(beyond) is None:
+                message = f"that {message} its letters do not tell"
+                help = f"{help}: give them numbers, or write one by the others: `sqrt(1 - n1^2 - n2^2)`"
+            raise Unsolvable(message, span=None if line is None else line.span, help=help)
         return told[0]
 
     def named_axes(self, axes: str, name: str) -> Axes:

@@ -75,7 +75,7 @@ def turning_tilts(name: str, interval: Interval, before: SpaceLaws, after: Space
     if not nods or gravity is None or any(moment.nodding(name).rates[1] != ZERO for moment in (first, last)):
         return
     angles = [heading(moment.nodding(name).angles[1]) for moment in (first, last)]
-    if angles[0] == angles[1]:
+    if angles[0] == angles[1] or first.held.vanishes(add(angles[0].formula(), negate(angles[1].formula()))):
         return
     start, end = (angle.cos() for angle in angles)
     square_of_sine, rate = square(angles[0].sin()), first.nodding(name).rates[0]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, negate, sqrt
 from rotsolve.core.facts import square
 from rotsolve.core.vectors.tensor import InertiaTensor
@@ -17,6 +17,7 @@ from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet, path_text
 
 Spelled = Callable[[Formula], Formula]
+Nothing = Callable[[Formula], bool]  # whether a formula is nothing, by its letters or their numbers
 Side = Callable[[Formula], "int | None"]
 Found = tuple[Formula, Triple | None]  # a principal moment, with its axis where that is told
 BESIDE = {"x": ("yy", "zz", "yz"), "y": ("zz", "xx", "zx"), "z": ("xx", "yy", "xy")}
@@ -24,11 +25,11 @@ WAYS = {"x": X, "y": Y, "z": Z}
 PRODUCTS = {"x": ("xy", "zx"), "y": ("xy", "yz"), "z": ("zx", "yz")}
 
 
-def principal(tensor: InertiaTensor, spelled: Spelled, path: Path) -> list[Found]:
+def principal(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> list[Found]:
     """The three moments with their axes, of a tensor whose letters are spelled out to see what vanishes or is alike."""
 
     def nothing(value: Formula) -> bool:
-        return value == ZERO or is_zero(spelled(value))
+        return value == ZERO or vanishes(spelled(value))
 
     free = [axis for axis in "xyz" if all(nothing(tensor.entry(word)) for word in PRODUCTS[axis])]
     if len(free) == 3:
@@ -63,10 +64,12 @@ def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
     return found
 
 
-def principal_moment(tensor: InertiaTensor, spelled: Spelled, number: str, path: Path, side: Side) -> Formula:
+def principal_moment(
+    tensor: InertiaTensor, spelled: Spelled, number: str, path: Path, vanishes: Nothing, side: Side
+) -> Formula:
     """The first, second or third of them, from the smallest on; `side` tells the sign of a difference."""
     ordered: list[Formula] = []
-    for moment, _ in principal(tensor, spelled, path):
+    for moment, _ in principal(tensor, spelled, path, vanishes):
         place = 0
         while place < len(ordered):
             sign = side(spelled(moment - ordered[place]))
@@ -82,13 +85,13 @@ def principal_moment(tensor: InertiaTensor, spelled: Spelled, number: str, path:
     return ordered[int(number) - 1]
 
 
-def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path) -> Triple:
+def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> Triple:
     """The axis of the one moment that no other equals."""
 
     def nothing(value: Formula) -> bool:
-        return is_zero(spelled(value))
+        return vanishes(spelled(value))
 
-    found = principal(tensor, spelled, path)
+    found = principal(tensor, spelled, path, vanishes)
     for number, (moment, way) in enumerate(found):
         others = [item for place, (item, _) in enumerate(found) if place != number]
         alone = way is not None and not any(nothing(moment - other) for other in others)

@@ -193,7 +193,7 @@ class Pushes:
         else:
             vector = None
         if action.twists():
-            axis = self.moment.attitude(ref.owner).about
+            axis = self.moment.symmetry_axis(ref.owner)
             if vector is None and axis is None:
                 raise Unsolvable(
                     f"about which axis `{action.name}` turns nothing tells",

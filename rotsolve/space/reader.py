@@ -245,13 +245,15 @@ class SpaceReader:
         """The axis of the rotation that all turns of a body come to: n ∝ the part of R that changes sign when it is transposed."""
         from rotsolve.space.rotations import axis_of
 
-        return axis_of(self.moment.own_axes(path.owner).rows, path), IN_SPACE
+        return axis_of(self.moment.own_axes(path.owner).rows, path, self.held.vanishes), IN_SPACE
 
     def principal_axis(self, path: Path, term: Term) -> Seen:
         from rotsolve.space.principal import lone_axis
 
         tensor = self.tensor_about(path, term)
-        return lone_axis(tensor, self.dynamics.tensors.spelled, path), self.moment.own_axes(path.owner)
+        return lone_axis(tensor, self.dynamics.tensors.spelled, path, self.held.vanishes), self.moment.own_axes(
+            path.owner
+        )
 
     # of connections and actions
 
@@ -405,7 +407,8 @@ class SpaceReader:
         from rotsolve.space.principal import principal_moment
 
         tensor, number = self.tensor_about(path, term), (path.component or "1").split()[-1]
-        found = principal_moment(tensor, self.dynamics.tensors.spelled, number, path, self.moment.signs.decide)
+        spelled, decide = self.dynamics.tensors.spelled, self.moment.signs.decide
+        found = principal_moment(tensor, spelled, number, path, self.held.vanishes, decide)
         steps = tuple(self.dynamics.tensors.steps)
         return Meaning(found, QUANTITIES["inertia"].dimension, label="principal moment of inertia", laws=steps)
 

@@ -6,7 +6,7 @@ acceleration in axes that turn: (rates of the components) + Ω × v. No componen
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import Triple, Y, Z, cross_product, dot_product, minus, scaled_by, vector_sum
 from rotsolve.elements.shapes import rim_radius, shape_of
@@ -35,7 +35,8 @@ def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     if is_ball(name, moment):
         return vector_sum(hub, IN_SPACE.to(own.axes, scaled_by(negate(radius), Z)))
     up = IN_SPACE.to(own.axes, Z)
-    level = own.about is not None and dot_product(up, own.about) == ZERO
+    about = moment.symmetry_axis(name)
+    level = about is not None and moment.held.vanishes(dot_product(up, about))
     thin = shape_of(moment.held.bodies[name]).flat
     if own.axes.name == NODE and (thin or level):
         return vector_sum(hub, scaled_by(negate(radius), Y))

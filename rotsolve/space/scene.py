@@ -7,6 +7,7 @@ from functools import cached_property
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, Symbol, add, negate
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import RATE_IN_AXES, RULE, Equation
@@ -22,6 +23,7 @@ from rotsolve.language.problem import Condition, Term
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear
 from rotsolve.space.arrangement import JointedBodies
 from rotsolve.space.attitude import NODE
+from rotsolve.space.coincidences import coincidences
 from rotsolve.space.inertia import Tensors
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
@@ -42,7 +44,7 @@ class SpaceEquations(SceneEquations, dict=True):
 
     @cached_property
     def held(self) -> JointedBodies:
-        return JointedBodies(self.configuration.problem)
+        return JointedBodies(self.configuration.problem, self.configuration.signs)
 
     @cached_property
     def tensors(self) -> Tensors:
@@ -109,13 +111,16 @@ class SpaceEquations(SceneEquations, dict=True):
             yield from (line for number, line in enumerate(lines) if number not in laws.moment.used)
 
     def conventions(self) -> Iterator[Words]:
-        """Along which axes the components are that are not those of space."""
+        """Along which axes the components are that are not those of space; what the numbers of the scene make special."""
         for name in self.held.order:
             axes = [laws.moment.axes(name).name for laws in self.dynamics.values()]
             if NODE in axes:
                 told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
                 turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
                 yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
+        for (name, _), gaps in self.held.askew.items():
+            yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
+        yield from coincidences(self.configuration.signs, self.configuration.problem.givens)
 
     def section(self, state: str) -> str:
         return state

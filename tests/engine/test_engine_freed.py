@@ -17,8 +17,8 @@ from compositions import freed  # noqa: E402
 
 FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent / "scenes").glob("*.yaml")])
 PARTS = 8
-WITHHELD = {  # in space, answered in numbers and withheld in letters, since the assembly contradicts them with some
-    "kowalevskaya-top": "its vertical is a direction of length 1, which no line tells of letters",
+WITHHELD = {  # in space, answered in numbers; in letters refused by name, or withheld since the assembly contradicts them with some
+    "kowalevskaya-top": "that its vertical is a direction of length 1 its letters do not tell",
     "sleeping-top": "what grows slowly next to its least spin is not seen",
 }
 WRONG_WAY = """

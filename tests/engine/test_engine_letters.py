@@ -194,21 +194,9 @@ def in_cm(value: str) -> str:
     return f"{(Decimal(number) * 100).normalize():f} cm" if unit == "m" else value
 
 
-SYMMETRY_BY_NUMBERS = {  # answered in space as written, and refused where letters stand for what makes them symmetric, or upright
-    "cube-corner": "sides of one length, each a letter of its own",
-    "gyroscope-level": "a tilt of 90° that is a letter",
-    "hoop-that-stays-upright": "a tilt of 90° that is a letter",
-    "sleeping-top": "a tilt of 0° that is a letter",
-    "wheel-on-a-string": "a tilt of 90° that is a letter",
-    "wheel-that-stays-upright": "a tilt of 90° that is a letter",
-}
-
-
 @pytest.mark.parametrize("part", range(8))
 def test_a_letter_with_a_value_is_that_value_in_all_scenes(part: int) -> None:
     for file in FILES[part::8]:
-        if file.stem in SYMMETRY_BY_NUMBERS:
-            continue
         parts = sections(file.read_text(encoding="utf-8"))
         lettered, literal = with_letters(parts), "" if file.stem in ONE_LETTER else with_literals(parts)
         if lettered or literal:
