@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, add, multiply, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate, total
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor, displaced
@@ -217,9 +217,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def whole_tensor(self, name: str) -> InertiaTensor | None:
         """The inertia tensor about the centre of mass, in givens alone; None where the scene tells no more than one moment of it."""
         body, result = self.bodies[name], InertiaTensor()
-        if body.tensor is not None:
-            return body.tensor
         centre = self.centre(name)
+        if body.tensor is not None:
+            told = centre if body.inertia_about is None else self.spot(PointRef(name, body.inertia_about))
+            off = displaced(self.mass(name), way_between(told, centre)).times(negate(ONE))
+            return InertiaTensor(*(add(body.tensor.entry(word), off.entry(word)) for word in ENTRIES))
         for piece in self.pieces(name):
             if piece.tensor is None:
                 return None

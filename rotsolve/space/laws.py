@@ -31,6 +31,7 @@ from rotsolve.space.attitude import NODE, Attitude, Axes
 from rotsolve.space.inertia import CM, Tensors, in_axes, product
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
+from rotsolve.space.thin import unspun
 
 NODE_NAMES = {"x": "e₁", "y": "e₂", "z": "e₃"}
 
@@ -52,6 +53,7 @@ class SpaceLaws:
                 yield from list(self.of_body(name))
             except Unsolvable as error:
                 self.unwritten[name] = error
+            yield from unspun(self.moment, name)
         yield from self.grips()
         for owner, part in self.pushes.conditions:
             words = f"{spoken(owner)} turns freely about its axis"

@@ -270,6 +270,14 @@ class SpaceMoment:
             alpha = triple([self.ask("angular_acceleration", name, axis) for axis in AXES])
         return as_drawn(rows, omega, alpha, lost=self.lost(name))
 
+    def left_open(self, name: str) -> tuple[bool, bool]:
+        """Whether nothing tells how a body that no axis holds spins, and how fast that changes."""
+        if self.nods(name):
+            told = any(self.told(name, word) is not None for word in ("spin", "axial_rate"))
+            return not (told or self.rests(name)), True
+        turning, faster = (self.vector_told(name, word) for word in ("angular_velocity", "angular_acceleration"))
+        return turning is None and not self.rests(name), faster is None
+
     def in_own(self, rows: Rows, told: tuple[Triple, str, str], name: str) -> Triple:
         """A vector that a state tells, in a body's own axes."""
         vector, axes, _ = told

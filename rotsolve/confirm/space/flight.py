@@ -96,7 +96,7 @@ class Flight:
         """How fast all of them change."""
         moving = self.moving(numbers)
         now = moving.rates([0.0] * len(moving.moving.free))
-        equations, solved = moving.forced(now)
+        equations, solved = moving.forced(now, moving.idle)
         found = equations.named(solved.values)
         result: Numbers = []
         for number, name in enumerate(self.rig.bodies):

@@ -143,7 +143,7 @@ def compared_in_space(
     fits = [
         row for row in rows if close(answered, row, natural) or (loose and close(answered, turned_round(row), natural))
     ]
-    if fits and len(rows) > 1:
+    if fits and len(fits) < len(rows):
         return AnswerConfirmation(answer.name, None, SEVERAL, answered, fits[0])
     nearest = min(rows, key=lambda row: math.dist(row, answered))
     return verdict_of(answer.name, bool(fits), answered, (fits or [nearest])[0], hearing)

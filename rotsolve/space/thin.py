@@ -1,0 +1,57 @@
+"""Thin bodies: a rod has no inertia about its own axis. How it spins about that has no energy and no meaning: its ω is across it.
+
+n with I n = 0 is such an axis: where I has no products one of its own, else square to two rows of I. No body has more than one of them
+unless it is a point, since no principal moment is larger than the other two together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from rotsolve.algebra.formula import ZERO
+from rotsolve.core.equation import RULE, Equation
+from rotsolve.core.vectors.triple import Rows, Triple, X, Y, Z, cross_product, dot_product, rotated, tidied, unit_along
+from rotsolve.core.writing import spoken
+from rotsolve.space.arrangement import JointedBodies
+from rotsolve.space.moment import SpaceMoment
+
+WORDS = "{} is thin: it does not spin about its own axis"
+
+
+def thin_axis(held: JointedBodies, name: str) -> Triple | None:
+    """The direction, in a body's own axes, about which it has no inertia; None where there is none, or nothing tells."""
+    tensor = held.whole_tensor(name)
+    if tensor is None or held.pointlike(name):
+        return None
+    rows: Rows = (
+        (tensor.xx, tensor.xy, tensor.zx),
+        (tensor.xy, tensor.yy, tensor.yz),
+        (tensor.zx, tensor.yz, tensor.zz),
+    )
+    own = next((way for row, way in zip(rows, (X, Y, Z), strict=True) if all(map(held.vanishes, row))), None)
+    if own is not None or not held.vanishes(dot_product(rows[0], cross_product(rows[1], rows[2]))):
+        return own
+    for one, other in combinations(rows, 2):
+        normal = tidied(cross_product(one, other))
+        if not all(map(held.vanishes, normal)):
+            return tidied(unit_along(normal, held.signs.positive))
+    return None
+
+
+def unspun(moment: SpaceMoment, name: str) -> Iterator[Equation]:
+    """n · ω = 0 and n · ω̇ = 0 of a thin body, where no line of the state tells how it spins."""
+    if not all(joint.free for joint in moment.held.of_body(name)):
+        return
+    open_rates = moment.left_open(name)
+    if not any(open_rates):
+        return
+    way = thin_axis(moment.held, name)
+    if way is None:
+        return
+    own = moment.attitude(name)
+    along = rotated(own.own, way)
+    for rates, is_open in zip((own.omega, own.rates), open_rates, strict=True):
+        part = dot_product(along, rates)
+        if is_open and part.symbols():
+            yield RULE.equation(part, ZERO, moment.when, (name,), words=WORDS.format(spoken(name)))
