@@ -89,13 +89,20 @@ def perpendicular(spread: Spread) -> Told | None:
 
 def is_flat(spread: Spread) -> bool:
     """Whether all mass lies at the height of the point."""
-    return all(piece.shape.flat and is_zero(piece.height - spread.point[2]) for piece in spread.pieces)
+    return all(lies_flat(piece) and is_zero(piece.height - spread.point[2]) for piece in spread.pieces)
+
+
+def lies_flat(piece: RigidPiece) -> bool:
+    """Whether a piece lies square to z, as it is turned: then I_z = I_x + I_y about its centre."""
+    tensor = piece.tensor
+    turned = piece.rows is not None and tensor is not None and not is_zero(tensor.xx + tensor.yy - tensor.zz)
+    return piece.shape.flat and not turned
 
 
 def own(spread: Spread, piece: RigidPiece, entry: str) -> Told:
     """About the centre of mass of a shape, from the table; of a flat round one about a diameter by perpendicular axes."""
     tensor = piece.tensor
-    if tensor is not None and entry in ("xx", "yy") and piece.shape.flat and even(piece):
+    if tensor is not None and entry in ("xx", "yy") and lies_flat(piece) and even(piece):
         letter, defined = central(spread, piece, "zz")
         return Told(HALF * letter, "perpendicular axes, I_z = I_x + I_y, and I_x = I_y", (), defined)
     return Told(spread.tidy(entry_of(piece, entry)), f"moment of inertia, {noun(piece)}{about_axis(piece, entry)}")

@@ -33,7 +33,18 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
 from rotsolve.core.vectors.tensor import Place as Spot
-from rotsolve.core.vectors.triple import Rows, in_turn
+from rotsolve.core.vectors.triple import (
+    Rows,
+    X,
+    after,
+    aligning,
+    in_turn,
+    scaled_by,
+    tidied,
+    unit_along,
+    vector_sum,
+    way_between,
+)
 from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.shapes import Shape, rim_radius, rims, round_part, shape_of
@@ -188,14 +199,41 @@ def _cut(hole: Part, body: Body) -> tuple[RigidPiece, ...]:
 
 def _placed(part: Part, sign: Formula) -> tuple[RigidPiece, ...]:
     """The pieces of a part, turned and moved to its place."""
-    if part.turned:
-        at = part.at or ()
-        spot = tuple(at[index] if len(at) > index else ZERO for index in range(3))
-        rows = in_turn((item.about, item.by) for item in part.turned)
-        return tuple(piece.turned_in_space(rows, (spot[0], spot[1], spot[2]), sign) for piece in pieces(part.body))
+    rows = part_rows(part)
+    if rows is not None:
+        return tuple(piece.turned_in_space(rows, part_spot(part), sign) for piece in pieces(part.body))
     direction, origin = part_frame(part)
-    height = part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
+    height = part_spot(part)[2]
     return tuple(piece.moved(direction, origin, height, sign) for piece in pieces(part.body))
+
+
+def part_rows(part: Part) -> Rows | None:
+    """How a part is turned in space: by its `turned`, and from its start to its end where they differ in height; None within the plane."""
+    turned = in_turn((item.about, item.by) for item in part.turned)
+    if part.start is not None and part.end is not None:
+        start, end = with_height(part.start), with_height(part.end)
+        if part.turned or start[2] != end[2]:
+            return after(turned, aligning(X, unit_along(tidied(way_between(start, end)))))
+    return turned if part.turned else None
+
+
+def part_spot(part: Part) -> Spot:
+    """Where the centre of a part is, in the axes of the whole body."""
+    rows = part_rows(part)
+    if part.start is not None and part.end is not None:
+        return tidied(scaled_by(HALF, vector_sum(with_height(part.start), with_height(part.end))))
+    reach = part.body.shape.reach() if part.start is not None and part.body.shape is not None else None
+    if part.start is not None and reach is not None and rows is not None:
+        return vector_sum(with_height(part.start), rotated_in_space(rows, (reach / 2, ZERO, ZERO)))
+    if rows is not None or part.start is None:
+        return (ZERO, ZERO, ZERO) if part.at is None else with_height(part.at)
+    x, y = part_frame(part)[1].along(RIGHT), part_frame(part)[1].along(UP)
+    return (x, y, with_height(part.start)[2])
+
+
+def with_height(at: tuple[Formula, ...]) -> Spot:
+    """A place with its height, 0 where it has none."""
+    return (at[0], at[1], at[2] if len(at) > 2 else ZERO)
 
 
 def part_frame(part: Part) -> tuple[Heading, Vector]:

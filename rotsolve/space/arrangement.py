@@ -17,7 +17,7 @@ from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef
 from rotsolve.language.problem import Problem
 from rotsolve.language.shape import WHEEL
-from rotsolve.motion.rigid import RigidPiece, pieces
+from rotsolve.motion.rigid import RigidPiece, part_spot, pieces
 
 ANGLES = ("precession_angle", "tilt", "spin_angle")
 RATES = ("precession", "nutation", "spin")
@@ -106,9 +106,8 @@ class JointedBodies(Struct, frozen=True, dict=True):
         if ref.point == "cm":
             return self.centre(ref.owner)
         part = next((part for part in body.parts if part.body.name == ref.point), None)
-        if part is not None and part.at is not None:
-            x, y, *rest = part.at
-            return (x, y, rest[0] if rest else ZERO)
+        if part is not None:
+            return part_spot(part)
         shape = shape_of(body)
         if ref.point in ON_RIM or ref.point in rims(body):
             help = f"give `{ref.owner}` a point of its own: `points: {{NAME: [x, y, z]}}`, in its own axes"

@@ -11,7 +11,7 @@ from typing import Protocol
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula, add, multiply, negate
+from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import (
@@ -154,9 +154,18 @@ def in_own_axes(found: Attitude) -> Attitude:
     return as_drawn(rows, rotated(back, found.omega), rotated(back, found.alpha), lost=found.axes.lost)
 
 
+class HingeTurn(Struct, frozen=True):
+    """How far a body is turned about its hinge, how fast, and the rate of that; `lost` says that nothing tells how far."""
+
+    angle: Formula = ZERO
+    rate: Formula = ZERO
+    faster: Formula = ZERO
+    lost: str = ""
+
+
 def on_axle(carrier: Attitude, direction: Triple, spin: Formula, faster: Formula, own: Rows) -> Attitude:
     """A body that is symmetric about the axle on which another carries it, in the axes of that: ω = Ω + s n."""
-    axes = Axes(carrier.axes.name, carrier.axes.rows, carrier.omega, carrier.alpha)
+    axes = Axes(carrier.axes.name, carrier.axes.rows, carrier.omega, carrier.alpha, carrier.axes.lost)
     omega, rates = (
         vector_sum(carrier.omega, scaled_by(spin, direction)),
         vector_sum(carrier.alpha, scaled_by(faster, direction)),
@@ -164,14 +173,16 @@ def on_axle(carrier: Attitude, direction: Triple, spin: Formula, faster: Formula
     return Attitude(axes, own, omega, rates, direction)
 
 
-def hinged_on(carrier: Attitude, direction: Triple, angle: Formula, spin: Formula, faster: Formula) -> Attitude:
-    """A body on a hinge of another one, in its own axes: turned about the hinge by an angle, ω = Ω + s n, α = dΩ/dt + ṡ n + Ω × s n."""
-    inward = turn_about(direction, negate(angle))
-    relative = scaled_by(spin, direction)
-    omega = vector_sum(rotated(inward, carrier.omega), relative)
-    alpha = vector_sum(carrier.alpha, scaled_by(faster, direction), cross_product(carrier.omega, relative))
-    rows = after(carrier.axes.rows, turn_about(direction, angle))
-    return as_drawn(rows, omega, rotated(inward, alpha))
+def hinged_on(carrier: Attitude, drawn: Rows, direction: Triple, turn: HingeTurn) -> Attitude:
+    """A body on a hinge of another one, in its own axes: drawn so in those of that, turned on about the hinge, which lies along a
+    direction in its own axes: ω = Ω + s n, α = dΩ/dt + ṡ n + Ω × s n."""
+    inward = after(turn_about(direction, negate(turn.angle)), transposed(drawn))
+    swept, relative = rotated(inward, carrier.omega), scaled_by(turn.rate, direction)
+    alpha = vector_sum(
+        rotated(inward, carrier.alpha), scaled_by(turn.faster, direction), cross_product(swept, relative)
+    )
+    rows = after(after(carrier.axes.rows, drawn), turn_about(direction, turn.angle))
+    return as_drawn(rows, vector_sum(swept, relative), alpha, lost=carrier.axes.lost or turn.lost)
 
 
 def permutation(axis: Triple) -> Rows:

@@ -69,6 +69,18 @@ class Tensors(Struct):
             value = value.substitute(told)
         return simplify(value, positive=self.positive)
 
+    def behind(self, value: Formula) -> tuple[Equation, ...]:
+        """The steps that define the letters of a formula, and those of what they stand for."""
+        told = {step.left.name: step for step in self.steps if isinstance(step.left, Symbol)}
+        found: dict[Equation, None] = {}
+        pending = sorted(told.keys() & value.symbols())
+        while pending:
+            step = told[pending.pop()]
+            if step not in found:
+                found[step] = None
+                pending += sorted(told.keys() & step.right.symbols())
+        return tuple(found)
+
     def letter(self, name: str, word: str, spot: str, formula: Formula, label: str, shifts: bool = False) -> Formula:
         """A letter for an entry, with what it stands for."""
         where = "" if spot == CM else f"_{spot}"

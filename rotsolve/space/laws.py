@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.exact.normal import coefficients, is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
     ANGULAR_MOMENTUM_IN_SPACE,
@@ -23,7 +23,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, vector_sum
+from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, scaled_by, vector_sum
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.arrangement import RATES
@@ -95,6 +95,16 @@ class SpaceLaws:
             return NOTHING, joint.body.point or "center"
         return self.moment.arm(PointRef(name, CM)), CM
 
+    def pivot(self, name: str) -> tuple[Triple, str, Triple]:
+        """The point about which the law of rotation is written, from the reference, its name, and its acceleration.
+
+        A ball joint that is led along is one too: in axes that go with it −M a acts at the centre of mass, as the weight does.
+        """
+        moment, joint = self.moment, self.moment.held.main(name)
+        if joint is not None and joint.free and not self.fixed(name) and moment.held.bodies[joint.carrier.owner].moved:
+            return NOTHING, joint.body.point or "center", moment.reference_acceleration(name)
+        return *self.about(name), NOTHING
+
     def tensor(self, name: str, point: str) -> InertiaTensor:
         """The tensor of a body about one of its points, in the axes of its attitude."""
         held, own = self.moment.held, self.moment.attitude(name)
@@ -138,16 +148,20 @@ class SpaceLaws:
 
     def rotation(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
         """dL/dt = Στ: the components of L as letters, then the law along each axis."""
-        own, (place, point) = self.moment.attitude(name), self.about(name)
-        tensor = self.tensor(name, point)
+        own, (place, point, led) = self.moment.attitude(name), self.pivot(name)
+        tensor, other = self.tensor(name, point), self.about(name)[1]
         letters, defined = self.letters_of(name, tensor, own, point)
         yield from defined
+        if other != point:
+            yield from self.letters_of(name, self.tensor(name, other), own, other)[1]
         changes = product(tensor, own.rates)
         turning = cross_product(own.axes.rate, letters)
         torque = NOTHING
         for push in pushes:
             torque = vector_sum(torque, push.torque(place))
-        where = f" about its {'centre of mass' if point == CM else spoken(point)}"
+        felt = scaled_by(negate(self.moment.held.mass(name)), led)
+        torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
+        where = f" about its {'centre of mass' if point == CM else spoken(point)}{'' if led == NOTHING else ', which is led along'}"
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
             if (left, change, across) == (ZERO, ZERO, ZERO):
                 continue
@@ -189,7 +203,9 @@ class SpaceLaws:
         found, defined = [], []
         where = f" about its {'centre of mass' if point == CM else spoken(point)}"
         for axis, value in zip(AXES, product(tensor, own.omega), strict=True):
-            if value == ZERO or self.sought(value):
+            if (
+                value == ZERO or self.sought(value) or self.moment.held.bodies[name].moved
+            ):  # of what is led no law is written
                 found.append(value)
                 continue
             index = {"x": "1", "y": "2", "z": "3"}[axis] if own.axes.name == NODE else axis

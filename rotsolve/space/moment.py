@@ -48,6 +48,7 @@ from rotsolve.space.attitude import (
     NODE,
     Attitude,
     Axes,
+    HingeTurn,
     Nodding,
     as_drawn,
     at_rest_in,
@@ -72,6 +73,7 @@ class SpaceMoment:
         self.positive, self.order, self.signs = known.positive, known.order, known.signs
         self.when = state.name
         self.before: SpaceMoment | None = None  # the moment before an event that leads to this one
+        self.first = True  # whether the scene begins with it
         self.later = False  # whether time has passed since the first state
         self.used: set[int] = set()  # the lines of the state that something has read, by their places
 
@@ -102,6 +104,14 @@ class SpaceMoment:
                 self.used.add(number)
                 return True
         return False
+
+    def now(self, value: Formula) -> Formula:
+        """A formula of the time at this moment; by t where the first state does not tell it."""
+        if self.first and TIME in value.symbols():
+            clock = self.line("", "time")
+            if clock is not None and clock.value is not None:
+                return value.substitute({TIME: clock.value})
+        return value
 
     def told(self, owner: str, word: str) -> Formula | None:
         """The value that the state gives to a quantity of a body."""
@@ -158,13 +168,13 @@ class SpaceMoment:
         if joint is None or joint.free:
             if self.nods(name):
                 return self._nods(name)
-            return self._anyhow(name)
+            return self._led(name, ()) if body.moved else self._anyhow(name)
         carrier = held.carrier(name)
         base = self.attitude(carrier) if carrier else at_rest_in(AS_DRAWN)
         if carrier and self.held.wheel(carrier):
             base = in_own_axes(base)
         if not joint.turning:
-            return hinged_on(base, Z, ZERO, ZERO, ZERO)
+            return hinged_on(base, self.turned(name), Z, HingeTurn())
         return self._about_axis(name, joint, base, bool(carrier))
 
     def turned(self, name: str) -> Rows:
@@ -173,10 +183,11 @@ class SpaceMoment:
 
     def nods(self, name: str) -> bool:
         """Whether the scene speaks of a body's tilt, precession or spin."""
-        return name in self.held.nodding and self.held.carrier(name) == ""
+        joint = self.held.main(name)
+        return name in self.held.nodding and (joint is None or joint.free or self.held.carrier(name) == "")
 
     def _led(self, name: str, led: Sequence[tuple[str, str, Formula]]) -> Attitude:
-        """A body whose angular velocity is prescribed, in space axes; its rate is its derivative by time."""
+        """A body whose angular velocity is prescribed, in space axes, with its rate; what is only led along does not turn."""
         parts = {(word, axis): value for word, axis, value in led}
         omega, alpha = (
             triple([parts.get((word, axis), ZERO) for axis in AXES])
@@ -186,6 +197,7 @@ class SpaceMoment:
             alpha = triple([differentiate(part, TIME) for part in omega])
         rows = self.turned(name)
         back = transposed(rows)
+        omega, alpha = (triple([self.now(part) for part in vector]) for vector in (omega, alpha))
         return as_drawn(rows, rotated(back, omega), rotated(back, alpha))
 
     def _nods(self, name: str) -> Attitude:
@@ -287,7 +299,7 @@ class SpaceMoment:
         """A body on a hinge or an axle."""
         direction = self.direction(name, joint)
         axis = self.held.axis(name) if self.held.wheel(name) else None
-        word = "spin" if on_body and axis is not None else "angular_velocity"
+        word = "spin" if on_body and joint.aligned else "angular_velocity"
         rate, faster = self._driven(name, joint, word)
         if axis is not None:
             if not self.held.symmetric(name, axis):
@@ -295,9 +307,12 @@ class SpaceMoment:
                 raise Unsolvable(f"`{name}` is not symmetric about its axle", span=joint.body.span, help=help)
             return on_axle(base, direction, rate, faster, aligning(axis, direction))
         driven = dict(joint.drive).get("angle")
-        angle = driven if driven is not None else self.told(name, "angle")
+        angle = self.now(driven) if driven is not None else self.told(name, "angle")
         if on_body:
-            return hinged_on(base, direction, ZERO if angle is None else angle, rate, faster)
+            lost = "" if angle is not None else self.lost(name)
+            return hinged_on(
+                base, self.turned(name), direction, HingeTurn(ZERO if angle is None else angle, rate, faster, lost)
+            )
         rows, lost = self.turned(name), ""
         if angle is not None:
             rows = after(rows, turn_about(direction, angle))
@@ -308,7 +323,7 @@ class SpaceMoment:
     def direction(self, name: str, joint: Joint) -> Triple:
         """The axis of a joint in the axes of its body as it is drawn: an axle is told in those of what carries it."""
         way = unit_along(joint.turning[0], self.positive)
-        if joint.aligned and not self.held.wheel(name) and not self.held.carrier(name):
+        if joint.aligned and not self.held.wheel(name):
             return rotated(transposed(self.turned(name)), way)
         return way
 
@@ -329,7 +344,9 @@ class SpaceMoment:
         if "angle" in drive:
             rate = differentiate(drive["angle"], TIME)
         if rate is None:
-            rate = ZERO if self.rests(name) else self.told(name, word)
+            words = (word, "angular_velocity") if joint.aligned else (word,)
+            told = (self.told(name, item) for item in words)
+            rate = ZERO if self.rests(name) else next((item for item in told if item is not None), None)
         elif faster is None:
             faster = differentiate(rate, TIME)
         if rate is None:
@@ -337,7 +354,7 @@ class SpaceMoment:
         if faster is None:
             given = self.told(name, "angular_acceleration")
             faster = given if given is not None else self.rate_of(word, name)
-        return rate, faster
+        return self.now(rate), self.now(faster)
 
     # points
 
@@ -416,7 +433,7 @@ class SpaceMoment:
                 parts = [led.get((order[back], axis), ZERO) for axis in AXES]
                 for _ in range(order.index(word) - back):
                     parts = [differentiate(part, TIME) for part in parts]
-                return triple(parts)
+                return triple([self.now(part) for part in parts])
         frame = frame_of(self, name)
         if frame:
             relative = Relative(self, name, frame)
@@ -431,8 +448,10 @@ class SpaceMoment:
         if told is not None:
             vector, seen, _ = told
             return self.named_axes(seen, name).to(IN_SPACE, vector)
-        if word == "acceleration" and self.state.steady and not self.held.of_body(name):
-            return NOTHING
+        if self.held.bodies[name].moved or (
+            word == "acceleration" and self.state.steady and not self.held.of_body(name)
+        ):
+            return NOTHING  # what is only led round goes nowhere
         return triple([self.ask(word, name, axis) for axis in AXES])
 
     def up(self, name: str) -> Triple:

@@ -192,6 +192,7 @@ class Pushes:
             vector = scaled_by(strength, unit_along(way, self.moment.positive))
         else:
             vector = None
+        vector = None if vector is None else triple([self.moment.now(part) for part in vector])
         if action.twists():
             axis = self.moment.symmetry_axis(ref.owner)
             if vector is None and axis is None:

@@ -100,7 +100,8 @@ class SpaceReader:
             raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
-        return replace(meaning, label=meaning.label or label_of(plainly_named(path), term))
+        laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
+        return replace(meaning, label=meaning.label or label_of(plainly_named(path), term), laws=tuple(laws))
 
     # vectors
 

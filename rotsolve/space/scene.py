@@ -60,6 +60,7 @@ class SpaceEquations(SceneEquations, dict=True):
             moment = SpaceMoment(self.held, self.registry, state, self.configuration)
             pushes = Pushes(moment, problem.gravity, problem.actions)
             found[state.name] = SpaceLaws(moment, pushes, self.tensors, fast="fast spin" in problem.assume)
+            moment.first = state is self.configuration.timeline.states[0]
             before = self.configuration.timeline.before(state.name)
             if before is not None:
                 moment.later = before.event is None or found[before.start].moment.later

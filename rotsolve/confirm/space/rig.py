@@ -132,6 +132,15 @@ class Lines:
         self.steady = state is not None and state.steady
         self.balance = state is not None and state.balance
 
+    @cached_property
+    def later(self) -> bool:
+        """Whether time has passed since the first state, at which all stands as it is drawn: through a blow none does."""
+        names, name = [state.name for state in self.rig.problem.states], self.name
+        before = {event.to: event.from_ or "" for event in self.rig.problem.events}
+        while name in before:
+            name = before[name]
+        return name in names[1:]
+
     def line(self, owner: str, word: str, component: str = "", point: str | None = None) -> Condition | None:
         for line in self.lines:
             path = line.path

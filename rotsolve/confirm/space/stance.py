@@ -38,6 +38,7 @@ from rotsolve.language.bodies import Joint, PointRef
 
 SIDES = {"bottom": 1.0, "top": -1.0}
 ON_AXIS = 1e-9  # how nearly two directions are one
+ASKEW = (2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0)  # a direction that means nothing
 
 
 class Nodes(Struct, frozen=True):
@@ -49,7 +50,7 @@ class Nodes(Struct, frozen=True):
 
 
 class Stance:
-    """All rotations and places at a state; `open` are tilts that nothing tells, each with a number that means nothing."""
+    """All rotations and places at a state; `open` are bodies of which nothing tells how they stand, each turned by some number."""
 
     def __init__(self, rig: Rig, lines: Lines, guess: float = 0.7) -> None:
         self.rig, self.lines, self.guess = rig, lines, guess
@@ -83,7 +84,7 @@ class Stance:
             upright = self.lines.arrow_told(name, "vertical")
             if upright is not None:
                 return least_turn(normed(upright[0]), Z)
-            return self._nodding(name) if self.lines.nods(name) else drawn
+            return self._nodding(name) if self.lines.nods(name) else self._anyhow(name, drawn)
         base = self.base(joint)
         if not joint.turning:
             return product_of(base, drawn)
@@ -93,6 +94,13 @@ class Stance:
                 return product_of(product_of(base, rotation_about(way, angle)), drawn)
             return product_of(product_of(base, drawn), rotation_about(way, angle))
         return product_of(product_of(base, rotation_about(way, angle)), self._on_axle(name, way, drawn))
+
+    def _anyhow(self, name: str, drawn: Turned) -> Turned:
+        """A body that may turn about any axis: as it is drawn until time has passed, and in a steady state, which not all stances allow."""
+        if not self.lines.later or self.lines.steady:
+            return drawn
+        self.open.add(name)
+        return product_of(rotation_about(ASKEW, self.guess), drawn)
 
     def _on_axle(self, name: str, way: Arrow, drawn: Turned) -> Turned:
         """A body on an axle: as it is drawn, or with its axis put along the axle."""
@@ -109,7 +117,11 @@ class Stance:
         if "angle" in drive:
             return self.rig.over_time(drive["angle"])[0]
         told = (self.lines.told(owner, "angle") for owner in (joint.body.owner, joint.owner))
-        return next((angle for angle in told if angle is not None), 0.0)
+        angle = next((angle for angle in told if angle is not None), None)
+        if angle is None and self.lines.later:
+            self.open.add(joint.body.owner)
+            return self.guess
+        return angle or 0.0
 
     def euler(self, name: str) -> tuple[float, float, float]:
         """φ, θ and ψ; φ = ψ = 0 where nothing tells them."""
