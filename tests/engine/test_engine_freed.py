@@ -19,7 +19,6 @@ FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent /
 PARTS = 8
 WITHHELD = {  # in space, answered in numbers; in letters refused by name, or withheld since the assembly contradicts them with some
     "kowalevskaya-top": "that its vertical is a direction of length 1 its letters do not tell",
-    "sleeping-top": "what grows slowly next to its least spin is not seen",
 }
 WRONG_WAY = """
 given: {m: 2 kg, F: 30 N, mu: 0.2}

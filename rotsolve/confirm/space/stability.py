@@ -1,8 +1,9 @@
 """Stability: what small disturbances of a steady motion of one body do, from its equations of motion made linear in them, in numbers.
 
 With a small rotation η away from the motion and a change δω of its angular velocity, in axes that turn at Ω and from which the motion looks
-the same at all times: η̇ = δω + (ω − Ω) × η and δω̇ = ∂α/∂η η + ∂α/∂ω δω − Ω × δω. Of a free body only its own components of ω change:
-ω̇ = ∂α/∂ω δω, however it is turned. The eigenvalues λ tell what grows.
+the same at all times: η̇ = δω + S η with S = (ω − Ω) ×, and δω̇ = A η + B δω with A = ∂α/∂η, B = ∂α/∂ω − Ω ×. In η and its rate,
+η̈ = (A − B S) η + (B + S) η̇: a fast spin, of which nothing grows, cancels there before it can hide what grows slowly.
+Of a free body only its own components of ω change: ω̇ = ∂α/∂ω δω, however it is turned. The eigenvalues λ tell what grows.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from collections.abc import Callable, Sequence
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.space.arrows import (
     ALONG,
+    STILL,
     Arrow,
     Turned,
     arrow_length,
@@ -29,6 +31,7 @@ from rotsolve.confirm.space.ties import EULER, TURNING, of_turning, three_ties
 from rotsolve.confirm.space.worlds import Moving, World
 
 TURN = 1e-4  # of the rotation by which derivatives are found, by differences to the fourth order
+UPRIGHT = 1e-9  # how nearly an axis stands upright
 GROWS = 1e-3  # of the largest rate: what grows no faster is as it is by rounding
 ITERATIONS = 200
 
@@ -49,13 +52,24 @@ def found_eigenvalues(world: World, name: str) -> list[complex]:
     motion, free = motion_of(rig, name), all(name != joint.body.owner for joint in rig.joints.values())
     if not free and not world.stance.lines.nods(name):
         raise NotConfirmed("the stability of what is held and does not nod")
-    frame = omega if free else scaled(world.now.one(EULER, name, 0), ALONG[2])
+    frame = omega if free else axes_rate(world, name, omega)
     if arrow_length(less(motion(turned, omega), crossed(frame, omega))) > 1e-7 * (1.0 + arrow_length(omega) ** 2):
         raise NotConfirmed("the stability of what is not steady")
     if free:
         columns = rate_slopes(motion, turned, omega)
         return eigenvalues([[column[i] for column in columns] for i in range(3)])
     return eigenvalues(made_linear(motion, turned, omega, frame))
+
+
+def axes_rate(world: World, name: str, omega: Arrow) -> Arrow:
+    """The rate of axes from which a steady motion looks the same at all times: those of its precession; where its axis stands upright, at
+    rest if it is the same all round, else its own."""
+    third, rig = world.stance.nodes(name).third, world.stance.rig
+    if math.hypot(third[0], third[1]) > UPRIGHT:
+        return scaled(world.now.one(EULER, name, 0), ALONG[2])
+    axis = rig.axis(name) or ALONG[2]
+    way = max(range(3), key=lambda k: abs(axis[k]))
+    return STILL if rig.symmetric(name, way) else omega
 
 
 def motion_of(rig: Rig, name: str) -> Motion:
@@ -77,17 +91,17 @@ def motion_of(rig: Rig, name: str) -> Motion:
 
 
 def made_linear(motion: Motion, turned: Turned, omega: Arrow, frame: Arrow) -> Matrix:
-    """The matrix of (η, δω)."""
-    rows: Matrix = [[0.0] * 6 for _ in range(6)]
+    """The matrix of (η, η̇)."""
     by_rates = rate_slopes(motion, turned, omega)
+    by_rates = [less(column, crossed(frame, way)) for column, way in zip(by_rates, ALONG, strict=True)]
+    rows: Matrix = [[float(j == i + 3) for j in range(6)] for i in range(6)]
     for k, way in enumerate(ALONG):
-        slide, swept = crossed(less(omega, frame), way), crossed(frame, way)
+        slide = crossed(less(omega, frame), way)
         by_turn = slope(lambda h, way=way: motion(product_of(rotation_about(way, h), turned), omega), TURN)  # type: ignore[misc]
+        carried = sum_of(*(scaled(part, column) for part, column in zip(slide, by_rates, strict=True)))
         for i in range(3):
-            rows[i][k] = slide[i]
-            rows[i][3 + k] = float(i == k)
-            rows[3 + i][k] = by_turn[i]
-            rows[3 + i][3 + k] = by_rates[k][i] - swept[i]
+            rows[3 + i][k] = by_turn[i] - carried[i]
+            rows[3 + i][3 + k] = by_rates[k][i] + slide[i]
     return rows
 
 

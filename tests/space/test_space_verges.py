@@ -1,0 +1,66 @@
+"""The edge of stability as the assembly finds it: the least spin of an upright top, however little inertia it has about its axis.
+
+ω₃ = 2 √(I₁ M g l)/I₃ (Goldstein, Poole & Safko, Classical Mechanics, §5.7); a number beside it, larger or smaller, is not taken for it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.confirm.course.samples import sets_of_numbers
+from rotsolve.confirm.space.hearing import Hearing
+from rotsolve.confirm.space.inquiry import Inquiry
+from rotsolve.confirm.space.stability import eigenvalues_of
+from rotsolve.pipeline import solve
+from rotsolve.scene.read import read_text
+from rotsolve.space.complete import configured_in_space
+
+TOP = """title: T
+up: z
+given: {{M: {mass}, l: {length}, A: {across}, C: {axial}, g: 9.8 m/s^2, w: unknown}}
+bodies: {{top: {{mass: M, inertia: {{about: tip, principal: [A, A, C]}}, axis: z, points: {{tip: [0, 0, -l]}}}}}}
+connections: {{floor: {{ball: top.tip}}}}
+states: {{up: {{top.tilt: 0 deg, top.axial_rate: w, steady: true}}}}
+find: {{w_0: smallest w where up is stable}}
+"""
+RATIOS = (1.4, 0.7, 0.05, 1e-3, 1e-5)  # I₃/I₁
+BESIDE = (0.9, 0.99, 0.998, 1.002, 1.01, 1.1)
+
+
+def least_spin(axial: float) -> tuple[Hearing, float]:
+    scene = TOP.format(mass="0.2 kg", length="5 cm", across="2e-3 kg m^2", axial=f"{axial!r} kg m^2")
+    problem = configured_in_space(read_text(scene)).problem
+    return Hearing(problem, next(iter(sets_of_numbers(problem))), {}), 2 * math.sqrt(2e-3 * 0.2 * 9.8 * 0.05) / axial
+
+
+@pytest.mark.parametrize("ratio", RATIOS)
+def test_the_least_spin_is_told_from_numbers_beside_it(ratio: float) -> None:
+    hearing, own = least_spin(ratio * 2e-3)
+    find = hearing.problem.finds[0]
+    assert hearing.under_condition(find, own) == own
+    for share in BESIDE:
+        assert abs(hearing.under_condition(find, share * own) / (share * own) - 1) > 0.01, share
+
+
+@pytest.mark.parametrize("ratio", RATIOS)
+def test_a_small_lean_goes_as_the_roots_say(ratio: float) -> None:
+    """I₁ σ² − I₃ ω₃ σ + M g l = 0, at a spin half as large again as the least one, and at half of it."""
+    hearing, own = least_spin(ratio * 2e-3)
+    for share in (1.5, 0.5):
+        inquiry = Inquiry(hearing.problem, {**hearing.known, "w": share * own}, {})
+        found = eigenvalues_of(inquiry.ways("up")[0].worlds[0], "top")
+        middle, half = share * math.sqrt(49.0), math.sqrt(49.0 * abs(share**2 - 1))  # M g l/I₁ = 49/s²
+        sizes = [middle - half, middle + half] if share > 1 else [7.0]
+        for root in found:
+            near = [abs(abs(root) - size) for size in (0.0, *sizes)]
+            assert min(near) < 1e-4 * 7.0, found
+        grows = max(root.real for root in found)
+        assert grows == pytest.approx(half if share < 1 else 0.0, abs=1e-4)
+
+
+def test_letters_have_their_least_spin() -> None:
+    scene = TOP.format(mass="kg", length="m", across="kg m^2", axial="kg m^2").replace("g: 9.8 m/s^2, ", "")
+    derivation = solve(scene).complete().derivation
+    assert [item.holds for item in derivation.confirmed] == [True]
