@@ -7,11 +7,21 @@ a = a_frame + Ω̇ × r + Ω × (Ω × r) + 2 Ω × v_rel + a_rel (Goldstein, Po
 from __future__ import annotations
 
 from rotsolve.algebra.formula import ONE, Formula, multiply, negate
-from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, scaled_by, triple, vector_sum
-from rotsolve.language.bodies import PointRef
+from rotsolve.core.vectors.triple import (
+    AXES,
+    NOTHING,
+    Triple,
+    cross_product,
+    scaled_by,
+    triple,
+    vector_sum,
+    way_between,
+)
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.space.attitude import Axes, MovingBodies
+from rotsolve.space.sliding import moved_in
 
 TWO = 2 * ONE
 
@@ -25,16 +35,28 @@ class Relative:
         held = moment.attitude(frame)
         self.omega = held.axes.to(self.axes, held.omega)
         self.alpha = held.axes.to(self.axes, held.alpha)
-        self.place = self._told("position") or NOTHING
-        self.slip = self._told("velocity") or NOTHING
+        joint = moment.held.main(name)
+        self.guide = joint if joint is not None and joint.sliding and joint.carrier.owner == frame else None
+        self.place = self._held_place(self.guide) if self.guide is not None else self._told("position") or NOTHING
+        self.slip = (
+            moved_in(self.guide, moment, "velocity") if self.guide is not None else self._told("velocity") or NOTHING
+        )
 
     def _told(self, word: str) -> Triple | None:
         told = self.moment.vector_told(self.name, word)
         return told[0] if told is not None and told[2] == self.frame else None
 
+    def _held_place(self, guide: Joint) -> Triple:
+        """Where the centre of mass of a body is that slides along the frame, at the point at which it is held there."""
+        held, own = self.moment.held, self.moment.own_axes(self.name)
+        off = way_between(held.spot(guide.body), held.centre(self.name))
+        return vector_sum(held.spot(guide.carrier), own.to(self.axes, off))
+
     @property
     def faster(self) -> Triple:
         """The relative acceleration: as told, none in a steady state or where the body rests in the frame, else letters."""
+        if self.guide is not None:
+            return moved_in(self.guide, self.moment, "acceleration")
         told = self._told("acceleration")
         if told is not None:
             return told
@@ -63,16 +85,23 @@ class Relative:
         )
 
     def felt(self, which: str, mass: Formula) -> Triple:
-        """An inertial force."""
+        """An inertial force; r is taken from the point at which the frame is held at rest, else from its centre."""
+        held = self.moment.held
+        joint = held.main(self.frame)
+        at_rest = joint is not None and joint.carrier.owner not in held.bodies and not joint.sliding
+        arm = way_between(held.spot(joint.body), self.place) if joint is not None and at_rest else self.place
         if which == "centrifugal":
-            return scaled_by(negate(mass), cross_product(self.omega, cross_product(self.omega, self.place)))
+            return scaled_by(negate(mass), cross_product(self.omega, cross_product(self.omega, arm)))
         if which == "euler":
-            return scaled_by(negate(mass), cross_product(self.alpha, self.place))
+            return scaled_by(negate(mass), cross_product(self.alpha, arm))
         return scaled_by(negate(multiply(TWO, mass)), cross_product(self.omega, self.slip))
 
 
 def frame_of(moment: MovingBodies, name: str) -> str:
-    """The body relative to which a state tells the motion of another; '' where it does not."""
+    """The body along which another slides, or relative to which a state tells its motion; '' where there is none."""
+    joint = moment.held.main(name)
+    if joint is not None:
+        return joint.carrier.owner if joint.sliding and joint.carrier.owner in moment.held.bodies else ""
     for word in ("position", "velocity", "acceleration"):
         told = moment.vector_told(name, word)
         if told is not None and told[2]:

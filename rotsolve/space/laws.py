@@ -55,8 +55,7 @@ class SpaceLaws:
                 self.unwritten[name] = error
             yield from unspun(self.moment, name)
         yield from self.grips()
-        for owner, part in self.pushes.conditions:
-            words = f"{spoken(owner)} turns freely about its axis"
+        for words, part in self.pushes.conditions:
             yield RULE.equation(part, ZERO, self.moment.when, words=words)
 
     def grips(self) -> Iterator[Equation]:
@@ -86,7 +85,7 @@ class SpaceLaws:
     def fixed(self, name: str) -> bool:
         """Whether the point about which a body turns is at rest."""
         joint = self.moment.held.main(name)
-        return joint is not None and joint.carrier.owner not in self.moment.held.bodies
+        return joint is not None and joint.carrier.owner not in self.moment.held.bodies and not joint.sliding
 
     def about(self, name: str) -> tuple[Triple, str]:
         """The point about which the law of rotation is written, from the reference, and its name."""

@@ -61,6 +61,7 @@ from rotsolve.space.attitude import (
 )
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.rolling import centre_acceleration, centre_velocity
+from rotsolve.space.sliding import slid
 
 SECOND = "rate of "  # in front of the word of a rate: how fast that changes
 
@@ -300,7 +301,7 @@ class SpaceMoment:
         direction = self.direction(name, joint)
         axis = self.held.axis(name) if self.held.wheel(name) else None
         word = "spin" if on_body and joint.aligned else "angular_velocity"
-        rate, faster = self._driven(name, joint, word)
+        rate, faster = self.driven(name, joint, word)
         if axis is not None:
             if not self.held.symmetric(name, axis):
                 help = "a wheel on an axle is symmetric about it; hold other bodies by a `hinge`"
@@ -323,7 +324,7 @@ class SpaceMoment:
     def direction(self, name: str, joint: Joint) -> Triple:
         """The axis of a joint in the axes of its body as it is drawn: an axle is told in those of what carries it."""
         way = unit_along(joint.turning[0], self.positive)
-        if joint.aligned and not self.held.wheel(name):
+        if joint.sliding or (joint.aligned and not self.held.wheel(name)):
             return rotated(transposed(self.turned(name)), way)
         return way
 
@@ -335,9 +336,9 @@ class SpaceMoment:
         """How fast a body spins on the axle on which another one carries it; None of others."""
         joint = self.held.main(name)
         carried = joint is not None and joint.aligned and self.held.carrier(name) != ""
-        return self._driven(name, joint, "spin")[0] if carried and joint is not None else None
+        return self.driven(name, joint, "spin")[0] if carried and joint is not None else None
 
-    def _driven(self, name: str, joint: Joint, word: str) -> tuple[Formula, Formula]:
+    def driven(self, name: str, joint: Joint, word: str) -> tuple[Formula, Formula]:
         """The rate of a body about its hinge or axle and how fast that changes: as it is driven, as the state tells, else letters."""
         drive = dict(joint.drive)
         rate, faster = drive.get("angular_velocity"), drive.get("angular_acceleration")
@@ -413,15 +414,26 @@ class SpaceMoment:
         joint = self.held.main(name)
         axes = self.axes(name)
         if joint is not None:
-            if joint.sliding:
-                raise Unsolvable(
-                    f"the motion of what `{joint.owner}` lets slide is not solved yet", span=joint.body.span
-                )
-            if joint.carrier.owner not in self.held.bodies:
-                return NOTHING
-            moved = self.velocity(joint.carrier) if word == "velocity" else self.acceleration(joint.carrier)
-            return self.axes(joint.carrier.owner).to(axes, moved)
+            return vector_sum(self._of_carrier(name, joint, word), self._slid(name, joint, word))
         return IN_SPACE.to(axes, self.of_centre(name, word))
+
+    def _of_carrier(self, name: str, joint: Joint, word: str) -> Triple:
+        """Of the point of what carries a body at which it is held, in the axes of the body."""
+        if joint.carrier.owner not in self.held.bodies:
+            return NOTHING
+        moved = self.velocity(joint.carrier) if word == "velocity" else self.acceleration(joint.carrier)
+        return self.axes(joint.carrier.owner).to(self.axes(name), moved)
+
+    def _slid(self, name: str, joint: Joint, word: str) -> Triple:
+        """What it adds that a joint lets its body slide."""
+        if not joint.sliding:
+            return NOTHING
+        if self.later:
+            message = f"where `{name}` is on `{joint.owner}` at `{self.when}` nothing tells"
+            raise Unsolvable(
+                message, span=joint.body.span, help="ask at the first state, at which it is where it is drawn"
+            )
+        return slid(joint, self, word)
 
     @remembered
     def of_centre(self, name: str, word: str) -> Triple:
@@ -484,6 +496,6 @@ class SpaceMoment:
         """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""
         own = self.attitude(name)
         if own.axes.name != NODE:
-            return Axes(BODY, after(own.axes.rows, own.own), own.omega, own.rates)
+            return Axes(BODY, after(own.axes.rows, own.own), own.omega, own.rates, own.axes.lost)
         rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
         return Axes(BODY, rows)

@@ -8,7 +8,9 @@ A blow J at r changes M v by J and L by r × J.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.equation import BLOWS, CONSERVATION, MOMENTUM, RULE, TWISTS, Equation
@@ -30,12 +32,13 @@ from rotsolve.core.vectors.triple import (
     way_between,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE, NODE
 from rotsolve.space.energies import height_above, kinetic_energies
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.sliding import free_of_force
 
 Pairing = tuple[Formula, Formula]
 
@@ -147,6 +150,15 @@ def own_momentum(laws: SpaceLaws, name: str) -> Triple:
     return laws.momentum(name, laws.about(name)[1])
 
 
+class Shock(Struct, frozen=True):
+    """An impulse on a body at an arm from its reference, and an angular impulse; `nothing` are sums of their parts that vanish."""
+
+    push: Triple
+    arm: Triple
+    twist: Triple = NOTHING
+    nothing: tuple[Formula, ...] = ()
+
+
 def through(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
     """What a blow changes; a body that it does not touch moves on as it did."""
     event = interval.event
@@ -156,49 +168,62 @@ def through(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator
     for name in before.moment.held.order:
         if before.moment.held.bodies[name].moved:
             continue
-        force = IN_SPACE.to(before.moment.axes(name), blow) if ref.owner == name else NOTHING
-        yield from laws_of_blow(name, interval, ref, force, before, after)
+        shocks = list(joint_shocks(name, before))
+        if ref.owner == name:
+            shocks.append(Shock(IN_SPACE.to(before.moment.axes(name), blow), before.moment.arm(ref)))
+        yield from laws_of_blow(name, interval, shocks, before, after)
 
 
 def laws_of_blow(
-    name: str, interval: Interval, ref: PointRef, blow: Triple, before: SpaceLaws, after: SpaceLaws
+    name: str, interval: Interval, shocks: Sequence[Shock], before: SpaceLaws, after: SpaceLaws
 ) -> Iterator[Equation]:
     """M (v′ − v) = Σ J and L′ − L = Σ r × J of a body, about the point that its joint holds, else its centre of mass."""
-    moment, held = before.moment, before.moment.held
-    joint, (place, point) = held.main(name), before.about(name)
-    impulse, twist = joint_impulse(name, before)
+    held, (place, point) = before.moment.held, before.about(name)
     centres = [laws.moment.velocity(PointRef(name, CM)) for laws in (before, after)]
     gained = scaled_by(held.mass(name), way_between(centres[0], centres[1]))
-    for left, right in zip(vector_sum(blow, impulse), gained, strict=True):
+    for left, right in zip(vector_sum(*(item.push for item in shocks)), gained, strict=True):
         if left != right:
             yield BLOWS.equation(left, right, interval.name, (name,))
+    for part in (part for item in shocks for part in item.nothing):
+        words = f"{spoken(name)} moves freely along or about its axis"
+        yield RULE.equation(part, ZERO, interval.name, (name,), words=words)
     if held.pointlike(name):
         return
     momenta_ = [laws.momentum(name, point) for laws in (before, after)]
-    arm = way_between(place, moment.arm(ref)) if ref.owner == name else NOTHING
-    turning = vector_sum(cross_product(arm, blow), twist, cross_product(minus(place), impulse))
+    turning = vector_sum(
+        *(vector_sum(cross_product(way_between(place, item.arm), item.push), item.twist) for item in shocks)
+    )
     where = f" about its {'centre of mass' if point == CM else spoken(point)}"
     for left, right in zip(turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
         if left != right:
             yield TWISTS.equation(left, right, interval.name, (name,), about=where)
-    way = None if joint is None or joint.free else before.pushes.direction(joint)
+
+
+def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:
+    """The impulse of the joint that holds a body, and those of what it carries, which push back."""
+    moment, held = laws.moment, laws.moment.held
+    for joint in (held.main(other) for other in held.order):
+        if joint is not None and joint.body.owner == name:
+            yield joint_shock(joint, laws)
+        elif joint is not None and joint.carrier.owner == name:
+            shock, axes = joint_shock(joint, laws), moment.axes(joint.body.owner)
+            push, twist = (axes.to(moment.axes(name), minus(vector)) for vector in (shock.push, shock.twist))
+            yield Shock(push, moment.arm(joint.carrier), twist)
+
+
+def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:
+    """The impulse of a joint on the body that it holds, at the point held, and its angular impulse across the axis."""
+    moment = laws.moment
+    push = triple([moment.ask("impulse", joint.owner, axis) for axis in AXES])
+    arm = moment.arm(joint.body)
+    if joint.free or moment.held.pointlike(joint.body.owner):
+        push, nothing = free_of_force(joint, moment, push, NOTHING)
+        return Shock(push, arm, nothing=nothing)
+    letters = triple([moment.ask("angular_impulse", joint.owner, axis) for axis in AXES])
+    push, nothing = free_of_force(joint, moment, push, letters)
+    way = laws.pushes.direction(joint) if joint.pitch is None else None
     if way is not None and not is_axis(way):
-        words = f"{spoken(name)} turns freely about its axis"
-        yield RULE.equation(dot_product(way, twist), ZERO, interval.name, (name,), words=words)
-
-
-def joint_impulse(name: str, laws: SpaceLaws) -> tuple[Triple, Triple]:
-    """The impulse of the joint that holds a body, at its reference, and its angular impulse across the axis."""
-    joint = laws.moment.held.main(name)
-    if joint is None:
-        return NOTHING, NOTHING
-    push = triple([laws.moment.ask("impulse", joint.owner, axis) for axis in AXES])
-    if joint.free:
-        return push, NOTHING
-    letters = triple([laws.moment.ask("angular_impulse", joint.owner, axis) for axis in AXES])
-    way = laws.pushes.direction(joint)
-    if way is None:
-        return push, letters
-    if not is_axis(way):
-        return push, letters
-    return push, triple([ZERO if part != ZERO else letter for part, letter in zip(way, letters, strict=True)])
+        nothing = (*nothing, dot_product(way, letters))
+    elif way is not None:
+        letters = triple([ZERO if part != ZERO else letter for part, letter in zip(way, letters, strict=True)])
+    return Shock(push, arm, letters, nothing)

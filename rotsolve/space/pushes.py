@@ -23,10 +23,14 @@ from rotsolve.core.vectors.triple import (
     vector_sum,
     way_between,
 )
+from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.elements import Action
 from rotsolve.space.attitude import IN_SPACE, NODE, Axes
 from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.sliding import free_of_force
+
+FREELY = "{} turns freely about its axis"
 
 
 class ForceInSpace(Struct, frozen=True):
@@ -109,7 +113,13 @@ class Pushes:
             yield from self._by_bearings(joint)
             return
         force, place = self.letters("force", joint), self.place(joint)
-        couple = NOTHING if joint.free or joint.rolls else self.couple(joint)
+        untwisted = joint.free or joint.rolls or self.moment.held.pointlike(name)
+        couple = NOTHING if untwisted else self.couple(joint)
+        force, nothing = free_of_force(joint, self.moment, force, couple)
+        words = f"{spoken(joint.owner)} does not push along its axis" + (
+            "" if joint.pitch is None else ": it gives no power"
+        )
+        self.conditions += [(words, part) for part in nothing]
         if couple == NOTHING:
             yield ForceInSpace(joint.owner, name, force, axes, place, own)
         elif axes == own:
@@ -139,7 +149,7 @@ class Pushes:
         """The couple of a hinge or clamp: across its axis, and along it only where something drives it."""
         axis = self.direction(joint)
         x, y, z = self.letters("torque", joint)
-        if axis is None or joint.drive:
+        if axis is None or joint.drive or joint.pitch is not None:
             return (x, y, z)
         if is_axis(axis):
             return (
@@ -147,7 +157,7 @@ class Pushes:
                 ZERO if axis[1] != ZERO else y,
                 ZERO if axis[2] != ZERO else z,
             )
-        self.conditions.append((joint.owner, dot_product(axis, (x, y, z))))
+        self.conditions.append((FREELY.format(spoken(joint.owner)), dot_product(axis, (x, y, z))))
         return (x, y, z)
 
     def _by_bearings(self, joint: Joint) -> Iterator[ForceInSpace]:
@@ -162,7 +172,7 @@ class Pushes:
                     x, y, z = (ZERO if way != ZERO else part for part, way in zip(force, axis, strict=True))
                     force = (x, y, z)
                 else:
-                    self.conditions.append((joint.owner, dot_product(axis, force)))
+                    self.conditions.append((FREELY.format(spoken(joint.owner)), dot_product(axis, force)))
             twist = NOTHING
             if number == 1 and joint.drive:
                 twist = scaled_by(self.moment.ask("torque", joint.owner, "drive"), axis)

@@ -23,7 +23,6 @@ from rotsolve.core.vectors.triple import (
     minus,
     scaled_by,
     square_of,
-    triple,
     unit_along,
     vector_sum,
 )
@@ -36,6 +35,7 @@ from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.energies import height_above, kinetic_energies
 from rotsolve.space.inertia import CM, in_axes, moment_along, product
 from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.passing import joint_shock
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
 AT_REST = (
@@ -95,7 +95,9 @@ class SpaceReader:
         if term.modifier == ANGLE_OF and term.other is not None:
             return self.angle(term, term.other)
         kind = QUANTITIES[path.quantity]
-        refused = self.dynamics.unwritten.get(path.owner)
+        joint = self.held.joint(path.owner)
+        owners = (path.owner,) if joint is None else (joint.body.owner, joint.carrier.owner)
+        refused = next((self.dynamics.unwritten[owner] for owner in owners if owner in self.dynamics.unwritten), None)
         if refused is not None and path.quantity not in AT_REST:
             raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
@@ -276,8 +278,7 @@ class SpaceReader:
             raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
         if joint is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
-        parts = triple([before.ask("impulse", path.owner, axis) for axis in AXES])
-        return parts, before.axes(joint.body.owner)
+        return joint_shock(joint, self.moments[before.when]).push, before.axes(joint.body.owner)
 
     def forces_of(self, name: str, owner: str) -> Triple:
         """What one connection, action or gravity pushes a body with, in the axes of the body."""

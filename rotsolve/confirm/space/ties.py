@@ -122,6 +122,8 @@ class Ties:
 
     def driven(self, joint: Joint) -> Iterator[Tie]:
         """How fast a joint turns: as it is driven, as the state tells, as the pitch of a screw asks."""
+        for number, _ in enumerate(joint.sliding if self.lines.steady else ()):
+            yield Tie(((1.0, (SLIDES, joint.owner, number)),), None, 0.0)
         key = (SPINS, joint.owner, 0)
         if joint.pitch is not None:
             lead = self.rig.value(joint.pitch) / ROUND

@@ -17,7 +17,7 @@ Direction = tuple[Formula, Formula, Formula]
 class LowerPair(Connection, frozen=True):
     """Base of what lets a body of a scene in space move in some ways only."""
 
-    quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "freedoms")
+    quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "impulse", "freedoms")
     planar = False
     spatial = True
 
@@ -29,7 +29,6 @@ class LowerPair(Connection, frozen=True):
 class Ball(LowerPair, frozen=True):
     word = "ball"
     about = "holds a point of a body in place; the body turns about it in space"
-    quantities = (*LowerPair.quantities, "impulse")
     ball: tuple[PointRef, ...] = key("points", HELD, count=(1, 2), required=True, example="top.tip")
 
     def joint_in_space(self) -> Joint:

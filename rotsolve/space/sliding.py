@@ -1,0 +1,101 @@
+"""Sliding pairs: a body that slides along a direction of what carries it, with or without turning about it: slides, sleeves, screws.
+
+With P the point of the carrier at which the body is, n the direction and u the rate of sliding, v = v_P + u n and
+a = a_P + 2 Ω × u n + u̇ n (Goldstein, Poole & Safko, Classical Mechanics, §4.10). Nothing pushes along n; a screw goes u = s p/2π while it
+turns at s, and gives no power: C·n + F·n p/2π = 0.
+"""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, add, multiply
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.triple import Triple, cross_product, dot_product, is_axis, scaled_by, unit_along, vector_sum
+from rotsolve.language.bodies import Joint
+from rotsolve.space.attitude import IN_SPACE, Axes, MovingBodies
+
+TWO = 2 * ONE
+
+
+def carrier_axes(joint: Joint, moment: MovingBodies) -> Axes:
+    """The axes of what carries a joint, as it is drawn."""
+    carrier = joint.carrier.owner
+    return moment.own_axes(carrier) if carrier in moment.held.bodies else IN_SPACE
+
+
+def sliding_way(joint: Joint, moment: MovingBodies) -> Triple:
+    """The direction in which a joint lets its body slide, in the axes of the body."""
+    way = unit_along(joint.sliding[0], moment.held.signs.positive)
+    return carrier_axes(joint, moment).to(moment.axes(joint.body.owner), way)
+
+
+def sliding_rate(joint: Joint, moment: MovingBodies, word: str) -> Formula:
+    """How fast a body slides (`velocity`), or how fast that grows (`acceleration`): by its screw, as the state tells, else a letter."""
+    name = joint.body.owner
+    if joint.pitch is not None:
+        return multiply(lead(joint.pitch), moment.driven(name, joint, "angular_velocity")[word == "acceleration"])
+    if word == "velocity" and moment.rests(name):
+        return ZERO
+    told = moment.vector_told(name, word)
+    if told is not None:
+        return told_along(joint, moment, word, told)
+    if word == "acceleration" and moment.state.steady:
+        return ZERO
+    return moment.ask(word, joint.owner, "sliding", letter="u" if word == "velocity" else "udot")
+
+
+def told_along(joint: Joint, moment: MovingBodies, word: str, told: tuple[Triple, str, str]) -> Formula:
+    """The part along its slide of a motion that a state tells of a body; refused where it tells of another one."""
+    name, carrier = joint.body.owner, joint.carrier.owner
+    vector, _, relative = told
+    line = moment.line(name, word, "x")
+    span = None if line is None else line.span
+    if relative != (carrier if carrier in moment.held.bodies else ""):
+        raise Unsolvable(
+            f"`{name}` slides along `{carrier}`: how fast is told relative to that",
+            span=span,
+            help=f"write `{name}.{word} relative to {carrier}`",
+        )
+    way = unit_along(joint.sliding[0], moment.held.signs.positive)
+    if not all(map(moment.held.vanishes, cross_product(way, vector))):
+        raise Unsolvable(f"`{name}` can only slide along `{joint.owner}`", span=span, help="tell a vector along that")
+    return dot_product(way, vector)
+
+
+def slid(joint: Joint, moment: MovingBodies, word: str) -> Triple:
+    """What sliding adds to the velocity or acceleration of the point of the carrier that is there, in the axes of the body."""
+    name, carrier = joint.body.owner, joint.carrier.owner
+    way, rate = sliding_way(joint, moment), sliding_rate(joint, moment, "velocity")
+    if word == "velocity":
+        return scaled_by(rate, way)
+    along = scaled_by(sliding_rate(joint, moment, word), way)
+    if carrier not in moment.held.bodies:
+        return along
+    turning = moment.attitude(carrier)
+    swept = cross_product(turning.axes.to(moment.axes(name), turning.omega), scaled_by(rate, way))
+    return vector_sum(along, scaled_by(TWO, swept))
+
+
+def free_of_force(
+    joint: Joint, moment: MovingBodies, force: Triple, couple: Triple
+) -> tuple[Triple, tuple[Formula, ...]]:
+    """The force of a sliding pair with no part along it, and what is nothing besides."""
+    if not joint.sliding:
+        return force, ()
+    way = sliding_way(joint, moment)
+    if joint.pitch is not None:
+        return force, (add(dot_product(way, couple), multiply(lead(joint.pitch), dot_product(way, force))),)
+    if not is_axis(way):
+        return force, (dot_product(way, force),)
+    x, y, z = (ZERO if own != ZERO else part for own, part in zip(way, force, strict=True))
+    return (x, y, z), ()
+
+
+def lead(pitch: Formula) -> Formula:
+    """How far a screw goes in a turn by one radian."""
+    return pitch / (2 * PI)
+
+
+def moved_in(joint: Joint, moment: MovingBodies, word: str) -> Triple:
+    """The velocity or acceleration of a body relative to what it slides along, in the axes of that."""
+    way = unit_along(joint.sliding[0], moment.held.signs.positive)
+    return scaled_by(sliding_rate(joint, moment, word), way)
