@@ -37,13 +37,13 @@ def sliding_rate(joint: Joint, moment: MovingBodies, word: str) -> Formula:
         return ZERO
     told = moment.vector_told(name, word)
     if told is not None:
-        return told_along(joint, moment, word, told)
+        return part_on_slide(joint, moment, word, told)
     if word == "acceleration" and moment.state.steady:
         return ZERO
     return moment.ask(word, joint.owner, "sliding", letter="u" if word == "velocity" else "udot")
 
 
-def told_along(joint: Joint, moment: MovingBodies, word: str, told: tuple[Triple, str, str]) -> Formula:
+def part_on_slide(joint: Joint, moment: MovingBodies, word: str, told: tuple[Triple, str, str]) -> Formula:
     """The part along its slide of a motion that a state tells of a body; refused where it tells of another one."""
     name, carrier = joint.body.owner, joint.carrier.owner
     vector, _, relative = told
