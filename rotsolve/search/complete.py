@@ -55,7 +55,8 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
 
 def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
     """The same of a scene in space: what its assembly tells of one of the questions, though letters have numbers that are drawn."""
-    from rotsolve.confirm.space.inquiry import Inquiry, Unfit
+    from rotsolve.confirm.space.inquiry import Inquiry
+    from rotsolve.confirm.space.worlds import Unfit
     from rotsolve.space.complete import configured_in_space
 
     try:

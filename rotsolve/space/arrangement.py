@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
@@ -61,10 +62,26 @@ class JointedBodies(Struct, frozen=True, dict=True):
         own = [joint for joint in self.joints if joint.body.owner == name]
         return tuple(sorted(own, key=lambda joint: joint.rolls))
 
+    def supports(self, name: str) -> tuple[Joint, ...]:
+        """The joints that hold a point of a body, not those on which it only rolls."""
+        return tuple(joint for joint in self.of_body(name) if not (joint.rolls or joint.flat))
+
+    @remembered
     def main(self, name: str) -> Joint | None:
-        """The joint about which a body turns: the first that holds a point of it, not one on which it only rolls."""
-        own = [joint for joint in self.of_body(name) if not (joint.rolls or joint.flat)]
-        return own[0] if own else None
+        """The joint about which a body turns: the one that holds a point of it, or two balls as a hinge along the line through both."""
+        own = self.supports(name)
+        if len(own) < 2:
+            return own[0] if own else None
+        one, other, *more = own
+        if more or not (one.free and other.free) or one.carrier.owner != other.carrier.owner:
+            message = f"`{name}` is held by several joints: that is not solved in space yet"
+            help = "solved are two balls on one carrier; a hinge that two bearings hold has `bearings`"
+            raise Unsolvable(message, span=other.body.span, help=help)
+        line = tidied(way_between(self.spot(one.body), self.spot(other.body)))
+        if all(map(self.vanishes, line)):
+            message = f"`{one.owner}` and `{other.owner}` hold the same point of `{name}`"
+            raise Unsolvable(message, span=other.body.span, help="leave one of them out")
+        return replace(one, free=False, turning=(line,))
 
     def carrier(self, name: str) -> str:
         """The body that carries another; '' for what the ground holds, or nothing."""

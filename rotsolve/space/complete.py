@@ -21,13 +21,6 @@ def configured_in_space(problem: Problem) -> Configuration:
         configuration = Configuration(whole)
         held = JointedBodies(whole, configuration.signs)
         _ = held.order
-        for body in whole.bodies:
-            several = [joint for joint in held.of_body(body.name) if not joint.rolls]
-            if len(several) > 1:
-                message = f"`{body.name}` is held by several joints: that is not solved in space yet"
-                raise Unsolvable(
-                    message, span=several[1].body.span, help="one joint, with `bearings` where there are two"
-                )
     except Unsolvable as error:
         fault = error.fault
         raise Unsolvable(

@@ -12,13 +12,15 @@ WHOLE = {"translations": 3, "rotations": 3, "": 6}
 
 
 def freedoms_of(held: JointedBodies, path: Path) -> Formula:
-    """Of a body held by at most one joint: all six, or those that this leaves; of a joint those that it leaves."""
+    """Of a body: all six, or those that its joint, or two balls together, leave; of a joint those that it leaves."""
     which = path.component or ""
-    joints = held.of_body(path.owner) if path.owner in held.bodies else ()
     joint = held.joint(path.owner)
-    if len(joints) > 1 or (joint is None and path.owner not in held.bodies):
+    several = path.owner in held.bodies and len(held.of_body(path.owner)) > len(held.supports(path.owner)) > 0
+    if several or (joint is None and path.owner not in held.bodies):
         raise NotYet(f"`{path_text(path)}`: the freedoms of what several joints hold are not solved yet", path.span)
-    joint = joint or (joints[0] if joints else None)
+    if joint is None:
+        touching = held.of_body(path.owner)
+        joint = held.main(path.owner) or (touching[0] if touching else None)
     return formula(WHOLE[which] if joint is None else left_by(joint)[which])
 
 

@@ -328,6 +328,15 @@ class SpaceMoment:
             return rotated(transposed(self.turned(name)), way)
         return way
 
+    def hinge_angle(self, name: str) -> Formula | None:
+        """How far a body is turned about its hinge: as told, through a blow as before, 0 at first; None where nothing tells."""
+        told = self.told(name, "angle")
+        if told is not None:
+            return told
+        if self.before is not None:
+            return self.before.hinge_angle(name)
+        return ZERO if self.first else None
+
     def lost(self, name: str) -> str:
         """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""
         return f"how `{name}` stands at `{self.when}` nothing tells" if self.later else ""

@@ -51,7 +51,8 @@ def left_alone(laws: SpaceLaws, name: str) -> bool:
         not (joint.drive or joint.rolls or joint.flat or joint.sliding or held.carrier(name)) for joint in joints
     )
     pushed = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
-    return ideal and len(joints) < 2 and not pushed and not held.bodies[name].moved
+    alone = len(joints) < 2 or joints == list(held.supports(name))
+    return ideal and alone and not pushed and not held.bodies[name].moved
 
 
 def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
@@ -202,10 +203,10 @@ def laws_of_blow(
 def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:
     """The impulse of the joint that holds a body, and those of what it carries, which push back."""
     moment, held = laws.moment, laws.moment.held
-    for joint in (held.main(other) for other in held.order):
-        if joint is not None and joint.body.owner == name:
+    for joint in (joint for other in held.order for joint in held.supports(other)):
+        if joint.body.owner == name:
             yield joint_shock(joint, laws)
-        elif joint is not None and joint.carrier.owner == name:
+        elif joint.carrier.owner == name:
             shock, axes = joint_shock(joint, laws), moment.axes(joint.body.owner)
             push, twist = (axes.to(moment.axes(name), minus(vector)) for vector in (shock.push, shock.twist))
             yield Shock(push, moment.arm(joint.carrier), twist)

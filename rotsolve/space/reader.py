@@ -263,12 +263,26 @@ class SpaceReader:
     def joint_force(self, path: Path, term: Term) -> Seen:
         """The force of a connection on the body that it holds, or of one of its bearings."""
         name = self.body_of(path)
+        self.refuse_shared(name, path, term)
         pushes = [push for push in self.dynamics.pushes.on(name) if push.owner == path.owner and push.force != NOTHING]
         if path.point is not None:
             pushes = [push for number, push in enumerate(pushes, 1) if path.point == f"bearing{number}"]
         if len(pushes) == 1:
             return pushes[0].force, pushes[0].axes
         return self.forces_of(name, path.owner), self.moment.axes(name)
+
+    def refuse_shared(self, name: str, path: Path, term: Term) -> None:
+        """Refuse the part of a force along the line through two balls, of which the laws tell only the sum for both."""
+        main = self.held.main(name)
+        supports = self.held.supports(name)
+        if len(supports) < 2 or main is None or path.owner not in [joint.owner for joint in supports]:
+            return
+        component = (path.component or "").split()[-1:] or [""]
+        line = self.moment.axes(name).to(self.asked_axes(path, term), self.moment.direction(name, main))
+        if component[0] not in AXES or not self.held.vanishes(line[AXES.index(component[0])]):
+            both = " and ".join(f"`{joint.owner}`" for joint in supports)
+            message = f"`{path_text(path)}` is statically indeterminate: along the line through {both} only the sum of their forces is told"
+            raise NotYet(message, path.span, "ask for a component across that line, `in body axes` where it turns")
 
     def joint_impulse(self, path: Path, term: Term) -> Seen:
         """The impulse of a joint on the body that it holds, or of a blow itself, in the event that leads to this moment."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, add, negate
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import key_of
 from rotsolve.language.problem import EXTREMES
@@ -26,6 +26,8 @@ def chosen(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: 
     key = key_of(name)
     if key.kind == "tilt":
         return tilted(roots, numbers)
+    if key.kind == "angular_velocity" and not key.component and len(roots) > 1:
+        return first_there(key.owner, key.when, roots, scene, numbers)
     if key.kind != "precession":
         return None
     real = [index for index, root in enumerate(roots) if numbers.of(root) is not None]
@@ -55,6 +57,32 @@ def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numb
     message = f"`{owner}` spins too slowly for a steady precession at `{state}`"
     help = f"it needs I₃ ω₃ ≥ 2 √(I₁ M g l cos θ){least}"
     raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+
+
+def first_there(
+    owner: str, state: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers
+) -> PickedRoot | None:
+    """The rate with which a body on a hinge comes to an angle the first time: towards it from where it was, whatever it did between."""
+    before = scene.configuration.timeline.before(state)
+    if before is None or before.event is not None:
+        return None
+    moments = [scene.dynamics[name].moment for name in (before.start, state)]  # type: ignore[attr-defined]
+    first, last = moments[0].hinge_angle(owner), moments[1].told(owner, "angle")
+    if first is None or last is None:
+        return None
+    problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span
+    side = numbers.side(add(last, negate(first)))
+    if not side:
+        words = "its letters do not tell" if side is None else "nothing tells: its angle is that from which it comes"
+        message, help = (
+            f"in which sense `{owner}` turns at `{state}` {words}",
+            f"tell its `{owner}.angle` at both states",
+        )
+        raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+    fitting = [index for index, root in enumerate(roots) if numbers.side(root) == side]
+    return (
+        PickedRoot(fitting[0], ("towards its angle, to which it comes the first time",)) if len(fitting) == 1 else None
+    )
 
 
 def tilted(roots: Sequence[Formula], numbers: Numbers) -> PickedRoot | None:

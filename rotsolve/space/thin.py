@@ -41,7 +41,8 @@ def thin_axis(held: JointedBodies, name: str) -> Triple | None:
 
 def unspun(moment: SpaceMoment, name: str) -> Iterator[Equation]:
     """n · ω = 0 and n · ω̇ = 0 of a thin body, where no line of the state tells how it spins."""
-    if not all(joint.free for joint in moment.held.of_body(name)):
+    joint, held = moment.held.main(name), moment.held
+    if (joint is not None and not joint.free) or len(held.of_body(name)) > len(held.supports(name)):
         return
     open_rates = moment.left_open(name)
     if not any(open_rates):

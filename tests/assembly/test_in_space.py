@@ -13,7 +13,8 @@ import pytest
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import sets_of_numbers
 from rotsolve.confirm.space import verdict
-from rotsolve.confirm.space.inquiry import Inquiry, Unfit
+from rotsolve.confirm.space.inquiry import Inquiry
+from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_text

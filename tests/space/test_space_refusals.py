@@ -106,7 +106,7 @@ CASES = {  # a scene, what is said of it, and what would be right
         "`smallest` or `largest`",
     ),
     "several joints": (
-        HEAD + BOX + "connections: {p: {ball: b}, q: {ball: b.P}}\nfind: {K: b.kinetic_energy}\n",
+        HEAD + BOX + "connections: {p: {ball: b}, q: {clamp: b.P}}\nfind: {K: b.kinetic_energy}\n",
         "`b` is held by several joints",
         "`bearings`",
     ),

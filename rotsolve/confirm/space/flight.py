@@ -21,6 +21,7 @@ from rotsolve.confirm.space.arrows import (
     less,
     product_of,
     rotation_about,
+    rows_back,
     scaled,
     times_arrow,
 )
@@ -29,8 +30,8 @@ from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import NODAL, Lines, Rig
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.ties import SPEED, TURNING, Tie, of_turning, point_terms, three_ties
-from rotsolve.confirm.space.worlds import Moving, World
+from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
+from rotsolve.confirm.space.worlds import Moving, Unfit, World
 from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import EXTREMES, Condition, State, Term
 
@@ -41,6 +42,7 @@ LOOKS = 900  # how often the equations are solved on a way
 EXACT = 1e-8  # up to which a finer step has to agree, before it is taken
 CLOSE = 1e-8  # of a step: how nearly the moment is found
 HOLDS = 1e-7
+NEVER = "its motion never comes there"
 TOO_FAR = "the way to its state is too long to be followed"
 
 Numbers = list[float]
@@ -59,8 +61,26 @@ class Flight:
         lines = [line.path for line in (*state.conditions, *start.stance.lines.lines)]
         self.nodding = {path.owner for path in lines if path is not None and path.quantity in NODAL}
         self.free = [name for name in rig.bodies if all(joint.body.owner != name for joint in rig.joints.values())]
-        self.axes = {name: rig.axis(name) or Z for name in rig.bodies}
+        self.axes = {name: self.axis_of(name) for name in rig.bodies}
+        self.turns = 0  # how often the motion went the other way
         self.looks = 0
+
+    def axis_of(self, name: str) -> Arrow:
+        """The own direction of a body about which its spin is kept as an angle: that of its hinge on the ground, else its axis."""
+        joint, line = self.rig.on_ground(name), self.rig.line(name)
+        if joint is not None and joint.turning:
+            return times_arrow(rows_back(self.start.stance.turned(name)), self.start.stance.way(joint))
+        return line or self.rig.axis(name) or Z
+
+    def swings(self, name: str) -> bool:
+        """Whether a body is held on the ground so that it turns about one axis alone."""
+        joint = self.rig.on_ground(name)
+        return joint is not None and (bool(joint.turning) or self.rig.line(name) is not None)
+
+    def start_angle(self, name: str) -> float:
+        """How far a body is turned about its hinge at the start."""
+        joint = self.rig.on_ground(name)
+        return 0.0 if joint is None else self.start.stance.angle(joint)
 
     # numbers of a moment
 
@@ -86,6 +106,7 @@ class Flight:
         for number, name in enumerate(self.rig.bodies):
             own = numbers[EACH * number : EACH * number + EACH]
             rows = product_of(rows_of_quaternion(own[:4]), rotation_about(self.axes[name], own[4]))
+            stance.swung[name] = own[4]
             stance.put(name, rows, as_arrow(own[5:8]) if name in self.free else None)
             ties += three_ties(of_turning(name), as_arrow(own[8:11]), None)
             if name in self.free:
@@ -155,15 +176,29 @@ class Flight:
         if not lines:
             raise NotConfirmed("when its state is")
         gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
-        numbers, size, before = self.first(), self.stride(), 0.0
+        numbers, size = self.first(), self.stride()
+        start = gap(self.world(numbers))
+        before = start if abs(start) > CLOSE else 0.0
         while True:
             later = self.step(numbers, size)
             there = gap(self.world(later))
+            self.refuse_elsewhere(lines[0], numbers, later)
             if before * there < 0 and (there > before) in ways:
                 world = self.world(self.crossing(numbers, size, before, there, gap))
                 if all(abs(self.gap_of(line)(world)) <= HOLDS * self.size_of(line, world) for line in lines[1:]):
                     return world
             numbers, before = later, there
+
+    def refuse_elsewhere(self, line: Condition, one: Numbers, other: Numbers) -> None:
+        """Give up a body alone on a hinge that has been everywhere: between two turning points, or far off in one sense."""
+        if line.path is None or line.path.quantity != "angle" or len(self.rig.bodies) > 1:
+            return
+        third = times_arrow(self.moving(other).stance.turned(line.path.owner), self.axes[line.path.owner])
+        rates = [inner_product(as_arrow(numbers[8:11]), third) for numbers in (one, other)]
+        self.turns += rates[0] * rates[1] < 0
+        told = 0.0 if line.value is None else abs(self.rig.value(line.value))
+        if self.turns > 2 or abs(other[4]) > told + 2 * ROUND:
+            raise Unfit(NEVER)
 
     def after(self, time: float) -> World:
         """The world some time after the start."""
@@ -204,6 +239,9 @@ class Flight:
         if line.value is None or line.relative:
             raise NotConfirmed(f"a line about `{path.quantity}` on the way")
         told, term = self.rig.value(line.value), Term(path, axes=line.axes or None)
+        if path.quantity == "angle" and self.swings(path.owner):
+            start = self.start_angle(path.owner)
+            return lambda world: world.stance.swung.get(path.owner, 0.0) + start - told
         return lambda world: Reading(world).number(term) - told
 
     def size_of(self, line: Condition, world: World) -> float:

@@ -24,6 +24,9 @@ def freedoms(rig: Rig, path: Path) -> float:
         twists = twists_of(rig, rig.joints[path.owner])
     elif path.owner in rig.bodies:
         own = [joint for joint in rig.joints.values() if joint.body.owner == path.owner]
+        line = rig.line(path.owner)
+        if line is not None and len(own) == 2:
+            return 0.0 if path.component == "translations" else 1.0
         if len(own) > 1 or any(joint.carrier.owner in rig.bodies for joint in own):
             raise NotConfirmed("the freedoms of what several joints hold, or another body carries")
         twists = (

@@ -15,8 +15,9 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.linear import solved_generally
 from rotsolve.confirm.space.arrows import arrow_length
-from rotsolve.confirm.space.inquiry import Inquiry, Unfit
+from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.rig import Told
+from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.core.derivation import Answer
 from rotsolve.language.problem import Find, Problem
 

@@ -14,7 +14,7 @@ from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.worlds import Manner, Moving, manners_of
+from rotsolve.confirm.space.worlds import Manner, Moving, Unfit, manners_of
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.core.symbols import TIME
 from rotsolve.language.grammar import ANGLE_OF
@@ -48,10 +48,6 @@ BROKEN = "the lines of its state do not go together"
 NO_WAY = "no steady motion has these numbers"
 CHANGE, LOST, SIZE_OF_CHANGE = "change of", "lost", "size of change of"
 PATHS = "what happens between two states in space"
-
-
-class Unfit(Exception):
-    """What a state tells is no motion, with the reason."""
 
 
 class LeftOpen(NotConfirmed):
@@ -120,7 +116,7 @@ class Inquiry:
             from rotsolve.confirm.space.flight import Flight
 
             before = self.ways(names[place - 1])
-            if len(before) == 1 and len(before[0].worlds) > 1:
+            if len(before) == 1 and any(world.now is not before[0].worlds[0].now for world in before[0].worlds):
                 before = self.followed(names[place - 1])
             if len(before) != 1:
                 raise NotConfirmed(SEVERAL)

@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.space.arrows import ALONG, Arrow, normed
+from rotsolve.confirm.space.arrows import ALONG, Arrow, less, normed
 from rotsolve.confirm.space.masses import Solid, axis_told, is_symmetric, solid_of, spot_in_body
 from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
@@ -93,6 +93,11 @@ class Rig:
         """The joint that tells how a body is turned: the first that holds a point of it, not one on which it only rolls."""
         own = (joint for joint in self.joints.values() if joint.body.owner == name and not touching(joint))
         return next(own, None)
+
+    def line(self, name: str) -> Arrow | None:
+        """The direction through the two points of a body that balls hold, in its own axes; None where there are not two."""
+        balls = [joint.body for joint in self.joints.values() if joint.body.owner == name and joint.free]
+        return normed(less(self.spot(balls[1]), self.spot(balls[0]))) if len(balls) == 2 else None
 
     def carrier(self, name: str) -> str:
         """The body that carries another; '' for what the ground holds, or nothing."""

@@ -56,6 +56,7 @@ class Stance:
         self.rig, self.lines, self.guess = rig, lines, guess
         self.open: set[str] = set()
         self.put_so: set[str] = set()  # bodies of which it is said how they are turned
+        self.swung: dict[str, float] = {}  # how far bodies are turned about their hinges on a way that is followed
         self._turned: dict[str, Turned] = {}
         self._places: dict[str, Arrow] = {}
 
@@ -81,6 +82,9 @@ class Stance:
     def _turn(self, name: str) -> Turned:
         drawn, joint = turned_together(self.rig.bodies[name].turned, self.rig.value), self.rig.main(name)
         if joint is None or joint.free:
+            line = self.rig.line(name)
+            if joint is not None and line is not None:
+                return product_of(product_of(self.base(joint), drawn), rotation_about(line, self.angle(joint)))
             upright = self.lines.arrow_told(name, "vertical")
             if upright is not None:
                 return least_turn(normed(upright[0]), Z)

@@ -170,6 +170,7 @@ class Ties:
             yield from three_ties(point_terms(name, STILL), STILL, STILL if self.lines.balance else None)
         yield from self.prescribed(name)
         yield from self.vectors_told(name)
+        yield from self.about_line(name)
         if self.rig.main(name) is None or self.rig.main(name).free:  # type: ignore[union-attr]
             nods = self.lines.nods(name)
             yield from self.nodding(name) if nods else ()
@@ -177,6 +178,20 @@ class Ties:
                 yield from three_ties(of_turning(name), None, STILL)
         if self.lines.steady and not self.held_or_led(name):
             yield from three_ties(point_terms(name, STILL), None, STILL)
+
+    def about_line(self, name: str) -> Iterator[Tie]:
+        """How fast a body that two balls hold turns about the line through both, as the state tells."""
+        line, joint = self.rig.line(name), self.rig.main(name)
+        if line is None or joint is None:
+            return
+        terms, carrier = of_turning(name), joint.carrier.owner
+        if carrier in self.rig.bodies:
+            terms = added_terms(terms, of_turning(carrier), -1.0)
+        row = dotted(terms, times_arrow(self.stance.turned(name), line))
+        for word, rate in (("angular_velocity", True), ("angular_acceleration", False)):
+            told = self.lines.told(name, word)
+            if told is not None:
+                yield Tie(row, *((told, None) if rate else (None, told)))
 
     def held_or_led(self, name: str) -> bool:
         held = any(joint.body.owner == name for joint in self.rig.joints.values())

@@ -10,7 +10,8 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import Numbers, holding, letters_open, sets_of_numbers, sets_wanted, with_givens
 from rotsolve.confirm.numbers import options_that_hold
 from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
-from rotsolve.confirm.space.inquiry import SEVERAL, Unfit
+from rotsolve.confirm.space.inquiry import SEVERAL
+from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.confirm.verdicts import (
     NO_CASE,
     NO_NUMBER,

@@ -30,6 +30,10 @@ ROOTS = 8  # how many ways are told apart
 STEPS = 40  # of Newton's iteration
 
 
+class Unfit(Exception):
+    """What a state tells is no motion, with the reason."""
+
+
 class World(Struct, frozen=True, dict=True):
     """One way in which all moves at a state: velocities, and accelerations with the unknown parts of forces."""
 
