@@ -328,14 +328,14 @@ class SpaceMoment:
             return rotated(transposed(self.turned(name)), way)
         return way
 
-    def hinge_angle(self, name: str) -> Formula | None:
-        """How far a body is turned about its hinge: as told, through a blow as before, 0 at first; None where nothing tells."""
-        told = self.told(name, "angle")
+    def stood(self, name: str, word: str) -> Formula | None:
+        """The tilt of a body or its angle on a hinge: as told, through a blow as before, an angle 0 at first; None where nothing tells."""
+        told = self.told(name, word)
         if told is not None:
             return told
         if self.before is not None:
-            return self.before.hinge_angle(name)
-        return ZERO if self.first else None
+            return self.before.stood(name, word)
+        return ZERO if self.first and word == "angle" else None
 
     def lost(self, name: str) -> str:
         """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rotsolve.search.numbers import Numbers
 
 SMALL = 1e-12
+TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with how far the body is turned by it
 SEVERAL = "two steady motions are possible, and nothing tells which is meant"
 HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `top.precession: smallest`"
 
@@ -26,8 +27,8 @@ def chosen(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: 
     key = key_of(name)
     if key.kind == "tilt":
         return tilted(roots, numbers)
-    if key.kind == "angular_velocity" and not key.component and len(roots) > 1:
-        return first_there(key.owner, key.when, roots, scene, numbers)
+    if key.kind in TURNED and not key.component and len(roots) > 1:
+        return first_there(name, roots, scene, numbers)
     if key.kind != "precession":
         return None
     real = [index for index, root in enumerate(roots) if numbers.of(root) is not None]
@@ -59,29 +60,31 @@ def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numb
     raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
-def first_there(
-    owner: str, state: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers
-) -> PickedRoot | None:
-    """The rate with which a body on a hinge comes to an angle the first time: towards it from where it was, whatever it did between."""
+def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
+    """The rate with which a body comes to an angle or a tilt the first time: towards it from where it was, whatever it did between."""
+    key = key_of(name)
+    owner, state, word = key.owner, key.when, TURNED[key.kind]
     before = scene.configuration.timeline.before(state)
     if before is None or before.event is not None:
         return None
     moments = [scene.dynamics[name].moment for name in (before.start, state)]  # type: ignore[attr-defined]
-    first, last = moments[0].hinge_angle(owner), moments[1].told(owner, "angle")
+    first, last = moments[0].stood(owner, word), moments[1].told(owner, word)
     if first is None or last is None:
         return None
     problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span
     side = numbers.side(add(last, negate(first)))
     if not side:
-        words = "its letters do not tell" if side is None else "nothing tells: its angle is that from which it comes"
+        words = "its letters do not tell" if side is None else f"nothing tells: its {word} is that from which it comes"
         message, help = (
             f"in which sense `{owner}` turns at `{state}` {words}",
-            f"tell its `{owner}.angle` at both states",
+            f"tell its `{owner}.{word}` at both states",
         )
         raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
     fitting = [index for index, root in enumerate(roots) if numbers.side(root) == side]
     return (
-        PickedRoot(fitting[0], ("towards its angle, to which it comes the first time",)) if len(fitting) == 1 else None
+        PickedRoot(fitting[0], (f"towards its {word}, to which it comes the first time",))
+        if len(fitting) == 1
+        else None
     )
 
 

@@ -30,6 +30,14 @@ TABLE = (
     "  one: {ball: [table.P, plate.A]}\n  two: {ball: [table.Q, plate.B]}\n"
     "states: {now: {plate.angle: 0 deg, plate.angular_velocity: 0 rad/s}}\n"
 )
+TOP = """given: {{M: 0.2 kg, l: 0.05 m, I1: 6e-4 kg m^2, I3: 8e-5 kg m^2, w3: 200 rad/s, theta: 20 deg}}
+bodies: {{top: {{mass: M, inertia: {{about: tip, principal: [I1, I1, I3]}}, axis: z, points: {{tip: [0, 0, -l]}}}}}}
+connections: {{floor: {{ball: top.tip}}}}
+states:
+  start: {{top.tilt: theta, top.axial_rate: w3, top.precession: {rate}, top.nutation: 0 rad/s}}
+  mid: {{top.tilt: {tilt}}}
+find: {{nu: top.nutation at mid, W: top.precession at mid}}
+"""
 CASES = {  # a scene, and what is known of it by hand
     "a gate on two balls, let go": (
         SCENE + "states: {now: {at rest: all}}\n"
@@ -79,6 +87,8 @@ CASES = {  # a scene, and what is known of it by hand
         + "find: {w: plate.angular_velocity at low}\n",
         {"w": (-math.sqrt(0.09 + 14.7 * math.sin(math.radians(40))), 0, 0)},
     ),
+    "a top that sinks through a tilt": (TOP.format(rate="0 rad/s", tilt="24 deg"), {}),
+    "a top that rises through one": (TOP.format(rate="16 rad/s", tilt="19.8 deg"), {}),
     "letters": (
         "given: {m: kg, b: m, h: m, th: rad}\n" + PLATE + "connections: {one: {hinge: plate.A, along: x}}\n"
         "states: {now: {at rest: all}, low: {plate.angle: -th}}\nfind: {w: plate.angular_velocity at low}\n",
