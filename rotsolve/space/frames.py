@@ -7,6 +7,7 @@ a = a_frame + Ω̇ × r + Ω × (Ω × r) + 2 Ω × v_rel + a_rel (Goldstein, Po
 from __future__ import annotations
 
 from rotsolve.algebra.formula import ONE, Formula, multiply, negate
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import (
     AXES,
     NOTHING,
@@ -37,7 +38,7 @@ class Relative:
         self.alpha = held.axes.to(self.axes, held.alpha)
         joint = moment.held.main(name)
         self.guide = joint if joint is not None and joint.sliding and joint.carrier.owner == frame else None
-        self.place = self._held_place(self.guide) if self.guide is not None else self._told("position") or NOTHING
+        self.place = self._held_place(self.guide) if self.guide is not None else self._place_told()
         self.slip = (
             moved_in(self.guide, moment, "velocity") if self.guide is not None else self._told("velocity") or NOTHING
         )
@@ -45,6 +46,14 @@ class Relative:
     def _told(self, word: str) -> Triple | None:
         told = self.moment.vector_told(self.name, word)
         return told[0] if told is not None and told[2] == self.frame else None
+
+    def _place_told(self) -> Triple:
+        """Where the centre of mass of a body is in the frame, as the state tells; refused by name where it does not."""
+        told = self._told("position")
+        if told is None:
+            help = f"tell `{self.name}.position relative to {self.frame}: [x, y, z]` in the state"
+            raise Unsolvable(f"where `{self.name}` is in `{self.frame}` nothing tells", help=help)
+        return told
 
     def _held_place(self, guide: Joint) -> Triple:
         """Where the centre of mass of a body is that slides along the frame, at the point at which it is held there."""

@@ -95,15 +95,22 @@ class SpaceReader:
         if term.modifier == ANGLE_OF and term.other is not None:
             return self.angle(term, term.other)
         kind = QUANTITIES[path.quantity]
-        joint = self.held.joint(path.owner)
-        owners = (path.owner,) if joint is None else (joint.body.owner, joint.carrier.owner)
-        refused = next((self.dynamics.unwritten[owner] for owner in owners if owner in self.dynamics.unwritten), None)
+        unwritten = self.dynamics.unwritten
+        refused = next((unwritten[owner] for owner in self.concerned(path.owner) if owner in unwritten), None)
         if refused is not None and path.quantity not in AT_REST:
             raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
         return replace(meaning, label=meaning.label or label_of(plainly_named(path), term), laws=tuple(laws))
+
+    def concerned(self, owner: str) -> tuple[str, ...]:
+        """The bodies whose laws tell of a body, a connection or an action."""
+        joint = self.held.joint(owner)
+        if joint is not None:
+            return joint.body.owner, joint.carrier.owner
+        acting = (ref.owner for item in self.problem.actions if item.name == owner for ref in item.touches())
+        return (owner, *acting)
 
     # vectors
 

@@ -99,6 +99,12 @@ CASES = {  # a scene, and what is known of it by hand
         "find: {T: h.torque, K: b.kinetic_energy, x_b: b.x_axis}\n",
         {"K": (0.5 * 10 / 12 * 36,), "x_b": (math.cos(9), math.sin(9), 0)},
     ),
+    "a free body with its tilt from its own angular momentum": (
+        "gravity: none\ngiven: {A: 6e-4 kg m^2, C: 8e-5 kg m^2, w3: 40 rad/s, w1: 3 rad/s}\n"
+        "bodies: {b: {mass: 1 kg, inertia: {principal: [A, A, C]}}}\nstates: {now: {b.angular_velocity: [w1, 0, w3]}}\n"
+        "find: {W: b.precession, s: b.spin, t: b.tilt}\n",
+        {"t": (math.atan2(6e-4 * 3, 8e-5 * 40),)},
+    ),
     "what is led round faster and faster, at a time that is told": (
         "gravity: none\ngiven: {M: 2 kg, a: 1 m, w: 2 rad/s^2}\n"
         "bodies: {b: {shape: cuboid, mass: M, sides: [a, 2*a, 3*a], angular_velocity: [0, 0, w*time]}}\nstates: {now: {time: 3 s}}\n"
@@ -106,6 +112,14 @@ CASES = {  # a scene, and what is known of it by hand
         {"H": (0, 0, 5), "al": (0, 0, 2)},
     ),
 }
+ON_TABLE = """gravity: none
+given: {m: 0.5 kg, u: 0.8 m/s, w: 2 rad/s}
+bodies: {table: {shape: disc, mass: 0}, bead: {shape: particle, mass: m}}
+connections: {axis: {hinge: table.center, along: z, angular_velocity: w}}
+actions: {hold: {force: any, on: bead}}
+states: {now: {bead.velocity relative to table: [u, 0, 0], bead.acceleration relative to table: [0, 0, 0]}}
+find: {F: FORCE}
+"""
 LATER = """gravity: none
 given: {M: 2 kg, a: 1 m, w: 2 rad/s, v: 3 rad/s}
 bodies:
@@ -129,6 +143,13 @@ def test_what_is_carried_goes_along(name: str) -> None:
             parts = answer.components or (answer,)
             found = [part.value.float for part in parts if part.value is not None]
             assert found == pytest.approx(known[answer.name], rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("force", ["hold.force", "bead.force.centrifugal relative to table"])
+def test_where_a_body_is_in_a_frame_is_not_guessed(force: str) -> None:
+    with pytest.raises(Unsolvable) as caught:
+        solve(f"title: T\nup: z\n{ON_TABLE.replace('FORCE', force)}")
+    assert "where `bead` is in `table` nothing tells" in str(caught.value)
 
 
 def test_how_a_carried_body_stands_later_is_not_guessed() -> None:

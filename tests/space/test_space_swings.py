@@ -87,6 +87,16 @@ CASES = {  # a scene, and what is known of it by hand
         + "find: {w: plate.angular_velocity at low}\n",
         {"w": (-math.sqrt(0.09 + 14.7 * math.sin(math.radians(40))), 0, 0)},
     ),
+    "one that comes to two angles, one after the other, and turns back between": (
+        HINGE
+        + "states: {now: {plate.angular_velocity: v}, up: {plate.angle: 1 deg}, low: {plate.angle: -10 deg}, end: {plate.angle: -60 deg}}\n"
+        "find: {w_1: plate.angular_velocity at up, w_2: plate.angular_velocity at low, w_3: plate.angular_velocity at end}\n",
+        {
+            "w_1": (math.sqrt(1 - 14.7 * math.sin(math.radians(1))), 0, 0),
+            "w_2": (-math.sqrt(1 + 14.7 * math.sin(math.radians(10))), 0, 0),
+            "w_3": (-math.sqrt(1 + 14.7 * math.sin(math.radians(60))), 0, 0),
+        },
+    ),
     "a top that sinks through a tilt": (TOP.format(rate="0 rad/s", tilt="24 deg"), {}),
     "a top that rises through one": (TOP.format(rate="16 rad/s", tilt="19.8 deg"), {}),
     "letters": (

@@ -62,6 +62,7 @@ class Flight:
         self.nodding = {path.owner for path in lines if path is not None and path.quantity in NODAL}
         self.free = [name for name in rig.bodies if all(joint.body.owner != name for joint in rig.joints.values())]
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
+        self.origins = {name: self.start_angle(name) for name in rig.bodies}
         self.turns = 0  # how often the motion went the other way
         self.looks = 0
 
@@ -79,8 +80,8 @@ class Flight:
 
     def start_angle(self, name: str) -> float:
         """How far a body is turned about its hinge at the start."""
-        joint = self.rig.on_ground(name)
-        return 0.0 if joint is None else self.start.stance.angle(joint)
+        before, joint = self.start.stance.swung.get(name), self.rig.on_ground(name)
+        return before if before is not None else 0.0 if joint is None else self.start.stance.angle(joint)
 
     # numbers of a moment
 
@@ -106,7 +107,7 @@ class Flight:
         for number, name in enumerate(self.rig.bodies):
             own = numbers[EACH * number : EACH * number + EACH]
             rows = product_of(rows_of_quaternion(own[:4]), rotation_about(self.axes[name], own[4]))
-            stance.swung[name] = own[4]
+            stance.swung[name] = self.origins[name] + own[4]
             stance.put(name, rows, as_arrow(own[5:8]) if name in self.free else None)
             ties += three_ties(of_turning(name), as_arrow(own[8:11]), None)
             if name in self.free:
@@ -183,11 +184,40 @@ class Flight:
             later = self.step(numbers, size)
             there = gap(self.world(later))
             self.refuse_elsewhere(lines[0], numbers, later)
-            if before * there < 0 and (there > before) in ways:
-                world = self.world(self.crossing(numbers, size, before, there, gap))
+            through = self.passage(lines[0], (numbers, later), size, (before, there))
+            if through is not None and (through[1] > before) in ways:
+                world = self.world(self.crossing(numbers, through[0], before, through[1], gap)[0])
                 if all(abs(self.gap_of(line)(world)) <= HOLDS * self.size_of(line, world) for line in lines[1:]):
                     return world
             numbers, before = later, there
+
+    def passage(
+        self, line: Condition, ends: tuple[Numbers, Numbers], size: float, gaps: tuple[float, float]
+    ) -> tuple[float, float] | None:
+        """The time within a step up to which a gap closes, and the gap then: all of it, or up to where what is told turns back."""
+        if gaps[0] * gaps[1] < 0:
+            return size, gaps[1]
+        rate = self.rate_of(line)
+        if rate is None or not gaps[0]:
+            return None
+        rates = [rate(self.world(numbers)) for numbers in ends]
+        if rates[0] * rates[1] >= 0:
+            return None
+        turned, time = self.crossing(ends[0], size, rates[0], rates[1], rate)
+        middle = self.gap_of(line)(self.world(turned))
+        return (time, middle) if gaps[0] * middle < 0 else None
+
+    def rate_of(self, line: Condition) -> Gap | None:
+        """How fast an angle or a tilt changes that a line tells; None of all else."""
+        path = line.path
+        if path is None or line.word in EXTREMES:
+            return None
+        if path.quantity == "angle" and self.swings(path.owner):
+            axis = self.axes[path.owner]
+            return lambda world: inner_product(
+                world.now.arrow(TURNING, path.owner), times_arrow(world.stance.turned(path.owner), axis)
+            )
+        return (lambda world: world.now.one("euler", path.owner, 1)) if path.quantity == "tilt" else None
 
     def refuse_elsewhere(self, line: Condition, one: Numbers, other: Numbers) -> None:
         """Give up a body alone on a hinge that has been everywhere: between two turning points, or far off in one sense."""
@@ -208,8 +238,8 @@ class Flight:
             numbers = self.step(numbers, time / count)
         return self.world(numbers)
 
-    def crossing(self, numbers: Numbers, size: float, low: float, high: float, gap: Gap) -> Numbers:
-        """The numbers at which a gap closes within a step, by the rule of Illinois."""
+    def crossing(self, numbers: Numbers, size: float, low: float, high: float, gap: Gap) -> tuple[Numbers, float]:
+        """The numbers at which a gap closes within a step, and the time to there, by the rule of Illinois."""
         start, end, most = 0.0, size, max(abs(low), abs(high))
         best, at, side = numbers, 0.0, 0
         for _ in range(40):
@@ -226,7 +256,7 @@ class Flight:
                 start, low = middle, value
                 high = high / 2 if side == -1 else high
                 side = -1
-        return best
+        return best, at
 
     def gap_of(self, line: Condition) -> Gap:
         """By how much a line is not so; of a largest tilt how fast it still changes."""
@@ -240,8 +270,7 @@ class Flight:
             raise NotConfirmed(f"a line about `{path.quantity}` on the way")
         told, term = self.rig.value(line.value), Term(path, axes=line.axes or None)
         if path.quantity == "angle" and self.swings(path.owner):
-            start = self.start_angle(path.owner)
-            return lambda world: world.stance.swung.get(path.owner, 0.0) + start - told
+            return lambda world: world.stance.swung[path.owner] - told
         return lambda world: Reading(world).number(term) - told
 
     def size_of(self, line: Condition, world: World) -> float:

@@ -16,7 +16,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.linear import solved_generally
 from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.confirm.space.inquiry import Inquiry
-from rotsolve.confirm.space.rig import Told
+from rotsolve.confirm.space.rig import NODAL, Told
 from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.core.derivation import Answer
 from rotsolve.language.problem import Find, Problem
@@ -43,8 +43,12 @@ def answers_put_in(problem: Problem) -> Put:
             continue  # the motion leads to it
         if state is None or term.path.quantity not in SOUGHT or term.modifier:
             continue
-        paths = [line.path for line in state.conditions if line.path is not None and line.value is not None]
-        if not any((path.owner, path.quantity) == (term.path.owner, term.path.quantity) for path in paths):
+        lines = [line for line in state.conditions if line.path is not None and line.path.owner == term.path.owner]
+        words = [line.path.quantity for line in lines if line.path is not None and line.value is not None]
+        nods = any(
+            line.path is not None and line.path.quantity in NODAL for line in lines
+        )  # else it is that from its own momentum
+        if nods and term.path.quantity not in words:
             found[state.name, term.path.owner, term.path.quantity] = find.group
     return found
 
