@@ -218,12 +218,18 @@ class JointedBodies(Struct, frozen=True, dict=True):
         if any(self.signs.side_at_trial(gap) for gap in gaps):
             self.askew[name, way] = gaps
             return
-        mass = self.mass(name)
-        names = {letter for gap in gaps for letter in simplify(gap if mass == ZERO else gap / mass).symbols()}
-        letters = " and ".join(f"`{letter}`" for letter in sorted(names))
-        message = f"whether `{name}` is symmetric, so that its axis lies along its axle, hangs on {letters}"
+        message = f"whether `{name}` is symmetric, so that its axis lies along its axle, hangs on {self.open_letters(name, way)}"
         help = "give them numbers, or hold it as it is drawn by a `hinge`"
         raise Unsolvable(message, span=joint.body.span, help=help)
+
+    def open_letters(self, name: str, way: Triple) -> str:
+        """The letters on which it hangs whether a body is symmetric about one of its own axes; '' where it is told."""
+        gaps = [gap for gap in self.asymmetries(name, way) if not self.vanishes(gap)]
+        if any(self.signs.decide(gap) for gap in gaps):
+            return ""
+        mass = self.mass(name)
+        names = {letter for gap in gaps for letter in simplify(gap if mass == ZERO else gap / mass).symbols()}
+        return " and ".join(f"`{letter}`" for letter in sorted(names))
 
     @cached_property
     def askew(self) -> dict[tuple[str, Triple], list[Formula]]:

@@ -211,12 +211,31 @@ class SpaceMoment:
         if axis is None:
             raise Unsolvable(f"`{name}` has no axis: its tilt and spin have no meaning", help="give it `axis: z`")
         turning, symmetric = self.nodding(name), self.held.turns_round(name, axis)
+        if not symmetric and self.state.steady:
+            self.refuse_unsteady(name, axis)
         found = (nodding if symmetric else in_euler_angles)(turning, permutation(axis))
         if not symmetric or self.told(name, "spin") is not None or self.rests(name):
             return found
         axial, faster = self.ask("axial_rate", name), self.rate_of("axial_rate", name)
         omega, rates = (found.omega[0], found.omega[1], axial), (found.rates[0], found.rates[1], faster)
         return Attitude(found.axes, found.own, omega, rates, found.about)
+
+    def refuse_unsteady(self, name: str, axis: Triple) -> None:
+        """Refuse a steady precession of a body that spins and is not symmetric, or of which letters do not tell whether it is."""
+        told = next((line for word in ("spin", "axial_rate") if (line := self.line(name, word)) is not None), None)
+        if told is None or told.value is None or self.held.vanishes(told.value):
+            return
+        if self.nodding(name).angles[1] in (ZERO, PI):
+            return
+        letters = self.held.open_letters(name, axis)
+        message = f"`{name}` spins, and is not the same all round its axis through the point that is held: it does not precess steadily"
+        help = "leave out `steady: true`, and tell its rates"
+        if letters:
+            message, help = (
+                f"whether `{name}` is symmetric, so that it may precess steadily, hangs on {letters}",
+                "give them numbers",
+            )
+        raise Unsolvable(message, span=told.span, help=help)
 
     @remembered
     def nodding(self, name: str) -> Nodding:

@@ -31,6 +31,13 @@ connections: {{pivot: {{ball: wheel.end}}}}
 states: {{now: {{wheel.tilt: {tilt}, wheel.{word}: {rate}, steady: true}}}}
 find: {{Omega: wheel.precession, N: pivot.force.z}}
 """
+LEANING = """up: z
+given: {{M: 0.2 kg, l: 0.05 m, {given}, s: 400 rad/s, theta: 20 deg}}
+bodies: {{top: {{mass: M, inertia: {{about: tip, principal: [A, B, C]}}, axis: z, points: {{tip: [0, 0, -l]}}}}}}
+connections: {{floor: {{ball: top.tip}}}}
+states: {{now: {{top.tilt: theta, top.axial_rate: s, steady: true}}}}
+find: {{W: smallest top.precession}}
+"""
 TURNED = """up: z
 gravity: none
 given: {{M: 2 kg, R: 0.5 m, w: 3 rad/s{given}}}
@@ -55,6 +62,13 @@ SAME = {  # scenes that mean the same: symmetric or not, whichever way it is tol
         CORNER.format(given="a: 0.2 m, b: 20 cm, c: 200 mm", sides="a, b, c", corner="-a/2, -b/2, -c/2"),
         CORNER.format(given="a: 0.2 m", sides="0.2 m, 0.2 m, 0.2 m", corner="-0.1 m, -0.1 m, -0.1 m"),
     ),
+    "a top that leans": tuple(
+        LEANING.format(given=given).replace("[A, B, C]", moments)
+        for given, moments in (
+            ("A: 6e-4 kg m^2, C: 8e-5 kg m^2", "[A, A, C]"),
+            ("A: 6e-4 kg m^2, B: 6 kg cm^2, C: 8e-5 kg m^2", "[A, B, C]"),
+        )
+    ),
     "a level gyroscope": tuple(
         GYROSCOPE.format(given=given, tilt=tilt, rate="s", word=word)
         for given, tilt in (("", "90 deg"), (", theta: 90 deg", "theta"), (", theta: 45 deg", "2*theta"))
@@ -69,6 +83,11 @@ OPEN = {  # letters alone, and the letters that are named
         'states: {now: {"top.angular_velocity in body axes": [w, 0, 0], top.vertical: [n1, 0, n3]}}\n'
         "find: {E: top.energy}\n",
         "that the vertical of `top` is a direction of length 1 its letters do not tell",
+    ),
+    "a top that precesses steadily": (LEANING.format(given="A: kg m^2, B: kg m^2, C: kg m^2"), "hangs on `A` and `B`"),
+    "a top that is not symmetric": (
+        LEANING.format(given="A: 6e-4 kg m^2, B: 7e-4 kg m^2, C: 2e-4 kg m^2"),
+        "not the same all round its axis",
     ),
     "half a turn": (TURNED.format(given=", phi: 180 deg", by="phi"), "has no one axis that this tells"),
 }
