@@ -163,6 +163,12 @@ class JointedBodies(Struct, frozen=True, dict=True):
         """A point from the reference of its body, in the body's own axes."""
         return tidied(way_between(self.reference(ref.owner), self.spot(ref)))
 
+    def falls(self, name: str) -> bool:
+        """Whether nothing but its weight acts on a body: then its centre of mass falls, however steadily it turns."""
+        pushed = any(ref.owner == name for action in self.problem.actions for ref in action.touches())
+        held = any(name in (joint.body.owner, joint.carrier.owner) for joint in self.joints)
+        return self.problem.gravity is not None and not (pushed or held)
+
     def pointlike(self, name: str) -> bool:
         """Whether a body is a mere particle."""
         body = self.bodies[name]

@@ -488,9 +488,8 @@ class SpaceMoment:
         if told is not None:
             vector, seen, _ = told
             return self.named_axes(seen, name).to(IN_SPACE, vector)
-        if self.held.bodies[name].moved or (
-            word == "acceleration" and self.state.steady and not self.held.of_body(name)
-        ):
+        steady = self.state.steady and not self.held.of_body(name) and not self.held.falls(name)
+        if self.held.bodies[name].moved or (word == "acceleration" and steady):
             return NOTHING  # what is only led round goes nowhere
         return triple([self.ask(word, name, axis) for axis in AXES])
 

@@ -105,6 +105,13 @@ CASES = {  # a scene, and what is known of it by hand
         "find: {W: b.precession, s: b.spin, t: b.tilt}\n",
         {"t": (math.atan2(6e-4 * 3, 8e-5 * 40),)},
     ),
+    "a thrown top that turns steadily while it falls: I₃ ω₃/(I₁ cos θ)": (
+        "given: {A: 0.02 kg m^2, C: 0.03 kg m^2, w3: 10 rad/s, th: 60 deg, g: 9.8 m/s^2}\n"
+        "bodies: {b: {mass: 1 kg, inertia: {principal: [A, A, C]}, axis: z}}\n"
+        "states: {now: {b.tilt: th, b.axial_rate: w3, b.precession: largest, steady: true}}\n"
+        "find: {W: b.precession, s: b.spin, H: size of b.angular_momentum, a: b.acceleration}\n",
+        {"W": (30,), "s": (-5,), "H": (0.6,), "a": (0, 0, -9.8)},
+    ),
     "what is led round faster and faster, at a time that is told": (
         "gravity: none\ngiven: {M: 2 kg, a: 1 m, w: 2 rad/s^2}\n"
         "bodies: {b: {shape: cuboid, mass: M, sides: [a, 2*a, 3*a], angular_velocity: [0, 0, w*time]}}\nstates: {now: {time: 3 s}}\n"

@@ -176,7 +176,7 @@ class Ties:
             yield from self.nodding(name) if nods else ()
             if self.lines.steady and not nods and not self.rig.bodies[name].moved:
                 yield from three_ties(of_turning(name), None, STILL)
-        if self.lines.steady and not self.held_or_led(name):
+        if self.lines.steady and not self.held_or_led(name) and not self.falling(name):
             yield from three_ties(point_terms(name, STILL), None, STILL)
 
     def about_line(self, name: str) -> Iterator[Tie]:
@@ -196,6 +196,12 @@ class Ties:
     def held_or_led(self, name: str) -> bool:
         held = any(joint.body.owner == name for joint in self.rig.joints.values())
         return held or bool(self.rig.bodies[name].moved)
+
+    def falling(self, name: str) -> bool:
+        """Whether a body has its weight alone: in a steady state it turns as it did, and falls."""
+        touched = [ref.owner for action in self.rig.problem.actions for ref in action.touches()]
+        touched += [joint.carrier.owner for joint in self.rig.joints.values()]
+        return bool(self.rig.gravity) and self.rig.solid(name).mass > 0.0 and name not in touched
 
     def prescribed(self, name: str) -> Iterator[Tie]:
         """What is prescribed of a body's motion; one that is led along and not round does not turn, and the other way round."""
