@@ -110,6 +110,27 @@ CASES = {  # a scene, and what is known of it by hand
         {"w_b": (0, 0, 20), "w_a": (0, 0, -5 / 3), "P": (0, 5 / 3, 0)},
     ),
 }
+FREE = (
+    "gravity: none\n" + GIVEN + "bodies:\n"
+    "  one: {shape: cuboid, mass: M, sides: [r, 2*r, 3*r], points: {q: [r/2, 0, 0], e: [r/2, r, 0]}}\n  two: TWO\n"
+)
+FREED = "find: {w_1: one.angular_velocity at after, v: two.velocity at after, K: two.kinetic_energy at after, VECTOR}\n"
+CASES |= {
+    "a free body struck with a rod on it by a ball": (
+        FREE.replace("TWO", "{shape: rod, mass: m, length: r}")
+        + "connections: {k: {ball: [one.q, two.start]}}\n"
+        + STRUCK.replace("POINT", "one.e").replace("WAY", "0, 3, 4")
+        + FREED.replace("VECTOR", "P: k.impulse during hit"),
+        {},
+    ),
+    "a free body struck with a wheel on it, which does not turn about its axle": (
+        FREE.replace("TWO", "{shape: disc, mass: m, radius: R}")
+        + "connections: {k: {axle: [one.q, two], along: x}}\n"
+        + STRUCK.replace("POINT", "one.e").replace("WAY", "0, 0, 1")
+        + FREED.replace("VECTOR", "w_2: two.angular_velocity.x at after"),
+        {"w_2": (0,)},
+    ),
+}
 REFUSED = {  # a scene, and what is said of it
     "a velocity across the slide": (
         on_arm(BEAD, SLIDE, "0", DRIVEN)
