@@ -105,6 +105,23 @@ CASES = {  # a scene, and what is known of it by hand
         {},
     ),
 }
+ASKED = """given: {m: 2 kg, q: LENGTH, v: RATE, g: 9.8 m/s^2}
+bodies: {b: {shape: rod, mass: m, length: q}}
+connections: {h: {hinge: b.start, along: -y}}
+states: {now: {b.angular_velocity: START}, low: {b.angle: -90 deg, b.angular_velocity: -9 rad/s}}
+find: {found: LETTER}
+"""
+RATE_ASKED = ASKED.replace("LENGTH", "1 m").replace("RATE", "unknown").replace("LETTER", "v")
+CASES |= {
+    "a rate that is asked for, downwards at once": (
+        RATE_ASKED.replace("START", "-v"),
+        {"found": (math.sqrt(81 - 29.4),)},
+    ),
+    "a length that is asked for": (
+        ASKED.replace("LENGTH", "unknown").replace("RATE", "0 rad/s").replace("LETTER", "q").replace("START", "v"),
+        {"found": (3 * 9.8 / 81,)},
+    ),
+}
 REFUSED = {  # a scene, and what is said of it
     "the force along the line": (
         SCENE + "states: {now: {at rest: all}}\nfind: {F: one.force.x}\n",
@@ -127,6 +144,10 @@ REFUSED = {  # a scene, and what is said of it
         "hold the same point",
     ),
     "an angle behind a barrier": (HINGE + BACK.replace("ANGLE", "200 deg"), "its motion never comes there"),
+    "a rate that is asked for, with which it goes over the top": (
+        RATE_ASKED.replace("START", "v"),
+        "its motion never comes there",
+    ),
     "the angle from which it comes": (HINGE + BACK.replace("ANGLE", "0 deg"), "nothing tells"),
 }
 

@@ -168,9 +168,9 @@ class Flight:
 
     # arrival
 
-    def arrival(self) -> World:
-        """The world in which the lines of the later state are so for the first time."""
-        lines = [line for line in self.state.conditions if line.path is not None]
+    def arrival(self, only: Condition | None = None) -> World:
+        """The world in which the lines of the later state, or one of them, are so for the first time."""
+        lines = [line for line in self.state.conditions if line.path is not None and only in (None, line)]
         clock = next((line for line in lines if line.path is not None and line.path.quantity == "time"), None)
         if clock is not None and clock.value is not None:
             return self.after(self.rig.value(clock.value))

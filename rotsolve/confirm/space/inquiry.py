@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 
 from msgspec.structs import replace
 
@@ -221,7 +222,28 @@ class Inquiry:
             left += standing.moving.left
             left += standing.over([0.0] * len(standing.moving.free))
             left += self.off_lines(standing, state)
+        for before, state in pairwise(self.problem.states):
+            left += self.off_arrival(before, state)
         return left
+
+    def off_arrival(self, before: State, state: State) -> Iterator[float]:
+        """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it."""
+        from rotsolve.confirm.space.flight import Flight
+
+        lines = [line for line in state.conditions if line.path is not None and line.value is not None]
+        for line in (line for line in lines if line.path is not None and line.path.quantity == "angle"):
+            told = Lines(self.rig, state, {}).told(line.path.owner, "angular_velocity")  # type: ignore[union-attr]
+            ways = self.ways(before.name) if told else []
+            if (
+                told is None
+                or len(ways) != 1
+                or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds)
+            ):
+                continue
+            flight = Flight(self.rig, ways[0].worlds[0], state)
+            rate = flight.rate_of(line)
+            if rate is not None:
+                yield rate(flight.arrival(line)) - told
 
     def off_lines(self, standing: Moving, state: State | None) -> Iterator[float]:
         """By how much lines that are no ties do not hold."""
