@@ -9,6 +9,8 @@ from rotsolve.core.faults import Fault, Span
 from rotsolve.language.words import quoted
 
 QUOTE = "put the text in quotes"
+DEPTH = 40
+TOO_DEEP = f"more than {DEPTH} levels inside one another", "a scene needs no more than ten"
 
 
 def alias(name: str, span: Span) -> Fault:
@@ -69,6 +71,8 @@ def explained(problem: str, line: str, column: int, above: tuple[str, ...]) -> t
         return "a bracket that is never closed, or a comma missing", "write `{a: 1, b: 2}` and `[a, b]`"
     if "expected ':'" in problem:
         return "a name without `: value`", "write `name: value`, with a space after the colon"
+    if "nesting depth" in problem:  # PyYAML 6.0.4 reads ahead of its events, and gives up by itself at 1000 levels
+        return TOO_DEEP
     if "special characters" in problem or "control characters" in problem:
         return "a control character", "keep the file to plain text"
     return f"this is not YAML: {problem}", "check indentation, brackets and quotation marks"

@@ -17,7 +17,6 @@ from rotsolve.language.words import quoted
 from rotsolve.scene import traps
 
 BYTES = 1_000_000
-DEPTH = 40
 NODES = 100_000
 LOADER: Any = yaml.CSafeLoader if hasattr(yaml, "CSafeLoader") else yaml.SafeLoader
 
@@ -141,9 +140,9 @@ class TreeBuilder:
             raise SceneError([traps.anchor(event.anchor, replace(start, length=len(event.anchor) + 1))])
         if event.tag:
             raise SceneError([traps.tag(event.tag, start)])
-        if depth > DEPTH:
-            help = "a scene needs no more than ten"
-            stop(f"more than {DEPTH} levels inside one another", self.span(event), help, "limit")
+        if depth > traps.DEPTH:
+            message, help = traps.TOO_DEEP
+            stop(message, self.span(event), help, "limit")
         if self.count > NODES:
             stop(f"more than {NODES} values in one file", self.span(event), "split the scene", "limit")
 
