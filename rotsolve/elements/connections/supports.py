@@ -82,7 +82,13 @@ class Driven(Connection, frozen=True):
 
     def couples(self, instant: Moment) -> Iterator[Fact]:
         """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
-        for name in dict.fromkeys(instant.host(ref.owner) for ref in self.held()):
+        hosts = dict.fromkeys(instant.host(ref.owner) for ref in self.held())
+        if self.friction_torque is not None and len(hosts) < len(self.held()):
+            names = " and ".join(f"`{ref.owner}`" for ref in self.held())
+            message = f"{names} are one body: whether the friction of `{self.name}` acts on it once or on each is not told"
+            help = "give each an `axle` of its own with its `friction_torque`, or one alone"
+            raise Unsolvable(message, span=self.held()[-1].span, help=help)
+        for name in hosts:
             sense = instant.sense(name)
             if self.friction_torque is not None:
                 yield from self.friction(instant, name, sense)
