@@ -34,13 +34,13 @@ Settling = Callable[[Formula], Formula | None]  # puts in what is known for the 
 
 def requirements(search: Search, letters: Letters) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
-    told: set[tuple[str, str, str]] = set()
+    told: set[tuple[str, str, str, Formula]] = set()
     spoken_of: list[str | Formula] = []
     for place, needs in requirements_by_state(search):
         for need in needs:
             event = place in search.scene.encounters
             at = place if event or need.kind.placed else search.scene.section(place)
-            key = (need.owner, need.otherwise, at)
+            key = (need.owner, need.otherwise, at, need.left - need.right)  # each part of a string has a tension of its own
             if key in told or not (concerns(need, search) or (event and asked_after(need, place, search))):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))

@@ -9,7 +9,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Sum, Symbol
-from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION
+from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE, TORQUE
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
@@ -29,6 +29,8 @@ MEANS = {  # what the mean of a quantity is the mean of, over time
     "force": ("impulse", ""),
     "torque": ("angular_impulse", ""),
 }
+
+OF_FORCES = (ACCELERATION, ANGULAR_ACCELERATION, FORCE, TORQUE)
 
 Said = Mapping[str, "float | str"]
 
@@ -149,9 +151,10 @@ class Asker:
         raise reason or NotConfirmed("no state tells it")
 
     def read(self, state: str, term: Term) -> Reckoned:
-        """The meaning of a path at a state; Astray for accelerations with which what only pushes or pulls would do the opposite."""
+        """The meaning of a path at a state; Astray for what goes by the forces there where something that only pushes or pulls would do
+        the opposite."""
         at = self.course.node(state)
-        if QUANTITIES[term.path.quantity].dimension in (ACCELERATION, ANGULAR_ACCELERATION) and at.moment.lifted:
+        if QUANTITIES[term.path.quantity].dimension in OF_FORCES and at.moment.lifted:
             raise Astray(
                 f"`{at.moment.lifted[0][0]}` lets go at `{state}`" if state else f"`{at.moment.lifted[0][0]}` lets go"
             )
