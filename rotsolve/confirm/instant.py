@@ -99,8 +99,9 @@ class Dynamics(Struct, frozen=True, dict=True):
 
     @property
     def room(self) -> dict[tuple[str, str], float]:
-        """How far what holds is from giving way: μₛ N ± f of what sticks, by how it would slip then; what pushes only by its push."""
-        found: dict[tuple[str, str], float] = {}
+        """How far what holds is from giving way: μₛ N ± f of what sticks, by how it would slip then; what pushes only by its push, and
+        a brake by the most that it can hold: pressed on by less than nothing it would pull."""
+        found = {(f"push {kind}", owner): value for (owner, kind), value in self.pressing.items()}
         for grip in self.grips:
             if grip.static is None or self.modes.get(grip.name, STICKS) != STICKS:
                 continue
@@ -116,7 +117,14 @@ class Dynamics(Struct, frozen=True, dict=True):
     def lifted(self) -> list[tuple[str, str]]:
         """What pushes or pulls only, and would have to do the opposite."""
         size = max([abs(value) for value in self.reactions.values()], default=0.0)
-        return [key for key, value in self.reactions.items() if self.rows[key].push and value < -1e-9 * size]
+        pushes = {key: value for key, value in self.reactions.items() if self.rows[key].push} | self.pressing
+        return [key for key, value in pushes.items() if value < -1e-9 * size]
+
+    @property
+    def pressing(self) -> dict[tuple[str, str], float]:
+        """The limits of friction that has a size of its own, by brake or axle."""
+        limits = ((grip, grip.kinetic) for grip in self.grips if grip.normal is None)
+        return {(grip.name.split(".")[0], "press"): limit for grip, limit in limits if limit is not None}
 
 
 def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[list[Row], list[Grip], dict[str, Slope]]:

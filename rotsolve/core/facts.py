@@ -202,17 +202,19 @@ class Rule(Struct, frozen=True):
 
 class Need(Struct, frozen=True):
     """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N; `placed` where it is about places or
-    speeds, which change though all forces stay."""
+    speeds, which change though all forces stay; `closed` where it is met on its edge as well."""
 
     name: str
     grips: bool = False
     placed: bool = False
+    closed: bool = False
 
 
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
 APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
+PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
 
 
 class Requirement(Struct, frozen=True):

@@ -57,7 +57,7 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                 yield Check(words)
             elif sign < 0:
                 yield Check(objection(need, place, search, letters), False)
-            elif sign == 0 and not event and not demanded(need, place, search):
+            elif sign == 0 and not event and not need.kind.closed and not demanded(need, place, search):
                 yield Check(verge_words(need, place, search, letters), None)
 
 

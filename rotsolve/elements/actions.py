@@ -174,6 +174,9 @@ class Press(Action, frozen=True):
         forward, back = instant.turn_words(name)
         arm, inward = vector(rim_radius(instant.body(self.on.owner), self.on.point) or ZERO, RIGHT), "towards the axle"
         yield facts.Force(self.name, facts.NORMAL, name, push, unit(LEFT), arm, "push", inward, works=False)
+        if pace_of(self.press or ZERO) != CONSTANT:
+            kept, otherwise = "the block is pressed on", f"`{self.name}` would have to pull at"
+            yield facts.Requirement(self.name, facts.PRESSES, push, ZERO, kept, otherwise)
         turn = sense if mode == "turns back" else -sense
         against = unit(UP if turn > 0 else DOWN)
         if mode != "holds":

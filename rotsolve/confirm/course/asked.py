@@ -30,7 +30,7 @@ MEANS = {  # what the mean of a quantity is the mean of, over time
     "torque": ("angular_impulse", ""),
 }
 
-OF_FORCES = (ACCELERATION, ANGULAR_ACCELERATION, FORCE, TORQUE)
+OF_RATES, OF_FORCES = (ACCELERATION, ANGULAR_ACCELERATION), (FORCE, TORQUE)
 
 Said = Mapping[str, "float | str"]
 
@@ -153,11 +153,11 @@ class Asker:
     def read(self, state: str, term: Term) -> Reckoned:
         """The meaning of a path at a state; Astray for what goes by the forces there where something that only pushes or pulls would do
         the opposite."""
-        at = self.course.node(state)
-        if QUANTITIES[term.path.quantity].dimension in OF_FORCES and at.moment.lifted:
-            raise Astray(
-                f"`{at.moment.lifted[0][0]}` lets go at `{state}`" if state else f"`{at.moment.lifted[0][0]}` lets go"
-            )
+        at, dimension = self.course.node(state), QUANTITIES[term.path.quantity].dimension
+        own = term.path.owner if dimension in OF_FORCES else ""  # its own push says by its sign that it lets go
+        letting = [owner for owner, _ in at.moment.lifted if owner != own]
+        if dimension in (*OF_RATES, *OF_FORCES) and letting:
+            raise Astray(f"`{letting[0]}` lets go at `{state}`" if state else f"`{letting[0]}` lets go")
         return reading(at, term.path, term)
 
     def over(self, term: Term) -> Reckoned:

@@ -44,10 +44,9 @@ WIDE = 10.0  # how far those of the pool do, of which APART are tried that are f
 POOL, APART = 256, 6
 WIDER = (0.05, 1.5)  # what bounded kinds have there
 LIGHT = 500.0  # by how much one of several masses is less than usual, where all is tried with it light
-DRIVING, STRONG = (
-    (kinds.FORCE, kinds.TORQUE, kinds.VELOCITY),
-    20.0,
-)  # what drives, and by how much more than usual, where it is strong
+STRONG = 20.0  # by how much more than usual what drives is, where it is strong
+DRIVING = (kinds.FORCE, kinds.TORQUE, kinds.VELOCITY)
+MEASURES = (kinds.MASS, kinds.INERTIA, kinds.LENGTH, kinds.TIME, kinds.ANGLE, kinds.NONE)  # all else in an action drives
 HEAVY, SLOW = (
     50.0,
     20.0,
@@ -165,7 +164,12 @@ def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool], fits: Fi
     """
     open_, usual = letters_open(problem), usual_sizes(problem, fits)
     heavy = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
-    driven = {given.name: usual[given.name] * STRONG for given in open_ if given.dimension in DRIVING}
+    acting = {name for action in problem.actions for name in action.strength().symbols()}
+    driven = {
+        given.name: usual[given.name] * STRONG
+        for given in open_
+        if given.dimension in DRIVING or (given.name in acting and given.dimension not in MEASURES)
+    }
     changes = [{name: usual[name] / LIGHT} for name in heavy if len(heavy) > 1] + ([driven] if driven else [])
     coefficients = [given.name for given in open_ if given.dimension == kinds.NONE]
     rough = {name: ROUGH for name in coefficients if admitted(with_givens(problem, {**usual, name: ROUGH}))}

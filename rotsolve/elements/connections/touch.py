@@ -8,14 +8,18 @@ from typing import ClassVar
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.facts import FRICTION, GRIPS, NORMAL, TOUCHES, Force, Requirement, Rule, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
+from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import (
     NOWHERE,
     RIGHT,
     TURNS,
+    UP,
     Heading,
     Vector,
     along_text,
@@ -264,6 +268,7 @@ class Touch(Connection, frozen=True):
         if surface is None:
             return
         facing = self.normal(surface, instant)
+        self.check_abreast(surface, instant)
         arm, span = contact_arm(ref, facing, instant), instant.span(name)
         normal = instant.ask("normal_force", self.name, when=span)
         if isinstance(surface, Curved) and surface.radius() is None:  # a push that no law tells
@@ -280,6 +285,22 @@ class Touch(Connection, frozen=True):
             point = arm if rim_radius(body, ref.point) is None else instant.hub(ref)
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def check_abreast(self, surface: Surface, instant: Moment) -> None:
+        """All corners with which a body stands on a flat surface lie on it: a crate on a slope stands along that, not level."""
+        ref, place = self.pair()[:2]
+        if isinstance(surface, Curved) or instant.is_round(ref.owner):
+            return
+        for other in instant.configuration.connections(instant.state):
+            if other.lying() != ref.owner or other is self or place.owner not in {at.owner for at in other.places()}:
+                continue
+            across = instant.point(other.touches()[0]) - instant.point(ref)
+            gap = simplify(across.along(surface.normal))
+            if gap != ZERO and not has_quantities(gap) and instant.configuration.signs.sign(gap) != 0:
+                lean = to_text((surface.normal - UP).formula())
+                message = f"as `{ref.owner}` stands, `{self.name}` and `{other.name}` do not both lie on `{surface.name}`"
+                help = f"tell how it stands in the state: `{ref.owner}.angle: {lean}`, if it stands along it"
+                raise Unsolvable(message, span=ref.span, help=help)
 
     def away(self, instant: Moment) -> Heading | None:
         surface = self.surface(instant.configuration, instant.state)
