@@ -37,11 +37,13 @@ class FirstReached(Struct, frozen=True):
     numbers: Numbers
     definition: Callable[[str], Formula | None]
 
-    def choose(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
+    def choose(
+        self, name: str, roots: Sequence[tuple[int, Formula]], period: Formula | None = None
+    ) -> PickedRoot | None:
         """Of several angles the one that a body comes to first on its way; None where nothing tells where it starts.
 
-        The roots are all places in one turn at which the condition of the state holds, so that it holds at none before; of what a wire
-        turns back, whole turns are no way to come to one.
+        The roots are all places in one turn at which the condition of the state holds, so that it holds at none before. Where what drives
+        goes by the angle itself, as a wire does, it does not hold again a `period` later, and whole turns are no way to come to one.
         """
         letter, scale, shift = self.place_behind(name)
         for interval, passage in self.scene.passages.items():
@@ -50,8 +52,9 @@ class FirstReached(Struct, frozen=True):
                 if begin is None:
                     continue
                 places = [(k, root, (root - shift) / scale) for k, root in roots]
-                wound = travel.kind == "turn" and self.scene.instant(passage.end.state).wound(travel.body)
-                ways = self._along_wire(places, *begin) if wound else self._round(places, *begin)
+                turned_back = period is None and not all(isinstance(root, Number) for _, root in roots)
+                turned_back |= travel.kind == "turn" and self.scene.instant(passage.end.state).wound(travel.body)
+                ways = self._there_and_back(places, *begin) if turned_back else self._round(places, *begin)
                 first = min(ways, key=cmp_to_key(self._compared))
                 words: Words = ("the first place on the way where this holds",)
                 turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
@@ -127,7 +130,7 @@ class FirstReached(Struct, frozen=True):
         ahead = [WayToRoot(k, root, gap) for k, root, gap in gaps if (self.numbers.of(gap) or 0.0) > SAME_PLACE]
         return ahead or [self._way_to(*place, start, way) for place in places]
 
-    def _along_wire(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
+    def _there_and_back(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
         """The ways to places none of which comes again a turn later: those ahead, else back to those behind."""
         if not way:
             return [self._way_to(*place, start, way) for place in places]

@@ -63,10 +63,15 @@ class RootChoice(Struct, frozen=True):
             index, number = real[0]
             opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
             return PickedRoot(index, dropped, fits=not opposed)
-        return self._of_several(name, real, numbered, roots)
+        return self._of_several(name, real, numbered, roots, period)
 
     def _of_several(
-        self, name: str, real: list[tuple[int, float]], numbered: list[tuple[int, Formula]], roots: Sequence[Formula]
+        self,
+        name: str,
+        real: list[tuple[int, float]],
+        numbered: list[tuple[int, Formula]],
+        roots: Sequence[Formula],
+        period: Formula | None,
     ) -> PickedRoot:
         """Of several roots that have numbers the one that is meant: a double one, the stable one, the first reached, the expected sign."""
         if all(self.numbers.side(root - numbered[0][1]) == 0 for _, root in numbered[1:]):
@@ -75,7 +80,7 @@ class RootChoice(Struct, frozen=True):
         if stable:
             found = sorted([real[place] for place in stable], key=lambda entry: entry[1] < 0)
             return PickedRoot(self._smallest(found, roots), ("the stable one: a body displaced from it comes back",))
-        reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered)
+        reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered, period)
         if reached is not None:
             return reached
         sign, words = self._expected(name)

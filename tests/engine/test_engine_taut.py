@@ -1,0 +1,116 @@
+"""What only pulls or pushes is asked at each of its parts, whatever is asked: strings over heavy pulleys, brakes, corners on slopes."""
+
+from __future__ import annotations
+
+import pytest
+
+import rotsolve
+
+PULLEY = """
+title: Two loads over a heavy pulley that a couple turns
+given: {m: kg, M: kg, I: kg m^2, R: m, Q: N m}
+bodies: {left: {mass: m, moves: up}, p: {inertia: I, radius: R, turns: clockwise}, right: {mass: M, moves: down}}
+connections: {axle: {axle: p}, rope: {string: [left, p, right]}}
+actions: {motor: {couple: Q, on: p}}
+states: {start: at rest}
+"""
+NUMBERS = {"m": "1 kg", "M": "1 kg", "I": "1 kg m^2", "R": "1 m"}
+ASKED = {
+    "left": "T: rope.left.tension",
+    "right": "T: rope.right.tension",
+    "axle": "F: size of axle.force",
+    "rate": "a: left.acceleration",
+}
+
+
+@pytest.mark.parametrize("asked", ASKED.values(), ids=ASKED)
+def test_all_parts_of_a_string_have_to_pull(asked: str) -> None:
+    """T_right = M (g − a) with a = (Q + (M − m) g R) R/(I + (m + M) R²): at these numbers Q < 29.4 N m."""
+    solution = rotsolve.solve(f"{PULLEY}find: {{{asked}}}")
+    (answer,) = solution.answers.values()
+    limits = answer.conditions
+    assert any("Q <" in limit for limit in limits), limits
+    assert not any(check.holds is False for check in solution.derivation.checks)
+
+
+@pytest.mark.parametrize("asked", ASKED.values(), ids=ASKED)
+@pytest.mark.parametrize(("couple", "taut"), [("29 N m", True), ("30 N m", False)])
+def test_a_slack_part_is_told_in_numbers(asked: str, couple: str, taut: bool) -> None:
+    settings = {**NUMBERS, "Q": couple}
+    try:
+        solution = rotsolve.solve(f"{PULLEY}find: {{{asked}}}", settings=settings)
+    except rotsolve.Unsolvable as error:
+        assert not taut and "rope" in str(error)
+        return
+    objected = any(check.holds is False for check in solution.derivation.checks)
+    assert objected is not taut
+
+
+BRAKE = """
+title: Brake that is let off
+given: {I: kg m^2, R: m, w: rad/s, mu: number, P: N, c: %s}
+bodies: {wheel: {inertia: I, radius: R}}
+connections: {axle: {axle: wheel}}
+actions: {brake: {press: P - c*%s, on: wheel.rim, friction: mu}}
+states: {start: {wheel.angular_velocity: w}, end: {%s}}
+find: {we: wheel.angular_velocity at end}
+"""
+BRAKES = {
+    "by time": BRAKE % ("N/s", "time", "time: 2 s"),
+    "by turn": BRAKE % ("N", "wheel.rotation", "wheel.rotation: 2 rad"),
+}
+SLOW = {"I": "1 kg m^2", "R": "0.1 m", "w": "10 rad/s", "mu": "0.1"}
+
+
+@pytest.mark.parametrize("text", BRAKES.values(), ids=BRAKES)
+def test_a_brake_block_never_pulls_in_letters(text: str) -> None:
+    """P ≥ c t at the end, where it presses least."""
+    answer = rotsolve.solve(text).answers["we"]
+    cases = [answer, *answer.otherwise]
+    assert all(any(condition.startswith("P ≥ c ") for condition in case.conditions) for case in cases)
+
+
+@pytest.mark.parametrize("text", BRAKES.values(), ids=BRAKES)
+@pytest.mark.parametrize(("press", "pushes"), [("5 N", True), ("4 N", True), ("3.9 N", False)])
+def test_a_brake_block_never_pulls_in_numbers(text: str, press: str, pushes: bool) -> None:
+    units = "N/s" if "time: 2 s" in text else "N"
+    solution = rotsolve.solve(text, settings={**SLOW, "P": press, "c": f"2 {units}"})
+    told = [str(check.words) for check in solution.derivation.checks if check.holds is False]
+    assert bool(told) is not pushes
+    assert pushes or "would have to pull" in told[0]
+
+
+CRATE = """
+title: Crate on two edges
+given: {m: 2 kg, a: 1 m, b: 0.5 m, beta: 20 deg}
+surfaces: {ramp: {slope: beta, down: %s}}
+bodies: {crate: {shape: rectangle, mass: m, sides: [a, b]}}
+connections: {l: {contact: [crate.corner1, ramp], friction: any}, r: {contact: [crate.corner2, ramp], friction: none}}
+states: {now: {%sat rest: all, balance: true}}
+find: {Nl: l.normal_force, Nr: r.normal_force}
+"""
+
+
+@pytest.mark.parametrize(("down", "lean", "sign"), [("right", "-beta", 1.0), ("left", "beta", -1.0)])
+def test_corners_on_a_slope_lie_along_it(down: str, lean: str, sign: float) -> None:
+    """N = m g (a cos β ∓ b sin β)/(2 a) by torques about the other corner; told level, they can not both touch."""
+    answers = rotsolve.solve(CRATE % (down, f"crate.angle: {lean}, ")).answers
+    assert answers["Nl"].float == pytest.approx(2 * 9.8 * (0.9396926 - sign * 0.5 * 0.3420201) / 2, rel=1e-6)
+    assert answers["Nr"].float == pytest.approx(2 * 9.8 * (0.9396926 + sign * 0.5 * 0.3420201) / 2, rel=1e-6)
+    for untold in ("", "crate.angle: 0 deg, "):
+        with pytest.raises(rotsolve.Unsolvable, match=r"do not both lie on `ramp`"):
+            rotsolve.solve(CRATE % (down, untold))
+
+
+def test_what_goes_by_the_angle_itself_does_not_come_again_a_turn_later() -> None:
+    """θ̈ = −k² θ from 0 with ω₀ = 8 rad/s turns back at 8 rad, and is back after π/k with −ω₀."""
+    scene = """
+title: Wheel driven back to a place
+given: {w0: 8 rad/s, f: 0.4 rad, k: 1 s^-1}
+bodies: {wheel: {shape: disc, mass: 1 kg, radius: 1 m}}
+connections: {axle: {axle: wheel, angular_acceleration: "-k^2*wheel.angle"}}
+states: {start: {wheel.angle: 0, wheel.angular_velocity: w0}, end: {wheel.angle: f}, back: {wheel.angle: 0}}
+find: {t: time from start to back, w: wheel.angular_velocity at back}
+"""
+    answers = rotsolve.solve(scene).answers
+    assert (answers["t"].float, answers["w"].float) == pytest.approx((3.14159265359, -8.0), rel=1e-8)
