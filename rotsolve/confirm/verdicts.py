@@ -12,7 +12,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.samples import Numbers, letters_open
+from rotsolve.confirm.course.samples import Numbers
+from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, in_a_row
 from rotsolve.core.faults import Fault, Unsolvable

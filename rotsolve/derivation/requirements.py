@@ -40,7 +40,12 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
         for need in needs:
             event = place in search.scene.encounters
             at = place if event or need.kind.placed else search.scene.section(place)
-            key = (need.owner, need.otherwise, at, need.left - need.right)  # each part of a string has a tension of its own
+            key = (
+                need.owner,
+                need.otherwise,
+                at,
+                need.left - need.right,
+            )  # each part of a string has a tension of its own
             if key in told or not (concerns(need, search) or (event and asked_after(need, place, search))):
                 continue
             settled, gap = margin_of(need, search, families_for(NEWTON))

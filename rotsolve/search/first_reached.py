@@ -130,7 +130,9 @@ class FirstReached(Struct, frozen=True):
         ahead = [WayToRoot(k, root, gap) for k, root, gap in gaps if (self.numbers.of(gap) or 0.0) > SAME_PLACE]
         return ahead or [self._way_to(*place, start, way) for place in places]
 
-    def _there_and_back(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
+    def _there_and_back(
+        self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int
+    ) -> list[WayToRoot]:
         """The ways to places none of which comes again a turn later: those ahead, else back to those behind."""
         if not way:
             return [self._way_to(*place, start, way) for place in places]

@@ -11,6 +11,7 @@ from operator import is_
 from rotsolve.algebra.formula import Formula, Sum, Symbol
 from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.sizes import letters_open, sizes_of_letters
 from rotsolve.confirm.numbers import related, value_of
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.limits import Limit
@@ -26,27 +27,20 @@ CLOSED = ("=", "≥", "≤")  # conditions that hold on their edge
 EDGES = 8  # sets right inside the edges of cases
 STEPS = 8  # how often a letter is doubled or halved on the way to an edge
 CLOSER = 7  # and how often its way there is halved
-LIMITS = {  # numbers that are drawn for letters, by what they measure
-    kinds.MASS: (0.5, 5.0),
-    kinds.LENGTH: (0.3, 1.5),
-    kinds.ANGLE: (0.3, 1.2),
-    kinds.NONE: (0.15, 0.7),
-    kinds.VELOCITY: (1.0, 6.0),
-    kinds.FORCE: (3.0, 30.0),
-    kinds.TORQUE: (1.0, 20.0),
-    kinds.STIFFNESS: (20.0, 200.0),
-}
-OTHERS = (0.5, 3.0)
-BOUNDED = (kinds.ANGLE, kinds.NONE)
-PRIMES = (5, 2, 3, 7, 13, 11, 17, 19, 23, 29)  # their roots are the steps from set to set, none a fraction of others
-BEYOND = 3.0  # how far the later sets go beyond the limits, so that they are on both sides of what a size decides
 WIDE = 10.0  # how far those of the pool do, of which APART are tried that are far from each other
 POOL, APART = 256, 6
-WIDER = (0.05, 1.5)  # what bounded kinds have there
 LIGHT = 500.0  # by how much one of several masses is less than usual, where all is tried with it light
+GRAVITY = 9.8
 STRONG = 20.0  # by how much more than usual what drives is, where it is strong
 DRIVING = (kinds.FORCE, kinds.TORQUE, kinds.VELOCITY)
-MEASURES = (kinds.MASS, kinds.INERTIA, kinds.LENGTH, kinds.TIME, kinds.ANGLE, kinds.NONE)  # all else in an action drives
+MEASURES = (
+    kinds.MASS,
+    kinds.INERTIA,
+    kinds.LENGTH,
+    kinds.TIME,
+    kinds.ANGLE,
+    kinds.NONE,
+)  # all else in an action drives
 HEAVY, SLOW = (
     50.0,
     20.0,
@@ -62,11 +56,6 @@ Numbers = Mapping[str, float]
 Fits = Callable[[Numbers], bool]  # whether a scene may have some numbers, by its limits
 
 
-def letters_open(problem: Problem) -> list[Given]:
-    """The letters that have no number and are not asked for."""
-    return [given for given in problem.givens if given.value is None and not given.asked]
-
-
 def sets_wanted(problem: Problem) -> int:
     """How many sets speak for all: several where a letter of the scene is open, two where it is only a mass that plays no part."""
     open_ = letters_open(problem)
@@ -75,10 +64,9 @@ def sets_wanted(problem: Problem) -> int:
 
 def sets_of_numbers(problem: Problem) -> Iterator[Numbers]:
     """The numbers of the givens; where some have none, several sets drawn for those."""
-    open_ = letters_open(problem)
-    for number in range(DRAWS if open_ else 1):
-        drawn = {given.name: in_few_digits(number_drawn(given, number, place)) for place, given in enumerate(open_)}
-        yield with_givens(problem, drawn)
+    sizes = sizes_of_letters(problem)
+    for number in range(DRAWS if sizes.letters else 1):
+        yield with_givens(problem, {name: in_few_digits(size) for name, size in sizes.drawn(number).items()})
 
 
 def fits_of(limits: Sequence[Limit]) -> Fits:
@@ -113,11 +101,10 @@ def far_apart(problem: Problem, answers: Sequence[Answer], fits: Fits) -> list[N
 
     What is next to nothing beside another, or goes wrong only on the way, is not seen with ordinary numbers.
     """
-    open_ = letters_open(problem)
+    drawn = sizes_of_letters(problem)
     regions: dict[tuple[int, ...], list[Numbers]] = {}
     for number in range(1, POOL if any(several.conditions or several.otherwise for several in answers) else 4 * APART):
-        sizes = {given.name: number_drawn(given, number, place, WIDE) for place, given in enumerate(open_)}
-        numbers = with_givens(problem, {name: in_few_digits(size) for name, size in sizes.items()})
+        numbers = with_givens(problem, {name: in_few_digits(size) for name, size in drawn.drawn(number, WIDE).items()})
         if not fits(numbers):
             continue
         cases = [case for case in cases_at(answers, numbers) if case is not None]
@@ -128,11 +115,9 @@ def far_apart(problem: Problem, answers: Sequence[Answer], fits: Fits) -> list[N
 
 def usual_sizes(problem: Problem, fits: Fits) -> dict[str, float]:
     """Ordinary numbers for the letters, such as a scene may have where any that are drawn are."""
-    drawn = [
-        {given.name: number_drawn(given, number, place) for place, given in enumerate(letters_open(problem))}
-        for number in range(1, DRAWS)
-    ]
-    return next((sizes for sizes in drawn if fits(with_givens(problem, sizes))), drawn[0])
+    sizes = sizes_of_letters(problem)
+    drawn = [sizes.drawn(number) for number in range(1, DRAWS)]
+    return next((one for one in drawn if fits(with_givens(problem, one))), drawn[0])
 
 
 def meeting_sets(problem: Problem, fits: Fits) -> Iterator[Numbers]:
@@ -166,9 +151,9 @@ def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool], fits: Fi
     heavy = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
     acting = {name for action in problem.actions for name in action.strength().symbols()}
     driven = {
-        given.name: usual[given.name] * STRONG
+        given.name: usual[given.name] * STRONG * swelling(given)
         for given in open_
-        if given.dimension in DRIVING or (given.name in acting and given.dimension not in MEASURES)
+        if given.dimension in DRIVING or (given.name in acting and not measures(given))
     }
     changes = [{name: usual[name] / LIGHT} for name in heavy if len(heavy) > 1] + ([driven] if driven else [])
     coefficients = [given.name for given in open_ if given.dimension == kinds.NONE]
@@ -176,6 +161,16 @@ def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool], fits: Fi
     for change in (*changes, *({**change, **rough} for change in changes if rough)):
         sizes = {**usual, **change}
         yield with_givens(problem, {letter: in_few_digits(size) for letter, size in sizes.items()})
+
+
+def measures(given: Given) -> bool:
+    """Whether a letter is a mass, a length, a time, an angle or a number, which drives nothing by itself."""
+    return any(given.dimension is None or given.dimension.matches(kind) for kind in MEASURES)
+
+
+def swelling(given: Given) -> float:
+    """By how much more still what makes a force grow with the time has to be: it falls √(L/g) long, and that is short beside seconds."""
+    return 1.0 if given.dimension is None else GRAVITY ** max(0.0, -float(given.dimension.time) / 2 - 1.0)
 
 
 def far_from_each_other(problem: Problem, answers: Sequence[Answer], sets: Sequence[Numbers]) -> Iterator[Numbers]:
@@ -218,14 +213,14 @@ def near_edges(
 def rough_enough(problem: Problem, answers: Sequence[Answer]) -> Iterator[Numbers]:
     """Numbers far beyond the limits with a coefficient of friction only just so large that all answers hold: of what is asked at a state
     it tells nothing that friction needs more on the way there."""
-    open_ = letters_open(problem)
+    drawn = sizes_of_letters(problem)
     told = [
         size for item in problem.connections if isinstance(item, Touch) and (size := item.grip().static) is not None
     ]
-    rough = {name for size in told for name in size.symbols()} & {given.name for given in open_}
+    rough = {name for size in told for name in size.symbols()} & {given.name for given in drawn.letters}
     for name in sorted(rough) if any(several.conditions for several in answers) else ():
         for number in range(1, ROUGH_SETS + 1):
-            sizes = {given.name: number_drawn(given, number, place, WIDE) for place, given in enumerate(open_)}
+            sizes = drawn.drawn(number, WIDE)
 
             def holds_with(size: float, sizes: Numbers = sizes, name: str = name) -> bool:
                 return None not in cases_at(answers, with_givens(problem, {**sizes, name: size}))
@@ -328,20 +323,6 @@ def within_case(problem: Problem, answers: Sequence[Answer], point: Mapping[str,
 def cases_at(answers: Sequence[Answer], numbers: Numbers) -> list[Answer | None]:
     """Of each answer the case that the numbers are of."""
     return [holding(answer, numbers) for answer in answers]
-
-
-def number_drawn(given: Given, number: int, place: int, beyond: float = BEYOND) -> float:
-    """Between the limits of its kind: the same in every run, and spread evenly from set to set; after the first beyond them too.
-
-    Each letter goes from set to set by a step of its own, so that one grows where another does, or falls.
-    """
-    lowest, highest = LIMITS.get(given.dimension, OTHERS) if given.dimension is not None else OTHERS
-    part = (number * math.sqrt(PRIMES[place % len(PRIMES)]) + place * 0.7548776662 + 0.317) % 1.0
-    if given.dimension in BOUNDED and beyond > BEYOND:
-        lowest, highest = WIDER
-    if number == 0 or given.dimension in BOUNDED:
-        return lowest + (highest - lowest) * part
-    return lowest / beyond * math.exp(part * math.log(highest / lowest * beyond**2))
 
 
 def holding(answer: Answer, numbers: Numbers) -> Answer | None:

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.samples import Numbers, holding, letters_open, sets_of_numbers, sets_wanted, with_givens
+from rotsolve.confirm.course.samples import Numbers, holding, sets_of_numbers, sets_wanted, with_givens
+from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import options_that_hold
 from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
 from rotsolve.confirm.space.inquiry import SEVERAL

@@ -85,7 +85,9 @@ class Driven(Connection, frozen=True):
         hosts = dict.fromkeys(instant.host(ref.owner) for ref in self.held())
         if self.friction_torque is not None and len(hosts) < len(self.held()):
             names = " and ".join(f"`{ref.owner}`" for ref in self.held())
-            message = f"{names} are one body: whether the friction of `{self.name}` acts on it once or on each is not told"
+            message = (
+                f"{names} are one body: whether the friction of `{self.name}` acts on it once or on each is not told"
+            )
             help = "give each an `axle` of its own with its `friction_torque`, or one alone"
             raise Unsolvable(message, span=self.held()[-1].span, help=help)
         for name in hosts:

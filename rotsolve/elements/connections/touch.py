@@ -298,7 +298,9 @@ class Touch(Connection, frozen=True):
             gap = simplify(across.along(surface.normal))
             if gap != ZERO and not has_quantities(gap) and instant.configuration.signs.sign(gap) != 0:
                 lean = to_text((surface.normal - UP).formula())
-                message = f"as `{ref.owner}` stands, `{self.name}` and `{other.name}` do not both lie on `{surface.name}`"
+                message = (
+                    f"as `{ref.owner}` stands, `{self.name}` and `{other.name}` do not both lie on `{surface.name}`"
+                )
                 help = f"tell how it stands in the state: `{ref.owner}.angle: {lean}`, if it stands along it"
                 raise Unsolvable(message, span=ref.span, help=help)
 
