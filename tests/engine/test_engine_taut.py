@@ -114,3 +114,23 @@ find: {t: time from start to back, w: wheel.angular_velocity at back}
 """
     answers = rotsolve.solve(scene).answers
     assert (answers["t"].float, answers["w"].float) == pytest.approx((3.14159265359, -8.0), rel=1e-8)
+
+
+@pytest.mark.parametrize("under", ["table: level", "table: {slope: 30 deg, down: left}"], ids=["level", "slope"])
+def test_a_string_without_a_pulley_pulls_along_one_line(under: str) -> None:
+    """A block on a table and a load that falls: nothing leads the string over the edge, so nothing says how it pulls them."""
+    scene = f"""
+title: Block and load
+given: {{m: 1 kg, M: 3 kg}}
+surfaces: {{{under}}}
+bodies: {{block: {{mass: M}}, load: {{mass: m, moves: down}}}}
+connections: {{base: {{contact: [block, table]}}, rope: {{string: [block, load]}}}}
+find: {{T: rope.tension}}
+"""
+    with pytest.raises(rotsolve.Unsolvable, match="along different lines"):
+        rotsolve.solve(scene)
+    pulley = scene.replace("[block, load]", "[block, p, load]").replace(
+        "bodies: {", "bodies: {p: {shape: disc, mass: 0}, "
+    )
+    tension = rotsolve.solve(pulley.replace("connections: {", "connections: {a: {axle: p}, ")).answers["T"].float
+    assert tension == pytest.approx(9.8 * 3 / 4 * (1.0 if "level" in under else 1.5))

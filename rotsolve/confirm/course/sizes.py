@@ -43,7 +43,7 @@ class NaturalUnits(Struct, frozen=True):
         if dimension is None:
             return 1.0
         powers = ((self.mass, dimension.mass), (self.length, dimension.length), (self.time, dimension.time))
-        return math.prod(unit ** float(power) for unit, power in powers)
+        return math.prod([math.pow(unit, float(power)) for unit, power in powers])
 
 
 def natural_units(problem: Problem) -> NaturalUnits:

@@ -27,7 +27,6 @@ from rotsolve.confirm.course.samples import (
     fits_of,
     fitting_first,
     holding,
-    letters_open,
     meeting_sets,
     near_edges,
     on_edges,
@@ -37,6 +36,7 @@ from rotsolve.confirm.course.samples import (
     with_givens,
     within_case,
 )
+from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.verdicts import (
     NO_CASE,
     NO_NUMBER,

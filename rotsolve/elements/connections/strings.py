@@ -71,7 +71,20 @@ class Routing(Struct, frozen=True, dict=True):
         said, held = self.said(index), self.settled(index, self.fixed)
         if held is not None:
             return self.agreed(index, said, held)
-        return said if said.parts else self.abreast(index) or self.settled(index, self.leaving_mover) or unit(RIGHT)
+        if said.parts:
+            return said
+        self.check_straight(index)
+        return self.abreast(index) or self.settled(index, self.leaving_mover) or unit(RIGHT)
+
+    def check_straight(self, index: int) -> None:
+        """A straight piece does not pull each of two bodies along another line: a block on a table, a load that falls."""
+        first, second = self.points[index : index + 2]
+        one, other = (self.line(ref.owner) for ref in (first, second))
+        if self.wraps(index) or self.wraps(index + 1) or one is None or other is None or (one - other).sin() == ZERO:
+            return
+        message = f"`{first.owner}` and `{second.owner}` travel along different lines, with nothing that the string runs over between"
+        help = "name the pulley, a light one with `mass: 0`; or say by `pulls` which way it pulls, if it runs straight"
+        raise Unsolvable(message, span=second.span, help=help)
 
     def abreast(self, index: int) -> Vector | None:
         """The direction of a leg between two bodies that travel along one line, level or sloping: from left to right."""
