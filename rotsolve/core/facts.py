@@ -215,6 +215,7 @@ APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
+ON_THE_WAY = Need("on the way", placed=True, closed=True)  # what is least within a phase
 
 
 class Requirement(Struct, frozen=True):

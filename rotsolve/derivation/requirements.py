@@ -121,6 +121,10 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
         from rotsolve.derivation.parted import liftings
 
         yield from liftings(search)
+    if any(travel.pace == "time" for passage in scene.passages.values() for travel in passage.travels):
+        from rotsolve.derivation.on_the_way import least_pushes
+
+        yield from least_pushes(search)
 
 
 def passing(state: str, search: Search) -> bool:

@@ -134,3 +134,59 @@ find: {{T: rope.tension}}
     )
     tension = rotsolve.solve(pulley.replace("connections: {", "connections: {a: {axle: p}, ")).answers["T"].float
     assert tension == pytest.approx(9.8 * 3 / 4 * (1.0 if "level" in under else 1.5))
+
+
+SWELLING = {
+    "lift": (
+        """
+title: Crate under a force that swells and dies
+given: {m: kg, F: N, c: N/s^2, T: s}
+surfaces: {floor: level}
+bodies: {crate: {mass: m, moves: right}}
+connections: {base: {contact: [crate, floor]}}
+actions: {push: {force: F, on: crate, direction: right}, lift: {force: c*time*(T - time), on: crate, direction: up}}
+states: {start: at rest, end: {time: T}}
+find: {N: base.normal_force at end, v: crate.velocity at end}
+""",
+        "c ≤ 4 m g/T²",
+        {"m": "2 kg", "F": "1 N", "T": "2 s"},
+        19.6,
+    ),
+    "drum": (
+        """
+title: Load on a drum that a couple turns back
+given: {I: kg m^2, R: m, m: kg, c: N m/s^2, T: s}
+bodies: {drum: {inertia: I, radius: R, turns: clockwise}, load: {mass: m, moves: down}}
+connections: {axle: {axle: drum}, rope: {string: [drum.rim, load]}}
+actions: {motor: {couple: c*time*(T - time), on: drum}}
+states: {start: at rest, end: {time: T}}
+find: {v: load.velocity at end}
+""",
+        "I ≥ c R T²/(4 g)",
+        {"I": "2 kg m^2", "R": "1 m", "m": "1 kg", "T": "2 s"},
+        19.6,
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", SWELLING)
+def test_what_lets_go_only_within_a_phase_is_a_condition(kind: str) -> None:
+    """The push is least at T/2: m g − c T²/4, and m (I g − R c T²/4)/(I + m R²)."""
+    text, condition, _, _ = SWELLING[kind]
+    for answer in rotsolve.solve(text).answers.values():
+        assert answer.conditions == (condition,)
+        assert not answer.otherwise
+
+
+@pytest.mark.parametrize("kind", SWELLING)
+@pytest.mark.parametrize(("share", "holds"), [(0.99, True), (1.0, True), (1.01, False)])
+def test_what_lets_go_only_within_a_phase_is_told_in_numbers(kind: str, share: float, holds: bool) -> None:
+    text, _, numbers, limit = SWELLING[kind]
+    units = "N/s^2" if kind == "lift" else "N m/s^2"
+    solution = rotsolve.solve(text, settings={**numbers, "c": f"{share * limit:.3f} {units}"}, confirm=False)
+    assert any(check.holds is False for check in solution.derivation.checks) is not holds
+
+
+def test_a_push_that_is_largest_within_a_phase_asks_for_nothing() -> None:
+    text = SWELLING["lift"][0].replace("direction: up", "direction: down")
+    assert all(not answer.conditions for answer in rotsolve.solve(text).answers.values())
