@@ -1,65 +1,118 @@
-"""On the way: what only pushes or pulls, in a phase whose forces vary in time, where it does so least between the ends.
+"""On the way: what only pushes or pulls, in a phase whose forces vary with time or place, where it does so least between the ends.
 
-That a string is taut as a force begins and as it ends does not say that it is so while the force swells.
+That a string is taut as a force begins and as it ends does not say that it is so while the force swells, nor that of a load on a wheel
+which a lump speeds up where it is level.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import ceil, floor
 
-from rotsolve.algebra.calculus.derivative import differentiate
+from msgspec import Struct
+
+from rotsolve.algebra.calculus.derivative import differentiate, period_of
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import ON_THE_WAY, Requirement
-from rotsolve.core.symbols import TIME
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.core.facts import ON_THE_WAY, Requirement, signed
+from rotsolve.core.passage import Passage
+from rotsolve.core.symbols import POSITION, TIME
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.functions_of_time import Beside
 from rotsolve.search.search import Search
+
+MOST_PLACES = 12  # within one phase
+RUNNING = (TIME, POSITION)  # how the forces vary in phases that are looked at
+
+
+class Way(Struct, frozen=True):
+    """What runs in a phase, the time or a coordinate, and its values at both ends in order."""
+
+    letter: str
+    low: Formula
+    high: Formula
 
 
 def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
     """By the state at the end of a phase that forces and tensions are not negative where they are least within it."""
     for name, passage in search.scene.passages.items():
         interval = search.scene.configuration.timeline.interval(name)
-        if interval is not None and any(travel.pace == "time" for travel in passage.travels):
-            needs = [least for need in passage.midst.requirements for least in least_of(need, interval, search)]
-            yield interval.end, tuple(needs)
+        if interval is None or not any(travel.pace in RUNNING for travel in passage.travels):
+            continue
+        beside = Beside(search.apart().settled, search.signs)
+        needs = [need for need in passage.midst.requirements if not (need.kind.grips or need.kind.placed)]
+        way = way_of(passage, interval, search, beside) if needs else None
+        if way is not None:
+            yield interval.end, tuple(least for need in needs for least in least_of(need, way, beside))
 
 
-def least_of(need: Requirement, interval: Interval, search: Search) -> Iterator[Requirement]:
-    """A requirement at each time within a phase at which it has least to spare; none where the laws do not tell that."""
-    if need.kind.grips or need.kind.placed:
+def way_of(passage: Passage, interval: Interval, search: Search, beside: Beside) -> Way | None:
+    """What runs in a phase; None where nothing tells its ends."""
+    ends: tuple[Formula | None, Formula | None] = (None, None)
+    letter = ""
+    for travel in passage.travels:
+        if travel.pace == TIME:
+            instants = (search.scene.instant(state) for state in (interval.start, interval.end))
+            letter, ends = TIME, tuple(instant.time() for instant in instants)  # type: ignore[assignment]
+        elif travel.pace == POSITION and isinstance(travel.coordinate, Symbol) and not letter:
+            letter = travel.coordinate.name
+            ends = (None if end is None else signed(end, travel.sense) for end in (travel.start, travel.end))  # type: ignore[assignment]
+    start, end = (None if value is None else in_numbers(beside.settle(value), beside) for value in ends)
+    if start is None or end is None:
+        return None
+    try:
+        return Way(letter, start, end) if beside.side(end - start) > 0 else Way(letter, end, start)
+    except NotYet:
+        return None
+
+
+def in_numbers(value: Formula | None, beside: Beside) -> Formula | None:
+    """A value with the numbers of all letters that have one."""
+    return None if value is None else value.substitute(dict(beside.signs.values))
+
+
+def least_of(need: Requirement, way: Way, beside: Beside) -> Iterator[Requirement]:
+    """A requirement at each place within a phase at which it has least to spare; none where the laws do not tell that."""
+    margin = beside.settle(need.left - need.right)
+    if margin is None or way.letter not in margin.symbols():
         return
-    aside = search.apart()
-    margin, *clock = (
-        aside.settled(value)
-        for value in (
-            need.left - need.right,
-            *(search.scene.instant(state).time() for state in (interval.start, interval.end)),
-        )
-    )
-    if margin is None or None in clock or TIME not in margin.symbols():
+    running = simplify(margin.substitute({way.letter: Symbol(TIME)}))  # Beside looks at functions of time
+    try:
+        for least in least_values(running, way, beside):
+            yield Requirement(need.owner, ON_THE_WAY, least, ZERO, need.kept, f"{need.otherwise} on the way to")
+    except NotYet:
         return
-    for least in least_values(simplify(margin), clock, Beside(aside.settled, search.signs)):
-        yield Requirement(need.owner, ON_THE_WAY, least, ZERO, need.kept, f"{need.otherwise} on the way to")
 
 
-def least_values(margin: Formula, clock: list[Formula | None], beside: Beside) -> Iterator[Formula]:
-    """The values of a function of time where it is least between two times; none where letters alone tell that it is positive there."""
-    start, end = clock
-    slope = differentiate(margin, TIME)
-    if start is None or end is None or margin.symbols() - set(beside.values) - {TIME} or TIME not in slope.symbols():
+def least_values(margin: Formula, way: Way, beside: Beside) -> Iterator[Formula]:
+    """The values of a running margin where it is least within a phase; none where letters alone tell that it is positive there."""
+    slope = simplify(differentiate(margin, TIME))
+    if margin.symbols() - set(beside.values) - {TIME} or TIME not in slope.symbols():
         return
     bend = differentiate(slope, TIME)
     places = solve_polynomial(slope, TIME) or solve_trig(slope, TIME)
-    if all(beside.signs.by_letters(simplify(bend.substitute({TIME: place}))) == -1 for place in places):
+    period = period_of(slope, TIME)
+    if all(beside.signs.by_letters(simplify(bend.substitute({TIME: place}))) == -1 for place in places) and not period:
         return  # largest there
-    try:
-        for mark in beside.zeros(slope, start, end):
-            least = simplify(margin.substitute({TIME: mark}))
-            if beside.signs.by_letters(least) != 1 and beside.side(bend.substitute({TIME: mark})) == 1:
-                yield least
-    except NotYet:
-        return
+    for mark in within(slope, places, period, way, beside):
+        least = simplify(margin.substitute({TIME: mark}))
+        if beside.signs.by_letters(least) != 1 and beside.side(bend.substitute({TIME: mark})) == 1:
+            yield least
+
+
+def within(slope: Formula, places: list[Formula], period: Formula | None, way: Way, beside: Beside) -> list[Formula]:
+    """The zeros of a slope between the ends of a way: those of places without letters whole periods apart too."""
+    told = [*places, way.low, way.high, *([period] if period is not None else [])]
+    if period is None or any(value.symbols() for value in told):
+        return beside.zeros(slope, way.low, way.high)
+    found: list[Formula] = []
+    for place in places:
+        first, last = (beside.number((end - place) / period) for end in (way.low, way.high))
+        repeats = range(ceil(first), floor(last) + 1)
+        if len(repeats) > MOST_PLACES:
+            raise NotYet("it is least at too many places")
+        found += [simplify(place + number * period) for number in repeats]
+    inner = [mark for mark in found if beside.side(mark - way.low) == 1 == beside.side(way.high - mark)]
+    return list(dict.fromkeys(inner))

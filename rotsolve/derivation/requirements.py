@@ -16,7 +16,7 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.symbols import has_quantities, is_key
+from rotsolve.core.symbols import POSITION, TIME, has_quantities, is_key
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.rubs import rubs
@@ -121,7 +121,7 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
         from rotsolve.derivation.parted import liftings
 
         yield from liftings(search)
-    if any(travel.pace == "time" for passage in scene.passages.values() for travel in passage.travels):
+    if any(travel.pace in (TIME, POSITION) for passage in scene.passages.values() for travel in passage.travels):
         from rotsolve.derivation.on_the_way import least_pushes
 
         yield from least_pushes(search)

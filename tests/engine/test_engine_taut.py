@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import rotsolve
+from compositions.freed import holds
 
 PULLEY = """
 title: Two loads over a heavy pulley that a couple turns
@@ -190,3 +191,33 @@ def test_what_lets_go_only_within_a_phase_is_told_in_numbers(kind: str, share: f
 def test_a_push_that_is_largest_within_a_phase_asks_for_nothing() -> None:
     text = SWELLING["lift"][0].replace("direction: up", "direction: down")
     assert all(not answer.conditions for answer in rotsolve.solve(text).answers.values())
+
+
+LUMP = """
+title: Load on a wheel with a lump on it
+given: {m: kg, M: kg, I: kg m^2, R: m, b: m}
+bodies:
+  wheel: {inertia: I, mass: 1 kg, radius: R, turns: clockwise, points: {P: [0, b]}}
+  lump: {mass: M}
+  load: {mass: m, moves: down}
+connections: {axle: {axle: wheel}, bolt: {weld: [wheel.P, lump]}, rope: {string: [wheel.rim, load]}}
+states: {start: {wheel.rotation: 0, at rest: all}, low: {wheel.rotation: %s}}
+find: {v: load.velocity at low}
+"""
+
+
+@pytest.mark.parametrize(
+    ("turn", "passes"), [("180 deg", True), ("100 deg", True), ("80 deg", False), ("540 deg", True)]
+)
+def test_what_lets_go_only_on_the_way_from_place_to_place(turn: str, passes: bool) -> None:
+    """With the lump level, a quarter turn on: T = m (I g + M g b (b − R))/(I + m R² + M b²): M b (R − b) = I at 320 kg."""
+    text = LUMP % turn
+    (answer,) = rotsolve.solve(text, confirm=False).answers.values()
+    for mass, slack in (("300 kg", False), ("330 kg", passes)):
+        numbers = {"I": "20 kg m^2", "R": "0.5 m", "b": "0.25 m", "m": "1 kg", "M": mass}
+        solution = rotsolve.solve(text, settings=numbers, confirm=False)
+        assert any(check.holds is False for check in solution.derivation.checks) is slack
+        known = solution.problem.values
+        cases = [answer.answer, *answer.answer.otherwise]
+        fitting = [case for case in cases if all(holds(one, known) for one in case.conditions)]
+        assert bool(fitting) is not slack
