@@ -18,7 +18,7 @@ from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import EXTREMES, Find, Path, Problem, Term, TimeValue, before
 from rotsolve.motion.block import left_out
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.hereafter import with_hereafter
+from rotsolve.motion.hereafter import sticks_at_last, with_hereafter
 from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
@@ -217,11 +217,13 @@ def decided(configuration: Configuration) -> Decision | None:
     spoken_of = any(line.word for state in configuration.timeline.states for line in state.conditions)
     if not spoken_of and not rubs(configuration):
         return None
-    from rotsolve.search.friction import decide, said_otherwise
+    from rotsolve.search.friction import check_goes_on, decide, said_otherwise
 
     decision = decide(configuration)
     for clash in said_otherwise(configuration, decision.modes):
         raise clash
+    if sticks_at_last(configuration.problem):
+        check_goes_on(configuration)
     return decision
 
 

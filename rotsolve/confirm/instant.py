@@ -34,6 +34,10 @@ STICKS, FORWARD, BACK, OPEN = "sticks", "slips forward", "slips back", "open"
 MODES = (STICKS, FORWARD, BACK)
 
 
+class NoWay(NotConfirmed):
+    """What may slip can do so in none of its ways; where a state says that it sticks, it does not."""
+
+
 class Met(Struct, frozen=True):
     """Two bodies that have bounced off each other: from then on the second stays ahead of the first along `way`, if it is a `rod` across
     that, between its ends in its own axes, which turn with it."""
@@ -42,6 +46,10 @@ class Met(Struct, frozen=True):
     way: Way
     apart: float  # how far it was ahead as they met, counted from where both are drawn
     rod: tuple[Spot, Spot] | None = None
+    shift: Way = (
+        0.0,
+        0.0,
+    )  # from where the first was drawn to where it has hit the rod: what is told of neither may tell of both
 
 
 class Placed(Struct, frozen=True):
@@ -285,7 +293,7 @@ def moment(
         if all(grip.name in letting or fits(grip, found) for grip in grips):
             check_settled(model, found)
             return found
-    raise NotConfirmed("no way to stick and slip fits")
+    raise NoWay("no way to stick and slip fits")
 
 
 def check_settled(model: Known, found: Dynamics) -> None:

@@ -23,6 +23,15 @@ def changes_at_last(configuration: Configuration) -> bool:
     return any(map(comes_to_hold, lines)) and asks_forces_at_last(configuration)
 
 
+def sticks_at_last(problem: Problem) -> bool:
+    """Whether the last state says that something sticks or rolls, to which a motion leads."""
+    if len(problem.states) < 2:
+        return False
+    last = problem.states[-1]
+    said = any(line.word in ("sticks", "rolls") for line in last.conditions)
+    return said and not any(event.to == last.name for event in problem.events)
+
+
 def asks_forces_at_last(configuration: Configuration) -> bool:
     """Whether a force or acceleration is asked of the last state, to which a motion leads, where something rubs."""
     problem = configuration.problem

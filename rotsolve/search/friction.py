@@ -22,11 +22,14 @@ from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Find, Problem
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.hereafter import with_hereafter
 from rotsolve.motion.positive import limits_of
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs, rubs_at
 from rotsolve.plan import PATIENCE
 from rotsolve.questions.find import Asked
+from rotsolve.search.answering import letters_of
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
+from rotsolve.search.explain import unreachable
 from rotsolve.search.openings import tell_ends
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
@@ -464,6 +467,18 @@ def own_needs(rub: Rub, scene: SceneEquations) -> list[Requirement]:
     return [need for need in needs if need.owner == rub.owner and need.kind.grips]
 
 
+def check_goes_on(configuration: Configuration) -> None:
+    """NeverReached where what the last state says to stick or to roll would slip on from there: its slip only turns round."""
+    *_, before, last = configuration.problem.states
+    whole = Configuration(with_hereafter(configuration.problem), configuration.alteration)
+    try:
+        modes = decide(whole).modes
+    except Unsolvable:
+        return  # nothing tells what comes then
+    for clash in said_otherwise(whole, modes):
+        raise unreachable(whole.problem, before.name, last.name, clash.fault.span, clash.fault.message)
+
+
 def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> Iterator[Unsolvable]:
     """Contacts that a state says to stick where friction is too weak for it, or to slip where it is strong enough."""
     problem = configuration.problem
@@ -474,8 +489,7 @@ def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> It
         contacts = {item.name: item for item in configuration.connections(state.name)}
         for line in state.conditions if configuration.phase_start(state.name) == state.name else ():
             contact = contacts.get(line.path.owner) if line.path is not None else None
-            static = contact.static() if contact is not None and contact.rubs() else None
-            if contact is None or static is None or not static.symbols() <= numbered:
+            if contact is None or not contact.rubs() or not set(letters_of(contact)) <= numbered:
                 continue
             slips = modes.get(rub_key(contact.name, state.name), "sticks").startswith("slips")
             if line.word in ("sticks", "rolls") and slips:

@@ -6,13 +6,14 @@ That is cheap, and it is the only way away from a place where nothing pushes: a 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.constraints import held_by
-from rotsolve.confirm.course.astray import GivesWay, LetsGo, check_apart
+from rotsolve.confirm.course.astray import GivesWay, LetsGo, MeetAgain, check_apart, spaces
 from rotsolve.confirm.course.node import Astray, Node, unpushed
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, split
 from rotsolve.confirm.jet import Jet, Slope
@@ -61,12 +62,33 @@ def by_energy(first: Node, state: State) -> Node | None:
             return None
         before, done = at, part
         looks.append((part, at))
-    for part, near in tightest(looks) if unpushed(first) else ():
+
+    def at_part(near: Node, part: float) -> Node:
         found = placed_at(first, near.placed.q, line, start + part * (goal - start))
-        at = with_its_speed(first, found, line, whole, goal - start) if found is not None else None
-        if at is not None:
-            check_grips(first, at, state)
-    return before
+        return (with_its_speed(first, found, line, whole, goal - start) if found is not None else None) or near
+
+    return before if holds_between([(0.0, first), *looks], at_part, state) else None
+
+
+def holds_between(looks: Sequence[tuple[float, Node]], at_part: Callable[[Node, float], Node], state: State) -> bool:
+    """Astray where something gives way between the looks on a way; False where steps in time tell how it then goes on."""
+    first = looks[0][1]
+    for key, start, end, near in tightest(looks):
+        from rotsolve.confirm.course.crossings import touched
+
+        if touched(partial(spare, key), partial(at_part, near), start, end):
+            if key[0] in (FORWARD, BACK) and not unpushed(first):
+                return False
+            raise given_way(key, first, state)
+    return True
+
+
+def given_way(key: tuple[str, str], first: Node, state: State) -> Astray:
+    """What tells against a state where something gives way on the way to it."""
+    names = first.model.acting.state.name, state.name
+    if key in spaces(first, rods=True):
+        return MeetAgain(key, *names)
+    return GivesWay(key[1], *names) if key[0] in (FORWARD, BACK) else LetsGo(key[1], *names)
 
 
 def check_grips(first: Node, at: Node, state: State) -> None:
@@ -75,13 +97,30 @@ def check_grips(first: Node, at: Node, state: State) -> None:
         raise GivesWay(slips, first.model.acting.state.name, state.name)
 
 
-def tightest(looks: Sequence[tuple[float, Node]]) -> Iterator[tuple[float, Node]]:
-    """Between three looks of which the one in the midst leaves friction the least to spare: where a parabola has least, with that look."""
-    for (_, one), (part, two), (later, three) in zip(looks, looks[1:], looks[2:], strict=False):
-        for key in two.moment.room:
-            low, least, high = (node.moment.room.get(key, math.inf) for node in (one, two, three))
-            if key[0] in (FORWARD, BACK) and least <= min(low, high) < max(low, high) < math.inf:
-                yield part + (later - part) / 2 * (low - high) / (low - 2 * least + high), two
+def spares(at: Node) -> dict[tuple[str, str], float]:
+    """How far all that holds is from giving way, and how far apart those are that have met."""
+    open_ = {(f"push {kind}", owner) for owner, kind in at.moment.open_reactions}
+    apart = {pair: gap + 1e-6 * size for pair, (gap, size) in spaces(at, rods=True).items()}
+    return {key: room for key, room in at.moment.room.items() if key not in open_} | apart
+
+
+def spare(key: tuple[str, str], at: Node) -> float:
+    """One of them; what rounding takes off is nothing."""
+    return spares(at).get(key, math.inf) + 1e-9 * max(map(abs, at.moment.reactions.values()), default=0.0)
+
+
+def tightest(looks: Sequence[tuple[float, Node]]) -> Iterator[tuple[tuple[str, str], float, float, Node]]:
+    """What may give way between looks and hold at each, from where to where, with a look between."""
+    known = [(part, spares(node)) for part, node in looks]
+    if any(rooms for _, rooms in known):
+        from rotsolve.confirm.course.crossings import dips
+
+        nodes = dict(looks)
+        parts = [part for part, _ in looks]
+        for key in known[-1][1]:
+            told = [(part, rooms[key]) for part, rooms in known if rooms.get(key, math.inf) < math.inf]
+            for low, high in dips(told):
+                yield key, low, high, nodes[parts[parts.index(low) + 1]]
 
 
 def parts_of(first: Node, line: Condition, gap: float) -> Sequence[float]:

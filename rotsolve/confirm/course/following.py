@@ -11,8 +11,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.node import Budget, Node
-from rotsolve.confirm.instant import STICKS, placed
+from rotsolve.confirm.course.node import Astray, Budget, Node
+from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
 from rotsolve.elements.connections.touch import Touch
@@ -75,6 +75,7 @@ class Course:
             try:
                 self._nodes[name] = node = self._reached(self.names.index(name))
                 self._standing(node, self._blows.get(name))
+                self._sticking(node)
             except NotConfirmed as reason:
                 self._nodes[name] = reason
         found = self._nodes[name]
@@ -101,6 +102,18 @@ class Course:
             if blow is not None:
                 check_struck(blow)
             check_standing(node)
+
+    def _sticking(self, node: Node) -> None:
+        """Whether what a state says to stick or to roll goes on so; right before a blow it has no time to slip."""
+        state = node.model.acting.state
+        held = next((line for line in state.conditions if line.word in ("sticks", "rolls")), None)
+        if held is None or any(event.from_ == state.name for event in self.problem.events):
+            return
+        try:
+            _ = node.moment
+        except NoWay:
+            owner = held.path.owner if held.path is not None else held.owner
+            raise Astray(f"`{owner}` would slip on from `{state.name}`") from None
 
     def _standing_between(self, phase: FollowedPhase) -> None:
         """The same within the steps from one state to the next."""

@@ -10,7 +10,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.instant import Met
 from rotsolve.confirm.model import Model
-from rotsolve.confirm.pose import Pose
+from rotsolve.confirm.pose import Pose, Way
 from rotsolve.elements.events import Collides
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef
@@ -25,8 +25,9 @@ def met_through(before: Node, event: Event, model: Model, after: Pose) -> tuple[
     if not isinstance(event, Collides):
         return before.placed.met
     pair = event.collides[0], event.collides[1]
-    kept = tuple(met for met in before.placed.met if set(met.pair) != {ref.owner for ref in pair})
     found = met_on_line(before, pair, model, after)
+    anew = ({ref.owner for ref in pair}, set(found.pair) if found is not None else set())
+    kept = tuple(met for met in before.placed.met if set(met.pair) not in anew)
     return kept if found is None else (*kept, found)
 
 
@@ -38,7 +39,7 @@ def met_on_line(before: Node, pair: tuple[PointRef, PointRef], model: Model, aft
     one, other = (ref.owner for ref in pair)
     ways = [model.way(name) if name in model.seats else None for name in (one, other)]
     if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
-        rods = [ref for ref in pair if ref.owner in model.seats and shape_of(model.body(ref.owner)).slender]
+        rods = [(ref, rod) for ref in pair if (rod := rod_of(ref, model))]
         return met_rod(pair, rods[0], model, (before.pose, after)) if len(rods) == 1 else None
     way, lying = ways[0], {item.lying() for item in before.model.acting.connections}
     met = Met((one, other), way, 0.0)
@@ -50,22 +51,39 @@ def met_on_line(before: Node, pair: tuple[PointRef, PointRef], model: Model, aft
     return replace(met, apart=gap_of(met, before.pose)[0])
 
 
-def met_rod(pair: tuple[PointRef, PointRef], rod: PointRef, model: Model, poses: tuple[Pose, Pose]) -> Met | None:
-    """A rod and what has hit it: that stays on its side of it as long as it is beside it."""
-    ball = pair[0] if rod is pair[1] else pair[1]
+def rod_of(ref: PointRef, model: Model) -> str:
+    """The rod that is hit at a point, its own or that of a body that it is welded to; "" where it is none."""
+    names = (ref.owner, *model.joined_to(ref.owner)) if ref.owner in model.seats else ()
+    return next((name for name in names if shape_of(model.body(name)).slender), "")
+
+
+def met_rod(
+    pair: tuple[PointRef, PointRef], hit: tuple[PointRef, str], model: Model, poses: tuple[Pose, Pose]
+) -> Met | None:
+    """A rod that is hit at a point, and what has hit it: that stays on its side of it as long as it is beside it."""
+    spot, rod = hit
+    ball = pair[0] if spot is pair[1] else pair[1]
     if ball.owner not in model.seats:
         return None
     try:
-        ends = tuple(model.drawn(PointRef(rod.owner, end)) for end in ROD)
+        ends = tuple(model.drawn(PointRef(rod, end)) for end in ROD)
     except NotConfirmed:
         return None
-    met = Met((ball.owner, rod.owner), (0.0, 1.0), 0.0, (ends[0], ends[1]))
+    met = Met((ball.owner, rod), (0.0, 1.0), 0.0, (ends[0], ends[1]), brought_to(spot, ball, model, poses[1]))
     closing, parting = (-gap_of(met, pose)[1] for pose in poses)
     if closing == 0.0:
         return None
     through = parting * closing > THROUGH * closing**2
     met = replace(met, way=(0.0, 1.0 if (closing > 0.0) != through else -1.0))
     return replace(met, apart=gap_of(met, poses[1])[0])
+
+
+def brought_to(spot: PointRef, ball: PointRef, model: Model, pose: Pose) -> Way:
+    """From the point with which a body hits a rod to the point that it hits."""
+    (x, y), (u, w) = (
+        pose.place(ref.owner, model.meeting(ref, pose.q[model.seats[ref.owner].turn])) for ref in (ball, spot)
+    )
+    return u.value - x.value, w.value - y.value
 
 
 def gap_of(met: Met, pose: Pose) -> tuple[float, float]:
@@ -82,7 +100,7 @@ def beside_rod(met: Met, pose: Pose) -> tuple[float, float, float]:
     assert met.rod is not None
     name, rod = met.pair
     start, end = (pose.place(rod, spot) for spot in met.rod)
-    x, y = pose.place(name, pose.seats[name].rigid.centre)
+    x, y = (place + by for place, by in zip(pose.place(name, pose.seats[name].rigid.centre), met.shift, strict=True))
     length = math.dist(*met.rod)
     way: tuple[float, float] = ((end[0].value - start[0].value) / length, (end[1].value - start[1].value) / length)
     across = ((end[0] - start[0]) * (y - start[1]) - (end[1] - start[1]) * (x - start[0])) * (-met.way[1] / length)

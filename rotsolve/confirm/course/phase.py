@@ -15,7 +15,7 @@ from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import TOUCHING, LetsGo, MeetAgain, spaces
-from rotsolve.confirm.course.crossings import FAR, crossings, first_zero, sign_change
+from rotsolve.confirm.course.crossings import FAR, crossings, dips, first_zero, sign_change, touched
 from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
 from rotsolve.confirm.course.laps import FollowedPhase, Lap
 from rotsolve.confirm.course.meeting import beside_rod, gap_of
@@ -143,7 +143,7 @@ class NextState:
         values = [gone(lap.at(part)) for part in (0.0, 1.0)]
         if values[0] * values[1] >= 0.0 or lap is self.laps[0]:
             return False
-        again = lap.at(sign_change(gone, lap, 0.0, 1.0))
+        again = lap.at(sign_change(gone, lap.at, 0.0, 1.0))
         begun = [(*at.placed.speed, *at.pushes) for at in (before, again)]
         size = max(map(abs, begun[0]))
         return all(abs(one - two) <= AGAIN * size for one, two in zip(*begun, strict=True))
@@ -229,11 +229,8 @@ class NextState:
                 known[1:1] = [(part, margin_in_step(key, lap.at(part))) for part in SOON]
             # what is all but zero tells no sign
             known[1:] = [one for one in known[1:] if one[1] > 0.0 or one[1] < -1e-7 * size]
-            for (low, before), (high, after) in pairwise(known):
-                if low < least[0] and after < -1e-7 * size:
-                    part = sign_change(partial(margin_in_step, key), lap, low, high) if before > 0.0 else low
-                    least = min(least, (part, key), key=lambda one: one[0])
-                    break
+            part = gives(partial(margin_in_step, key), lap, known, 1e-7 * size)
+            least = min(least, (part, key), key=lambda one: one[0])
         return min((least, *self.hits(lap)), key=lambda one: one[0])
 
     def hits(self, lap: Lap) -> Iterator[tuple[float, tuple[str, str]]]:
@@ -244,18 +241,20 @@ class NextState:
                 return gap_of(met, at.pose)[0] - met.apart + TOUCHING
 
             parts = (0.0, *SOON, *(number / LOOKS for number in range(1, LOOKS + 1)))
-            for low, high in pairwise(parts):
-                if ahead(lap.at(low)) * ahead(lap.at(high)) < 0.0:  # from either side
-                    part = sign_change(ahead, lap, low, high)
-                    if beside_rod(met, lap.at(part).pose)[0] <= 0.0:
-                        yield part, (f"{APART}{met.pair[0]}", met.pair[1])
-                        break
+            known = [(part, ahead(lap.at(part))) for part in parts]
+            found = [sign_change(ahead, lap.at, x, y) for (x, a), (y, b) in pairwise(known) if a * b < 0.0]
+            for low, high in dips([(part, abs(gap)) for part, gap in known]):  # from either side
+                found += touched(ahead, lap.at, low, high)
+            for part in sorted(found):
+                if beside_rod(met, lap.at(part).pose)[0] <= 0.0:
+                    yield part, (f"{APART}{met.pair[0]}", met.pair[1])
+                    break
 
     def within(self, key: tuple[str, str], lap: Lap) -> list[tuple[float, float]]:
         """How far something is from giving way, or from sticking, at the places of a step: as its law has told, or by how fast it slips."""
         names = list(self.node.moment.room)
         if len(lap.step.pushes) == 1:
-            return []
+            return [(0.5, margin_in_step(key, lap.at(0.5)))] if key[0].startswith(APART) else []
         if key not in names:
             return [(part, margin_in_step(key, lap.at(part))) for part in PLACES[1:]]
         number = len(lap.step.place) + names.index(key)
@@ -321,6 +320,22 @@ class NextState:
         self.laps.append(lap)
         end = at_rest(stilled(lap.at(1.0), self.scale, stopped), lap.at(0.5))
         return FollowedPhase(self.laps, end, lap.modes)
+
+
+def gives(function: Callable[[Node], float], lap: Lap, known: Sequence[tuple[float, float]], small: float) -> float:
+    """The first part of a lap at which a margin falls below zero, by what it is at some parts; 1.0 where it does not.
+
+    Also between those: it may come below zero and back.
+    """
+    first = 1.0
+    for (low, before), (high, after) in pairwise(known):
+        if after < -small:
+            first = sign_change(function, lap.at, low, high) if before > 0.0 else low
+            break
+    for low, high in dips(known):
+        if low < first:
+            first = min(first, *touched(lambda at: function(at) + small, lap.at, low, high), 1.0)
+    return first
 
 
 def finely(found: list[Gauge], first: Node) -> list[Gauge]:

@@ -121,7 +121,7 @@ def usual_sizes(problem: Problem, fits: Fits) -> dict[str, float]:
 
 
 def meeting_sets(problem: Problem, fits: Fits) -> Iterator[Numbers]:
-    """Where bodies hardly bounce off each other, sets with each mass in turn much larger than the others, and slow, or for long.
+    """Where bodies hardly bounce off each other, sets with each mass in turn much larger than the others, and slow, for long, or from far.
 
     With these they may meet again: what is heavy goes on behind what is light, which weights or springs turn back, or that turns round.
     """
@@ -134,9 +134,10 @@ def meeting_sets(problem: Problem, fits: Fits) -> Iterator[Numbers]:
     masses = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
     slow = {given.name: usual[given.name] / SLOW for given in open_ if given.dimension == kinds.VELOCITY}
     long = {given.name: usual[given.name] * SLOW for given in open_ if given.dimension == kinds.TIME}
+    wide = {given.name: LIMITS[kinds.ANGLE][1] for given in open_ if given.dimension == kinds.ANGLE}
     for heavy in masses if len(masses) > 1 else [""]:
         light = {name: usual[name] / HEAVY for name in masses if name != heavy}
-        for change in filter(None, (slow, long)):
+        for change in [one for one in (slow, long, wide) if one] or [{}]:
             yield with_givens(
                 problem, {name: in_few_digits(size) for name, size in {**usual, **light, **change}.items()}
             )
