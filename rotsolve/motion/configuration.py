@@ -70,7 +70,12 @@ class Configuration(Arrangement, frozen=True, dict=True):
         held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points())
         return seated(
             pairs,
-            lambda name: (name in held, *self._carried_along(name, state), not shape_of(self.bodies[name]).pointlike),
+            lambda name: (
+                name in held,
+                *self._carried_along(name, state),
+                not shape_of(self.bodies[name]).pointlike,
+                self._turn_tells(name, state),
+            ),
             lambda ref: self._met_at(ref, state),
             lambda first, second: self._bend(first, second, state),
         )
@@ -81,6 +86,14 @@ class Configuration(Arrangement, frozen=True, dict=True):
         joined = [item.joined() for item in (*self.connections(state), *self.events(state))]
         gone = self._absent[state]
         return [(pair[0], pair[1]) for pair in joined if pair and not gone & {ref.owner for ref in pair}]
+
+    def _turn_tells(self, name: str, state: str) -> bool:
+        """Whether something hangs on how a body is turned: a wire, what holds it at a mark, or who asks. What stands for it goes on from
+        there, while the turn of what is joined to it may tell nothing."""
+        items = self.connections(state)
+        marked = any(ref.owner == name and ref.point is not None for item in items for ref in item.touches())
+        wound = any(ref.owner == name for item in items for ref in item.winds())
+        return wound or marked or self.mentions.asks(name, "angle")
 
     def _carried_along(self, name: str, state: str) -> tuple[bool, bool]:
         """Whether a body lies on a surface along which it travels, and whether it hangs from a string."""
@@ -115,15 +128,21 @@ class Configuration(Arrangement, frozen=True, dict=True):
 
     def _heading_told(self, name: str, state: str) -> Heading | None:
         """How a body stands, where a state, or one before it with nothing but events between, tells that; one that is no rod as drawn."""
-        angle, moment = self.mentions.told(state, name, "angle"), state
+        angle, moment = self._angle_told(name, state), state
         while angle is None and (before := self.timeline.before(moment)) is not None and before.event is not None:
             moment = before.start
-            angle = self.mentions.told(moment, name, "angle")
+            angle = self._angle_told(name, moment)
         if shape_of(self.bodies[name]).slender:
             return None if angle is None else heading(angle)
         own = self.frame(name, state)
         drawn = self.direction(own.cm, name) if own.cm.parts and self.pivot(name, state) is not None else RIGHT
         return RIGHT if angle is None else heading(angle) - drawn
+
+    def _angle_told(self, name: str, state: str) -> Formula | None:
+        """The angle that a state tells of a body, or of a wire that turns it back."""
+        wires = [item.name for item in self.connections(state) if [ref.owner for ref in item.winds()] == [name]]
+        told = (self.mentions.told(state, owner, "angle") for owner in (name, *wires))
+        return next((angle for angle in told if angle is not None), None)
 
     def direction(self, arm: Vector, name: str) -> Heading:
         """The heading of the way to a body's centre of mass, whichever sign its size has."""

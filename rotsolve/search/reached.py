@@ -145,8 +145,10 @@ def impossible(interval: Interval, passage: Passage, search: Search) -> str:
 def overdrawn(interval: Interval, passage: Passage, search: Search) -> str:
     """Why a spring would have to give more energy than it has: of ½ k x² = K₁ + U₁ + W − K₂ − U₂, without it in U₂, no x is the root."""
     for item in passage.end.potentials:
+        if not has_quantities(search.solver.with_found(item.elongation)):  # it may vanish there
+            continue
         stiff = simplify(item.energy / square(item.elongation))
-        if has_quantities(stiff) or not has_quantities(search.solver.with_found(item.elongation)):
+        if has_quantities(stiff):
             continue
         for group in passage.groups:
             left = left_for_a_spring(item, passage, group)
