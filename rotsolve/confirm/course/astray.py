@@ -22,6 +22,14 @@ class GivesWay(Astray):
         super().__init__(f"`{owner}` begins to slip on the way from `{first}` to `{last}`")
 
 
+class SlipsOn(Astray):
+    """What a state says to stick or to roll would slip on, or the other way, from there."""
+
+    def __init__(self, owner: str, state: str) -> None:
+        self.owner = owner
+        super().__init__(f"`{owner}` would slip on from `{state}`")
+
+
 class MeetAgain(Astray):
     """Two bodies that bounced off each other would go through each other on the way."""
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.astray import SlipsOn
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.instant import STICKS
@@ -76,7 +77,12 @@ def verge(find: Find, condition: Condition, said: float, at: Callable[[float], C
 
 
 def grip_holds(condition: Condition, course: Course, state: str) -> bool:
-    modes = course.node(state).moment.modes
+    try:
+        modes = course.node(state).moment.modes
+    except SlipsOn as reason:
+        if reason.owner != condition.owner:
+            raise
+        return False
     found = [mode for name, mode in modes.items() if name == condition.owner or name.startswith(f"{condition.owner}.")]
     if not found:
         raise NotConfirmed(f"`{condition.owner}` does not rub")

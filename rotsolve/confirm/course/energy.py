@@ -76,7 +76,7 @@ def holds_between(looks: Sequence[tuple[float, Node]], at_part: Callable[[Node, 
     for key, start, end, near in tightest(looks):
         from rotsolve.confirm.course.crossings import touched
 
-        if touched(partial(spare, key), partial(at_part, near), start, end):
+        if touched(partial(room_at, key), partial(at_part, near), start, end):
             if key[0] in (FORWARD, BACK) and not unpushed(first):
                 return False
             raise given_way(key, first, state)
@@ -104,7 +104,7 @@ def spares(at: Node) -> dict[tuple[str, str], float]:
     return {key: room for key, room in at.moment.room.items() if key not in open_} | apart
 
 
-def spare(key: tuple[str, str], at: Node) -> float:
+def room_at(key: tuple[str, str], at: Node) -> float:
     """One of them; what rounding takes off is nothing."""
     return spares(at).get(key, math.inf) + 1e-9 * max(map(abs, at.moment.reactions.values()), default=0.0)
 

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.node import Astray, Budget, Node
+from rotsolve.confirm.course.node import Budget, Node
 from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
@@ -112,8 +112,9 @@ class Course:
         try:
             _ = node.moment
         except NoWay:
-            owner = held.path.owner if held.path is not None else held.owner
-            raise Astray(f"`{owner}` would slip on from `{state.name}`") from None
+            from rotsolve.confirm.course.astray import SlipsOn
+
+            raise SlipsOn(held.path.owner if held.path is not None else held.owner, state.name) from None
 
     def _standing_between(self, phase: FollowedPhase) -> None:
         """The same within the steps from one state to the next."""
@@ -167,8 +168,8 @@ class Course:
 
     def timed(self, name: str) -> Node:
         """The instant of a state, reached by steps in time."""
-        self.node(name)
         for number, state in enumerate(self.states[: self.names.index(name) + 1]):
+            self.node(state.name)  # anew where steps in time have just led to the one before it
             if state.name not in self._untimed:
                 continue
             if state.name in self._lost:
