@@ -319,7 +319,6 @@ def check_consistent(search: Search) -> KnownBalls:
         from rotsolve.search.reached import not_reached
 
         for refusal in not_reached(search):
-            refusal.sure = True
             raise refusal
     if any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds):
         from rotsolve.search.within import out_of_bounds

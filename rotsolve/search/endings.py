@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from rotsolve.search.holding import InTime, Slipping
 
 MOST_TURNS = 4  # of them those at which a swing that rubs turns back: each of its half swings is solved on its own
+GROWS = {"largest": 1, "smallest": -1}
 SIMULATE = "`rotsolve simulate` follows it; or let the scene end before that"
 
 
@@ -81,6 +82,9 @@ class Endings(Struct, dict=True):
             return None
         from rotsolve.search.turning import NEVER, turned_on_way
 
+        other = self.other_extreme(interval)
+        if other is not None:
+            return other
         timeline = self.configuration.timeline
         found = turned_on_way(passage, self.settled, self.search, stuck=self.stuck)
         if timeline.state(interval.end).opened or found is None:
@@ -99,6 +103,22 @@ class Endings(Struct, dict=True):
             raise never_reached(interval, self.configuration, why)
         senses = tuple((rub.name, 0) for rub in rubs_at(self.configuration, interval.start))
         return Ending(interval, (turning_line(travel),), senses, "turn", f"{spoken(travel.body)} turns back")
+
+    def other_extreme(self, interval: Interval) -> Ending | None:
+        """Where what is to come to its largest place sets out towards its smallest one: it turns back there first; or the other way round."""
+        timeline = self.configuration.timeline
+        if timeline.state(interval.start).opened or timeline.state(interval.end).opened:
+            return None
+        for line in timeline.state(interval.end).conditions:
+            path, grows = line.path, GROWS.get(line.word or "", 0)
+            for travel in self.scene.passages[interval.name].travels if path is not None and grows else ():
+                speed = self.settled(travel.before) if path is not None and places(path, travel) else None
+                counted = travel.sense if path is not None and path.quantity == "angle" else 1
+                if speed is not None and self.side(speed) == -grows * counted:
+                    senses = tuple((rub.name, 0) for rub in rubs_at(self.configuration, interval.start))
+                    words = f"{spoken(travel.body)} turns back"
+                    return Ending(interval, (turning_line(travel),), senses, "turn", words)
+        return None
 
     def over_the_top(self, interval: Interval) -> Ending | None:
         """The highest place of a hollow surface between both ends of a phase: there it presses least, and has to press still."""
@@ -373,13 +393,22 @@ class Endings(Struct, dict=True):
         return self.side(duration - at) == 1 or self.side(duration) == -1
 
 
-def never_reached(interval: Interval, configuration: Configuration, why: str) -> NeverReached:
+def places(path: Path, travel: Travel) -> bool:
+    """Whether a path is the place along which a travel goes."""
+    words = ("angle", "rotation", "turns") if travel.kind == "turn" else ("displacement",)
+    own = path.point is None and path.component is None
+    return own and path.owner == travel.body and path.quantity in words and travel.pace == POSITION
+
+
+def never_reached(interval: Interval, configuration: Configuration, why: str, *, sure: bool = False) -> NeverReached:
     """A state to which the motion never gets, and why."""
     start, end = configuration.timeline.told(interval)
     span = configuration.timeline.state(end).span
     from rotsolve.search.explain import unreachable
 
-    return unreachable(configuration.problem, start, end, span, why)
+    refusal = unreachable(configuration.problem, start, end, span, why)
+    refusal.sure = sure
+    return refusal
 
 
 def not_in_time(search: Search, numbers: KnownBalls) -> None:

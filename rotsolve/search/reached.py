@@ -22,32 +22,37 @@ from rotsolve.laws.energy import energy
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.consistency import just_stops
-from rotsolve.search.endings import never_reached
+from rotsolve.search.endings import GROWS, never_reached
 from rotsolve.search.search import Search
 
-GROWS = {"largest": 1, "smallest": -1}
 CHANGES = ("displacement", "rotation", "turns")
 
 
 def not_reached(search: Search) -> Iterator[NeverReached]:
-    """The states to which the motion never comes, the first first."""
+    """The states to which the motion never comes, the first first; those that are `sure` not on its way back either."""
     configuration, aside = search.scene.configuration, search.apart(careful=True)
     for name, found in search.solver.solved.items():
         if found.formula is not None and has_no_number(found.formula, search):
-            yield never_reached(interval_of(name, search), configuration, "it would take a time that is no real number")
+            yield never_reached(
+                interval_of(name, search), configuration, "it would take a time that is no real number", sure=True
+            )
     slowest = ""
     for interval in configuration.timeline.intervals:
         passage = search.scene.passages.get(interval.name)
         if slowest:
-            yield never_reached(interval, configuration, f"{slowest} comes to `{interval.start}` ever more slowly")
+            yield never_reached(
+                interval, configuration, f"{slowest} comes to `{interval.start}` ever more slowly", sure=True
+            )
         if passage is None:
             continue
         end, slowest = configuration.timeline.state(interval.end), creeping(passage, search, aside)
-        why = only_approached(passage, aside) or not_grown(interval, passage, end, aside)
+        why = only_approached(passage, aside)
+        turned = "" if why else not_grown(interval, passage, end, aside)
         why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
         why = why or only_neared(passage, search, aside)
-        if why:
-            yield never_reached(interval, configuration, why)
+        if why or turned:
+            # what turns back at the other extreme may come to it from there
+            yield never_reached(interval, configuration, why or turned, sure=bool(why))
 
 
 def only_neared(passage: Passage, search: Search, aside: Search) -> str:

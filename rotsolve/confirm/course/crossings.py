@@ -39,12 +39,14 @@ def crossings(gauge: Gauge, lap: Lap) -> list[float]:
     values = [gauge.value(lap.at(part)) for part in parts]
     small = 1e-9 * gauge.size
     found: list[float] = []
-    for place in range(1, len(values) - 1) if not gauge.passing else ():  # it may come to it and go back between
+    for place in (
+        range(1, len(values) - 1) if not (gauge.passing or gauge.way) else ()
+    ):  # it may come to it and go back between
         a, b, c = values[place - 1 : place + 2]
         if a * b > 0 < b * c and abs(b) < min(abs(a), abs(c)):
             found += touched(gauge.value, lap.at, parts[place - 1], parts[place + 1])
     for low, high, a, b in zip(parts, parts[1:], values, values[1:], strict=False):
-        if abs(a) <= small and low == 0.0:
+        if (abs(a) <= small and low == 0.0) or a * gauge.way > small:  # of an extreme the other one
             continue
         if a * b < 0 and abs(b) > small:
             found.append(sign_change(gauge.value, lap.at, low, high))

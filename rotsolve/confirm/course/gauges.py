@@ -22,13 +22,15 @@ OWN = ("mass", "inertia", "gyration", "radius", "length")
 class Gauge(Struct, frozen=True):
     """A function of an instant that vanishes where a line holds; `size` is what it is small against.
 
-    `passing` marks one that only tells when it changes its sign, not how far it is from zero.
+    `passing` marks one that only tells when it changes its sign, not how far it is from zero; `way` is +1 or −1 for one that has to grow or
+    to fall there, as the rate of what is smallest or largest.
     """
 
     value: Callable[[Node], float]
     size: float
     words: str
     passing: bool = False
+    way: int = 0
 
 
 def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
@@ -89,7 +91,8 @@ def word_gauge(line: Condition, model: Model) -> Gauge:
         return Gauge(lambda at: least(owner, at), 1.0, f"{owner}: {line.word}")
     if line.word in EXTREMES and line.path is not None:
         path = line.path
-        return Gauge(lambda at: rate(path, at), 1.0, f"{path.owner}.{path.quantity}: {line.word}")
+        way = 1 if line.word == "smallest" else -1
+        return Gauge(lambda at: rate(path, at), 1.0, f"{path.owner}.{path.quantity}: {line.word}", way=way)
     raise NotConfirmed(f"a state that says `{owner}: {line.word}`")
 
 
