@@ -105,7 +105,7 @@ class Endings(Struct, dict=True):
         return Ending(interval, (turning_line(travel),), senses, "turn", f"{spoken(travel.body)} turns back")
 
     def other_extreme(self, interval: Interval) -> Ending | None:
-        """Where what is to come to its largest place sets out towards its smallest one: it turns back there first; or the other way round."""
+        """Where what is to come to its largest place sets out towards the smallest one: it turns back there, or the other way round."""
         timeline = self.configuration.timeline
         if timeline.state(interval.start).opened or timeline.state(interval.end).opened:
             return None

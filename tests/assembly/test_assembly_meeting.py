@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from math import cos, radians, sqrt, tan
+
 import pytest
 
 from rotsolve.core.faults import Unsolvable
@@ -112,3 +115,62 @@ def test_nothing_is_left_where_only_that_is_asked() -> None:
     text = HANGING.replace("SIZE", "10 kg").replace(", w: rod.angular_velocity at after, v: ball.velocity at after", "")
     with pytest.raises(Unsolvable, match="`ball` and `rod` meet again"):
         solve(text)
+
+
+DRIVES = {  # what turns a rod about its end on a table after it has hit a ball: what the scene says of it, and its torque by the angle
+    "wire beyond": (
+        "connections",
+        "wire: {torsion: rod, stiffness: 3 N m/rad, rest_angle: 0.8 rad}",
+        lambda a: 3 * (0.8 - a),
+    ),
+    "wire back": ("connections", "wire: {torsion: rod, stiffness: 3 N m/rad}", lambda a: -3 * a),
+    "couple": ("actions", "drive: {couple: 2 N m, on: rod}", lambda a: 2.0),
+    "force": ("actions", "push: {force: 4 N, on: rod.end, direction: up}", lambda a: 4 * cos(a)),
+}
+DRIVEN = """
+plane: horizontal
+given: {{M: 3 kg, m: 0.1 kg, L: 1 m, x: 0.5 m, e: {e}}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}, ball: {{mass: m, moves: up}}}}
+connections: {{pin: {{hinge: rod.start}}{connections}}}
+actions: {{{actions}}}
+states: {{start: {{rod.angle: -1.2 rad, at rest: all}}, mid: {{rod.angle: 0}}, after: {{}}, far: {{rod.angle: 35 deg}}}}
+events: {{hit: {{collides: [{pair}], restitution: e, from: mid, to: after}}}}
+find: {{w: rod.angular_velocity at after, v: ball.velocity at after, W: rod.angular_velocity at far}}
+"""
+
+
+def nearest(torque: Callable[[float], float], e: float) -> float:
+    """How near the ball comes to the rod on the way to 35° once they have parted: v t − x tan θ, θ by steps of its own; I = M L²/3 = 1."""
+    m, x, rate = 0.1, 0.5, sqrt(2 * sum(torque(-1.2 + 1.2 * (k + 0.5) / 4000) for k in range(4000)) * 1.2 / 4000)
+    after, speed = rate * (1 - e * m * x * x) / (1 + m * x * x), rate * x * (1 + e) / (1 + m * x * x)
+    angle, time, step, gaps = 0.0, 0.0, 1e-4, []
+    while angle < radians(35) and after > 0:
+        after += torque(angle) * step
+        angle, time = angle + after * step, time + step
+        gaps.append(speed * time - x * tan(angle))
+    return min(gaps[20:])
+
+
+@pytest.mark.parametrize(("e", "pair"), [(0.02, "rod.at(x), ball"), (0.9, "ball, rod.at(x)")])
+@pytest.mark.parametrize("drive", DRIVES)
+def test_a_rod_that_something_drives_meets_the_ball_again_or_not(drive: str, e: float, pair: str) -> None:
+    """The ball is where the rod hits it, after the rod has swung there: nothing else tells where it was."""
+    place, words, torque = DRIVES[drive]
+    parts = {"connections": "", "actions": ""} | {place: f", {words}" if place == "connections" else words}
+    text = DRIVEN.format(e=e, pair=pair, **parts).replace("actions: {}\n", "")
+    meets = nearest(torque, e) < 0
+    assert meets == (e < 0.1)
+    found = solve(text).derivation
+    assert [item.name for item in found.refused] == (["W"] if meets else [])
+    assert all("meet again on the way from `after` to `far`" in item.fault.message for item in found.refused)
+    assert {item.name for item in found.confirmed if item.holds} == {"w", "v"} | (
+        {"W"} - {item.name for item in found.refused}
+    )
+
+
+def test_a_lump_on_a_rod_is_part_of_it() -> None:
+    """What is hit is a lump within the rod: the rod itself comes up behind the ball."""
+    lump = ", lump: {mass: 0.5 kg}}\nconnections: {glue: {weld: [rod.at(x), lump]}, "
+    text = DRIVEN.format(e=0.02, pair="lump, ball", connections="", actions="drive: {couple: 2 N m, on: rod}")
+    (refused,) = solve(text.replace("}\nconnections: {", lump, 1)).derivation.refused
+    assert "`ball` and `rod` meet again" in refused.fault.message
