@@ -59,7 +59,7 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
             if outcome is Confirmation.HOLDS or same(formula, answered.found.formula, search, balls):
                 pending.remove(answered)
                 agreed.append(answered)
-            elif over_a_phase(other):
+            elif over_a_phase(other) and not has_quantities(formula):  # what rests on an open letter is no other answer
                 pending.remove(answered)
                 name = Symbol(answered.asked.find.name)
                 another = formula.substitute(letters.symbols)
