@@ -14,6 +14,7 @@ from rotsolve.core.facts import signed
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import has_quantities, is_key, is_quantity, paths_in
+from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 from rotsolve.motion.configuration import Configuration
@@ -116,9 +117,20 @@ def carry_over(state: State, fixed: Fixed) -> None:
     for body in fixed.configuration.present(state.name):
         keep_angle(body.name, last, fresh, fixed)
         if body.name not in touched and "all" not in touched:
-            rates = [rates_of_body("velocity", instant, body.name) for instant in (last, fresh)]
-            for one, other in zip(*rates, strict=False):
+            for one, other in kept_rates(body.name, last, fresh):
                 fixed.fix(other, one)
+
+
+def kept_rates(body: str, last: Instant, fresh: Instant) -> Iterator[tuple[Formula, Formula]]:
+    """The rates of a body that an event leaves as they were, with those after it: what it lets go of an axis goes on as its centre went."""
+    kinds = [instant.motion(body).kind for instant in (last, fresh)]
+    if kinds == ["axis", "plane"]:
+        centre = last.velocity_at(body, fresh.frame(body).reference)
+        before = [centre.along(RIGHT), centre.along(UP), last.rate("angular_velocity", body)]
+        yield from zip(before, rates_of_body("velocity", fresh, body), strict=False)
+    elif kinds[0] == kinds[1]:
+        rates = [rates_of_body("velocity", instant, body) for instant in (last, fresh)]
+        yield from zip(*rates, strict=False)
 
 
 def keep_angle(body: str, last: Instant, fresh: Instant, fixed: Fixed) -> None:

@@ -92,6 +92,10 @@ class Instant(Standing, frozen=True, dict=True):
             return NOWHERE
         return self.motion(ref.owner).velocity_of(self.point(ref))
 
+    def velocity_at(self, host: str, place: Vector) -> Vector:
+        """Velocity of a place in the axes of a body that stands for itself."""
+        return self.motion(host).velocity_of(self._from_reference(host, place))
+
     def acceleration(self, ref: PointRef) -> Vector:
         if ref.owner not in self.configuration.bodies:
             return NOWHERE
