@@ -112,13 +112,25 @@ class Endings(Struct, dict=True):
         for line in timeline.state(interval.end).conditions:
             path, grows = line.path, GROWS.get(line.word or "", 0)
             for travel in self.scene.passages[interval.name].travels if path is not None and grows else ():
-                speed = self.settled(travel.before) if path is not None and places(path, travel) else None
+                own = path is not None and self.places(path, travel, interval.end)
+                speed = self.settled(travel.before) if own else None
                 counted = travel.sense if path is not None and path.quantity == "angle" else 1
                 if speed is not None and self.side(speed) == -grows * counted:
                     senses = tuple((rub.name, 0) for rub in rubs_at(self.configuration, interval.start))
                     words = f"{spoken(travel.body)} turns back"
                     return Ending(interval, (turning_line(travel),), senses, "turn", words)
         return None
+
+    def places(self, path: Path, travel: Travel, state: str) -> bool:
+        """Whether a path is the place along which a travel goes: of a body, or of the wire that turns it back."""
+        item, host = self.configuration.connection(path.owner, state), self.configuration.host
+        owners = [ref.owner for ref in item.winds()] if item is not None else [path.owner]
+        if path.point is not None or path.component is not None or travel.pace != POSITION:
+            return False
+        if path.quantity == "angle":
+            return travel.kind == "turn" and [host(name, state) for name in owners] == [travel.body]
+        words = ("rotation", "turns") if travel.kind == "turn" else ("displacement",)
+        return path.quantity in words and path.owner == travel.body
 
     def over_the_top(self, interval: Interval) -> Ending | None:
         """The highest place of a hollow surface between both ends of a phase: there it presses least, and has to press still."""
@@ -391,13 +403,6 @@ class Endings(Struct, dict=True):
         if duration is None:
             return self.stuck or interval.end == OPEN
         return self.side(duration - at) == 1 or self.side(duration) == -1
-
-
-def places(path: Path, travel: Travel) -> bool:
-    """Whether a path is the place along which a travel goes."""
-    words = ("angle", "rotation", "turns") if travel.kind == "turn" else ("displacement",)
-    own = path.point is None and path.component is None
-    return own and path.owner == travel.body and path.quantity in words and travel.pace == POSITION
 
 
 def never_reached(interval: Interval, configuration: Configuration, why: str, *, sure: bool = False) -> NeverReached:

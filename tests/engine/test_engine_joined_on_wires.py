@@ -1,4 +1,4 @@
-"""Joined on wires: what a wire turns keeps its twist as an event joins something to it, in whichever order both are named."""
+"""Joined on wires: what a wire turns keeps its twist as an event joins something to it, whichever of both is named first."""
 
 from __future__ import annotations
 

@@ -84,3 +84,42 @@ def test_what_stuck_may_be_taken_off_again() -> None:
     answers = solve(text + "find: {A: rod.angular_velocity at off, B: rod.angular_velocity at top}\n").answers
     assert answers["A"].float == pytest.approx(STUCK)
     assert answers["B"].float == pytest.approx(sqrt(STUCK**2 - 3 * G / L * (1 - cos(pi / 6))))
+
+
+@pytest.mark.parametrize(("gone", "lump"), [("pin", 0.0), ("pin", 1.0), ("axle", 0.0)])
+def test_what_is_let_go_of_its_axis_goes_on_as_its_centre_went(gone: str, lump: float) -> None:
+    """ω² = 2 S g sin 50°/I with S = M L/2 + m L, I = M L²/3 + m L²; the centre, S/(M + m) from the pin, has ω times that across the rod."""
+    weld = "\nbodies: {rod: {shape: rod, mass: M, length: L}, lump: {mass: m}}\nconnections: {glue: {weld: [rod.end, lump]}, "
+    bare = "\nbodies: {rod: {shape: rod, mass: M, length: L}}\nconnections: {"
+    held = "hinge" if gone == "pin" else "axle"
+    whole = "M*(rod.cm.velocity.END)" + (" + m*(lump.velocity.END)" if lump else "")
+    text = (
+        f"given: {{M: 3 kg, {'m: 1 kg, ' if lump else ''}L: 1 m, T: 0.2 s}}{weld if lump else bare}{gone}: {{{held}: rod.start}}}}\n"
+        "states: {start: {rod.angle: 0, at rest: all}, low: {rod.angle: -50 deg}, free: {}, later: {time: T}}\n"
+        f"events: {{off: {{removes: {gone}, from: low, to: free}}}}\n"
+        "find: {w: rod.angular_velocity at free, W: rod.angular_velocity at later, "
+        f"x: {whole.replace('END', 'x at free')}, y: {whole.replace('END', 'y at free')}, Y: {whole.replace('END', 'y at later')}}}"
+    )
+    solution = solve(text, digits=10)
+    assert all(item.holds for item in solution.derivation.confirmed)
+    moment, inertia, angle = M / 2 + lump, M / 3 + lump, 5 * pi / 18
+    rate = -sqrt(2 * moment * G * sin(angle) / inertia)
+    momentum = [rate * moment * sin(angle), rate * moment * cos(angle)]
+    true = [rate, *momentum, rate, momentum[1] - (M + lump) * G * 0.2]
+    assert [float(solution.answers[name].value or 0) for name in ("w", "x", "y", "W", "Y")] == pytest.approx(true)
+
+
+@pytest.mark.parametrize(
+    ("told", "turned"), [("rod.rotation: -180 deg", pi), ("rod.angle: -270 deg", pi), ("rod.rotation: -90 deg", pi / 2)]
+)
+def test_a_rod_let_go_at_its_lowest_turns_on_at_its_rate(told: str, turned: float) -> None:
+    """Let go level it has ω = √(3 g/L), which stays: the time is turned/ω, and its centre falls ½ g t²."""
+    text = (
+        "given: {M: 3 kg, L: 1 m}\nbodies: {rod: {shape: rod, mass: M, length: L}}\nconnections: {pin: {hinge: rod.start}}\n"
+        f"states: {{start: {{rod.angle: 0, at rest: all}}, low: {{rod.angle: -90 deg}}, free: {{}}, end: {{{told}}}}}\n"
+        "events: {off: {removes: pin, from: low, to: free}}\nfind: {t: time from free to end, d: rod.displacement.y from free to end}"
+    )
+    solution = solve(text, digits=10)
+    time = turned / sqrt(3 * G)
+    assert [float(solution.answers[name].value or 0) for name in ("t", "d")] == pytest.approx([time, -G * time**2 / 2])
+    assert all(item.holds for item in solution.derivation.confirmed)
