@@ -9,7 +9,7 @@ import pytest
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
-I, K, D, C, PHI = 2.0, 1.0, 3.0, 5.0, 0.6
+DISC, RING, WIRE, COIL, PHI = 2.0, 1.0, 3.0, 5.0, 0.6
 GIVEN = "plane: horizontal\ngiven: {I: 2 kg m^2, K: 1 kg m^2, D: 3 N m/rad, C: 5 N m/rad, phi: 0.6 rad, w: 9 rad/s}\n"
 BODIES = "bodies: {disc: {inertia: I}, ring: {inertia: K}}\n"
 ONE = """
@@ -46,8 +46,8 @@ def test_the_wire_stays_twisted(pair: str, told: str, owner: str) -> None:
     """I w² = 3 D φ²/4, (I + K) a = I w, (I + K) b² = (I + K) a² + D φ²/4, and as much less at the other side."""
     given = GIVEN.replace(", C: 5 N m/rad", "").replace(", w: 9 rad/s", "")
     found = confirmed(ONE.replace("PAIR", pair).replace("AT", told).replace("OWNER", owner), given)
-    a = -I * sqrt(0.75 * D * PHI**2 / I) / (I + K)
-    b = -sqrt(a**2 + D * PHI**2 / 4 / (I + K))
+    a = -DISC * sqrt(0.75 * WIRE * PHI**2 / DISC) / (DISC + RING)
+    b = -sqrt(a**2 + WIRE * PHI**2 / 4 / (DISC + RING))
     assert [value(found, name) for name in "abc"] == pytest.approx([a, b, a])
 
 
@@ -65,7 +65,9 @@ events: {drop: {joins: [PAIR], from: mid, to: joined}}
 find: {a: wire.angle at mid, b: disc.angular_velocity at home}
 """
     found = confirmed(text.replace("PAIR", pair), GIVEN.replace(", C: 5 N m/rad, phi: 0.6 rad", ""))
-    assert [value(found, name) for name in "ab"] == pytest.approx([9 * sqrt(I / D), -9 * sqrt(I / (I + K))])
+    assert [value(found, name) for name in "ab"] == pytest.approx(
+        [9 * sqrt(DISC / WIRE), -9 * sqrt(DISC / (DISC + RING))]
+    )
 
 
 @pytest.mark.parametrize("pair", PAIRS)
@@ -77,6 +79,6 @@ def test_two_wires_keep_the_twist_of_each(pair: str, one: str, other: str) -> No
     theta = 0.1 if other else 0.0
     text = TWO.replace("PAIR", pair).replace("ONE", one).replace("OTHER", f", {other}: 0.1 rad" if other else "")
     found = confirmed(text)
-    a = -I * 9 / (I + K)
-    b = -sqrt(a**2 + (D * PHI**2 + C * theta**2 - C * (theta - PHI) ** 2) / (I + K))
+    a = -DISC * 9 / (DISC + RING)
+    b = -sqrt(a**2 + (WIRE * PHI**2 + COIL * theta**2 - COIL * (theta - PHI) ** 2) / (DISC + RING))
     assert [value(found, name) for name in "ab"] == pytest.approx([a, b])
