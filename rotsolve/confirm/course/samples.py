@@ -11,7 +11,7 @@ from operator import is_
 from rotsolve.algebra.formula import Formula, Sum, Symbol
 from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.sizes import letters_open, sizes_of_letters
+from rotsolve.confirm.course.sizes import LIMITS, letters_open, sizes_of_letters
 from rotsolve.confirm.numbers import related, value_of
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.limits import Limit
