@@ -60,3 +60,17 @@ def test_a_pendulum_comes_to_its_highest_place_over_there(way: int) -> None:
     assert float(confirmed(f"{text}find: {{h: rod.angle at high}}").answers["h"].value or 0) == pytest.approx(
         asin(-1 + 4 / (3 * 9.8))
     )
+
+
+@pytest.mark.parametrize("mu", ["0", "0.05"])
+def test_a_block_that_rubs_turns_back_before_its_smallest_place(mu: str) -> None:
+    """½ m v² = ½ k A² + μ m g A up to where it stops for a moment; on the other side it comes to A − 2 μ m g/k."""
+    text = (
+        f"given: {{m: 1 kg, k: 20 N/m, mu: {mu}, v: 2 m/s}}\nsurfaces: {{floor: level}}\nbodies: {{block: {{mass: m, moves: right}}}}\n"
+        "connections: {s: {spring: [ground, block], stiffness: k}, c: {contact: [block, floor], friction: mu}}\n"
+        "states: {start: {s.elongation: 0, block.velocity: v}, far: {block.displacement: smallest}}\n"
+        "find: {x: block.displacement from start to far}"
+    )
+    drag = float(mu) * 9.8
+    first = (-drag + sqrt(drag**2 + 20 * 4)) / 20
+    assert float(confirmed(text).answers["x"].value or 0) == pytest.approx(2 * drag / 20 - first)

@@ -312,7 +312,8 @@ class NextState:
             return False
         at = stilled(lap.at(1.0), self.scale, stopped)
         first = self.gauges[0]
-        held = abs(first.value(at)) <= 1e-9 * first.size < abs(first.value(lap.at(0.5)))
+        before = first.value(lap.at(0.5))
+        held = abs(first.value(at)) <= 1e-9 * first.size < abs(before) and before * first.way <= 0.0
         return held and all(abs(gauge.value(at)) <= HOLDS * gauge.size for gauge in self.gauges[1:])
 
     def ended(self, lap: Lap, stopped: str = "") -> FollowedPhase:
