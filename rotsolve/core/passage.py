@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
 from msgspec import Struct
 
@@ -116,11 +117,15 @@ class Encounter(Struct, frozen=True):
 
 
 class Alteration(Struct, frozen=True):
-    """Other facts at every moment, other laws through an event, and another equation for each one (None leaves it out)."""
+    """Other facts at every moment, other laws through an event, and another equation for each one (None leaves it out).
+
+    `in_space` makes, in place of `SpaceLaws` and from the same, what writes the laws of each moment of a scene in space.
+    """
 
     facts: Callable[[Facts], Facts] | None = None
     event: Callable[[Encounter, str], Iterable[Equation]] | None = None
     equation: Callable[[Equation], Equation | None] | None = None
+    in_space: Callable[..., Any] | None = None
 
     def rewritten(self, equations: Iterable[Equation]) -> list[Equation]:
         """The equations as they are changed, without those that are left out."""

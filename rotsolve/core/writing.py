@@ -104,6 +104,11 @@ def spoken(name: str) -> str:
     return name.replace("_", " ")
 
 
+def and_joined(words: Sequence[str]) -> str:
+    """a, b and c."""
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
 def balance(terms: list[tuple[Formula, int]]) -> tuple[Formula, Formula]:
     """Σ sign · term = 0 as an equation of positive terms: those of the first body on the left, the others moved across."""
     left, right = moved([value if sign > 0 else negate(value) for value, sign in terms], ())

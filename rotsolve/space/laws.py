@@ -104,13 +104,19 @@ class SpaceLaws:
             return NOTHING, joint.body.point or "center", moment.reference_acceleration(name)
         return *self.about(name), NOTHING
 
+    def own_tensor(self, ref: PointRef) -> InertiaTensor:
+        """The tensor of a body about one of its points, in its own axes."""
+        return self.tensors.about(ref.owner, self.moment.held.spot(ref), ref.point or "center")
+
     def tensor(self, name: str, point: str) -> InertiaTensor:
         """The tensor of a body about one of its points, in the axes of its attitude."""
         held, own = self.moment.held, self.moment.attitude(name)
-        place = held.spot(PointRef(name, point))
-        tensor = self.tensors.about(name, place, point)
         axis = held.axis(name) if own.about is not None else None
-        return in_axes(tensor, own.own, own.about, axis)
+        return in_axes(self.own_tensor(PointRef(name, point)), own.own, own.about, axis)
+
+    def carried_round(self, name: str, vector: Triple) -> Triple:
+        """Ω × v: how a vector changes in space that stays the same in the axes of a body, because these turn."""
+        return cross_product(self.moment.axes(name).rate, vector)
 
     def sought(self, value: Formula) -> bool:
         """Whether a component of L holds a rate that nothing tells, so that a letter for it would only stand in the way."""
@@ -154,7 +160,7 @@ class SpaceLaws:
         if other != point:
             yield from self.letters_of(name, self.tensor(name, other), own, other)[1]
         changes = product(tensor, own.rates)
-        turning = cross_product(own.axes.rate, letters)
+        turning = self.carried_round(name, letters)
         torque = NOTHING
         for push in pushes:
             torque = vector_sum(torque, push.torque(place))

@@ -170,7 +170,7 @@ class SpaceReader:
 
     def angular_acceleration(self, path: Path, term: Term) -> Seen:
         own = self.moment.attitude(path.owner)
-        return own.alpha, own.axes
+        return vector_sum(own.rates, self.dynamics.carried_round(path.owner, own.omega)), own.axes
 
     def velocity(self, path: Path, term: Term) -> Seen:
         return self.moment.velocity(self.point(path)), self.moment.axes(path.owner)
@@ -229,7 +229,7 @@ class SpaceReader:
             return torque
         own, tensor = self.moment.attitude(path.owner), self.dynamics.tensor(path.owner, point)
         letters, _ = self.dynamics.letters_of(path.owner, tensor, own, point)
-        return vector_sum(product(tensor, own.rates), cross_product(own.axes.rate, letters))
+        return vector_sum(product(tensor, own.rates), self.dynamics.carried_round(path.owner, letters))
 
     def force(self, path: Path, term: Term) -> Seen:
         """The force on a body: of all (`net`: m a), its weight, of one connection or action; in a frame that turns its inertial ones."""
@@ -390,9 +390,7 @@ class SpaceReader:
         ref = term.about
         point = PointRef(path.owner, CM) if ref is None else PointRef(path.owner, ref.point or "center", ref.argument)
         joint = None if ref is None else self.held.joint(ref.owner)
-        point = point if joint is None else joint.body
-        spot = point.point or "center"
-        return self.dynamics.tensors.about(path.owner, self.held.spot(point), spot)
+        return self.dynamics.own_tensor(point if joint is None else joint.body)
 
     def inertia(self, path: Path, term: Term) -> Meaning:
         """nᵀ I n about a direction, in the body's own axes; about its axis where none is named."""

@@ -55,11 +55,12 @@ class SpaceEquations(SceneEquations, dict=True):
     @cached_property
     def dynamics(self) -> Mapping[str, SpaceLaws]:
         """What the laws speak of at each state."""
-        problem, found = self.configuration.problem, {}
+        problem, found, altered = self.configuration.problem, {}, self.configuration.alteration
+        written = SpaceLaws if altered is None or altered.in_space is None else altered.in_space
         for state in self.configuration.timeline.states:
             moment = SpaceMoment(self.held, self.registry, state, self.configuration)
             pushes = Pushes(moment, problem.gravity, problem.actions)
-            found[state.name] = SpaceLaws(moment, pushes, self.tensors, fast="fast spin" in problem.assume)
+            found[state.name] = written(moment, pushes, self.tensors, fast="fast spin" in problem.assume)
             moment.first = state is self.configuration.timeline.states[0]
             before = self.configuration.timeline.before(state.name)
             if before is not None:

@@ -1,22 +1,29 @@
-"""Readings: one held against what is asked: a number, a formula, or a vector by components, by size and direction, or by size alone."""
+"""Readings: one held against what is asked: a number, a formula, or a vector by components, by size and direction, or by size alone.
+
+What is wrong with the components of a vector, or the entries of a matrix, is said by their names.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import combinations, permutations
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.writing import and_joined
 from rotsolve.grading.comparing.formulas import formula_judged
 from rotsolve.grading.comparing.numbers import Typed, measured_unit
 from rotsolve.grading.comparing.scalars import Scalar, number_judged
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReading
-from rotsolve.grading.verdict import WRONG, Finding, Remark, all_findings, found
+from rotsolve.grading.verdict import RIGHT, WRONG, Finding, Remark, all_findings, found
 from rotsolve.language.marks import Tolerance
 
-AXES = ("x", "y", "z")
+COMPONENT = "component"  # the kind of a remark on which of the components are wrong
+MOST_ORDERED = 3  # components that are tried in other orders
+ENTRIES_OF_MATRIX = tuple(one + other for one in "xyz" for other in "xyz")
 
 
 def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
@@ -31,8 +38,10 @@ def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
     return found(WRONG, "form", f"{'a formula' if asked.value is None else 'a number or a formula'} is asked for")
 
 
-def vector_judged(reading: LineReading, parts: Sequence[Scalar], whole: Scalar | None) -> Finding:
-    """The finding for a vector."""
+def vector_judged(
+    reading: LineReading, parts: Sequence[Scalar], whole: Scalar | None, labels: Sequence[str]
+) -> Finding:
+    """The finding for a vector; `labels` name its components or entries, and numbers those that have no order."""
     if reading.kind != VECTOR:
         return size_judged(reading, whole)
     typed = component_readings(reading)
@@ -41,28 +50,74 @@ def vector_judged(reading: LineReading, parts: Sequence[Scalar], whole: Scalar |
         return found(WRONG, "form", f"{len(wanted)} components are asked for, not {len(typed)}")
     if reading.polar and whole is not None:
         wanted = [of_size(one, whole) for one in wanted]
-    finding = components_judged(typed, wanted)
-    points = finding.outcome == WRONG and not finding.flaws and any(part.directed for part in parts)
-    if points and components_judged([negated(part) for part in typed], wanted).right:
-        return found(WRONG, "sign", "it points the other way")
-    return finding
-
-
-def components_judged(typed: Sequence[LineReading], wanted: Sequence[Scalar]) -> Finding:
-    """Every component by itself, strictly: the sign of one alone is no convention."""
-    strict = [replace(one, directed=False) for one in wanted]
-    findings = [scalar_judged(part, one) for part, one in zip(typed, strict, strict=True)]
-    if len(wanted) <= len(AXES):
-        findings = [with_axis_name(finding, axis) for finding, axis in zip(findings, AXES, strict=False)]
-    return all_findings(findings)
-
-
-def with_axis_name(finding: Finding, axis: str) -> Finding:
-    """What is said of a component that is wrong, with its name in front."""
+    findings = component_findings(typed, wanted)
+    finding = all_findings(findings)
     if finding.outcome != WRONG or finding.flaws:
         return finding
-    remarks = [replace(one, words=(f"{axis} component: ", *one.words)) for one in finding.remarks]
-    return replace(finding, remarks=tuple(remarks))
+    if any(part.directed for part in parts) and all_right([negated(part) for part in typed], wanted):
+        return found(WRONG, "sign", "it points the other way")
+    if all(label.isdigit() for label in labels):
+        orders = permutations(typed) if len(typed) <= MOST_ORDERED else ()
+        return Finding(RIGHT) if any(all_right(order, wanted) for order in orders) else finding
+    names = labels if len(labels) == len(wanted) else [*labels, "z"]
+    return exchanged(typed, wanted, names) or with_component_names(findings, names)
+
+
+def component_findings(typed: Sequence[LineReading], wanted: Sequence[Scalar]) -> list[Finding]:
+    """Every component by itself, strictly: the sign of one alone is no convention."""
+    size = max((abs(part.value.float) for part in wanted if part.value is not None), default=0.0)
+    strict = [replace(beside(one, size), directed=False) for one in wanted]
+    return [scalar_judged(part, one) for part, one in zip(typed, strict, strict=True)]
+
+
+def all_right(typed: Sequence[LineReading], wanted: Sequence[Scalar]) -> bool:
+    return all_findings(component_findings(typed, wanted)).right
+
+
+def beside(part: Scalar, size: float) -> Scalar:
+    """A component that is nothing: what is left of it by rounding is small beside the largest of the others."""
+    share = part.marking.tolerance.share
+    if share is None or not size or part.value is None or not part.value.equals(Fraction(0)):
+        return part
+    return with_margin(part, share * Fraction(size) * part.unit.factor)
+
+
+def exchanged(typed: Sequence[LineReading], wanted: Sequence[Scalar], names: Sequence[str]) -> Finding | None:
+    """What is said where two components are each other's; None where they are not."""
+    for one, other in combinations(range(len(typed)), 2) if len(typed) <= MOST_ORDERED else ():
+        order = list(typed)
+        order[one], order[other] = order[other], order[one]
+        if all_right(order, wanted):
+            return found(WRONG, COMPONENT, f"the {names[one]} and {names[other]} components are exchanged")
+    return None
+
+
+def with_component_names(findings: Sequence[Finding], names: Sequence[str]) -> Finding:
+    """What is said of the components that are wrong, with their names: "the y component has the wrong sign"."""
+    said: dict[tuple[Remark, ...], list[str]] = {}
+    for name, finding in zip(names, findings, strict=True):
+        if finding.outcome == WRONG and not finding.flaws:
+            said.setdefault(finding.remarks, []).append(name)
+    remarks: list[Remark] = []
+    for own, which in said.items():
+        if len(which) < len(findings) or any(one.kind == "sign" for one in own):
+            remarks += named_remarks(own, which)
+        else:
+            remarks += own
+    others = [one for finding in findings if finding.outcome != WRONG or finding.flaws for one in finding.remarks]
+    return Finding(WRONG, tuple(dict.fromkeys((*remarks, *others))))
+
+
+def named_remarks(own: Sequence[Remark], names: Sequence[str]) -> list[Remark]:
+    """The remarks on some components, with their names; of a matrix xy stands for yx too where both are wrong."""
+    names = [name for place, name in enumerate(names) if name == name[::-1] or name[::-1] not in names[:place]]
+    one_noun, many = ("entry", "entries") if names[0] in ENTRIES_OF_MATRIX else ("component", "components")
+    several = len(names) > 1
+    whose = f"the {and_joined(names)} {many if several else one_noun}"
+    if not own:
+        return [Remark(COMPONENT, (f"{whose} {'are' if several else 'is'} wrong",))]
+    sign = f"{whose} {'have' if several else 'has'} the wrong sign"
+    return [replace(one, words=(sign,) if one.kind == "sign" else (f"{whose}: ", *one.words)) for one in own]
 
 
 def size_judged(reading: LineReading, whole: Scalar | None) -> Finding:
@@ -97,7 +152,11 @@ def of_size(part: Scalar, whole: Scalar) -> Scalar:
     share = part.marking.tolerance.share
     if share is None or whole.value is None:
         return part
-    amount = share * abs(Fraction(whole.value.float)) * whole.unit.factor
+    return with_margin(part, share * abs(Fraction(whole.value.float)) * whole.unit.factor)
+
+
+def with_margin(part: Scalar, amount: Formula) -> Scalar:
+    """A component that may be off by so much, in SI units."""
     return replace(part, marking=replace(part.marking, tolerance=Tolerance("", amount=amount)))
 
 

@@ -11,15 +11,20 @@ from functools import cached_property, partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.certified.ball import Certified, rounded, value_of
 from rotsolve.algebra.formula import ONE, PI, Constant, Formula, Negative, Number, Sum, Symbol, negate
 from rotsolve.algebra.units.quantities import number_in_unit
+from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer, Words
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.formulas import numbers_stand, of_other_dimension, put_in
 from rotsolve.grading.comparing.numbers import Typed, certified_number, is_near, rounds_to
+from rotsolve.grading.comparing.readings import all_right, component_readings
 from rotsolve.grading.comparing.scalars import Scalar
-from rotsolve.grading.marking.target import SceneLetters
+from rotsolve.grading.marking.target import SceneLetters, Target, entries_of_answer
+from rotsolve.grading.reading.records import LineReading
 from rotsolve.grading.verdict import WRONG, Finding, found
 from rotsolve.language import marks
 from rotsolve.language.problem import Given
@@ -126,7 +131,8 @@ class Explaining:
 
     def mistake_of_number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """The mistake that gives a number."""
-        if typed.figures is not None and typed.figures < LEAST_FOR_MISTAKE:
+        nothing = typed.rational == 0
+        if typed.figures is not None and typed.figures < LEAST_FOR_MISTAKE and not nothing:
             return None
         number = Typed(typed.value * (typed.unit or asked.unit).factor / asked.unit.factor, typed.figures)
         same_unit = typed.unit is None or typed.unit.factor == asked.unit.factor
@@ -137,9 +143,26 @@ class Explaining:
                 continue
             if abs(answer.value.float - rough.float) > FAR * abs(rough.float):
                 continue  # most are told apart by their size
-            if (same_unit and rounds_to(typed, answer.value)) or is_near(number, answer.value, share=ALIKE):
+            rounded_so = same_unit and not nothing and rounds_to(typed, answer.value)
+            if rounded_so or is_near(number, answer.value, share=ALIKE):
                 return mistake_finding(mistake)
         return None
+
+    def vector(self, target: Target, reading: LineReading) -> Finding | None:
+        """The mistake that gives a vector or a matrix: with it every component is right; None where none does."""
+        typed = component_readings(reading)
+        for mistake, answers in self.wrong_answers:
+            parts = entries_of_answer(answers[target.name]) if target.name in answers else ()
+            if len(parts) == len(typed) == len(target.parts):
+                wanted = [self.in_place_of(own, part) for own, part in zip(target.parts, parts, strict=True)]
+                if all_right(typed, wanted):
+                    return mistake_finding(mistake)
+        return None
+
+    def in_place_of(self, right: Scalar, wrong: Answer) -> Scalar:
+        """A component as it is with a mistake."""
+        closed, unit = self.letters.written(wrong.closed), wrong.unit or ONE_UNIT
+        return replace(right, closed=closed, value=wrong.value, unit=unit)
 
     def roughly(self, typed: Typed, asked: Scalar) -> Finding | None:
         """Whether rounding to about two figures on the way may give a number."""

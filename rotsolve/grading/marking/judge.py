@@ -14,13 +14,14 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere, same_everywhere, same_here
 from rotsolve.grading.comparing.numbers import Typed, measured_unit
+from rotsolve.grading.comparing.readings import COMPONENT
 from rotsolve.grading.comparing.scalars import lacking_unit
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.marking.texts import CHAIN, Defined, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
-from rotsolve.grading.reading.records import FORMULA, NUMBER
+from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR
 from rotsolve.grading.verdict import (
     PARTLY,
     RIGHT,
@@ -86,7 +87,8 @@ class Judge:
         followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
         if followed is not None:
             return followed, True
-        if any(remark.kind != CHAIN for remark in one.finding.remarks):
+        said = {remark.kind for remark in one.finding.remarks} - {CHAIN, COMPONENT}
+        if said - {"sign"} if target.parts else said:  # a sign says little of why a component is wrong
             return one, False
         return self._explain(target, text), False
 
@@ -114,7 +116,9 @@ class Judge:
         one = self.texts.judged(target, text)
         reading, asked = one.reading, target.whole
         finding = None
-        if reading is not None and reading.formula is not None and asked is not None:
+        if reading is not None and reading.kind == VECTOR:
+            finding = self.explaining.vector(target, reading)
+        elif reading is not None and reading.formula is not None and asked is not None:
             if reading.kind == NUMBER:
                 typed = Typed(reading.formula, reading.figures, reading.unit)
                 finding = self.explaining.number(target.name, typed, asked)

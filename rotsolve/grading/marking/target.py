@@ -13,6 +13,7 @@ from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
 from rotsolve.core.symbols import TIME, key_of
+from rotsolve.core.vectors.tensor import AXES
 from rotsolve.derivation.letters import in_printed_letters
 from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
@@ -24,12 +25,14 @@ from rotsolve.solution import Solution
 
 
 class Target(Struct, frozen=True, eq=False):
-    """An answer with its marking: `whole` is the number or the size, `parts` the components, `options` the words to choose from."""
+    """An answer with its marking: `whole` is the number or the size, `parts` the components, which `labels` name, `options` the words
+    to choose from."""
 
     name: str
     marking: Marking
     whole: Scalar | None = None
     parts: tuple[Scalar, ...] = ()
+    labels: tuple[str, ...] = ()
     rows: int = 1
     word: str = ""
     options: tuple[str, ...] = ()
@@ -170,13 +173,25 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
             continue
         told = entry is not None and entry.formula is None and not (entry.value or entry.values or entry.formulas)
         rows = answer.rows
-        entries = [part for row in rows for part in row] or answer.components
         one_row = not rows or len(rows) == 1
-        parts = tuple(scalar_of(part, marking, letters, (same, close), one_row) for part in entries)
+        parts = tuple(scalar_of(part, marking, letters, (same, close), one_row) for part in entries_of_answer(answer))
         directed = letters.meanings.directed(answer.name)
         turns = [term.path.quantity for term in find.terms] == ["turns"]
         whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, turns)
-        yield Target(answer.name, marking, whole, parts, len(rows) or 1, directional=told and bool(answer.direction))
+        directional = told and bool(answer.direction)
+        yield Target(answer.name, marking, whole, parts, labels_of(answer), len(rows) or 1, directional=directional)
+
+
+def entries_of_answer(answer: Answer) -> tuple[Answer, ...]:
+    """The components of a vector, or the entries of a matrix row by row."""
+    return tuple(part for row in answer.rows for part in row) or answer.components
+
+
+def labels_of(answer: Answer) -> tuple[str, ...]:
+    """What the components or entries are called: x, y, z of a vector, xx, xy, … of a tensor."""
+    if len(answer.rows) > 1:
+        return tuple(one + other for one in AXES for other in AXES)
+    return tuple(part.name.rpartition("_")[2] for part in answer.components)
 
 
 def scalar_of(

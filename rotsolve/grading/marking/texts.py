@@ -139,7 +139,7 @@ class Texts:
         if reading.formula is not None and target.name in reading.formula.symbols() and not own:
             return found(WRONG, "form", "the answer speaks of itself")
         if target.parts:
-            return vector_judged(reading, target.parts, target.whole)
+            return vector_judged(reading, target.parts, target.whole, target.labels)
         assert target.whole is not None
         return scalar_judged(reading, target.whole)
 

@@ -16,12 +16,11 @@ from rotsolve.core.facts import FRICTION, TENSION, WEIGHT, BodyFacts, Couple, Fa
 from rotsolve.core.passage import Alteration
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.heading import Vector
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.shapes import shape_of
 from rotsolve.grading.mistakes.mistake import (
     Change,
     Made,
-    and_joined,
     both_sides,
     each,
     each_and_all,

@@ -12,7 +12,8 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.unit_table import UNITS, Unit
 from rotsolve.core.vectors.heading import heading
-from rotsolve.grading.mistakes.mistake import MOST, Change, Made, and_joined, bodies_and_parts, each
+from rotsolve.core.writing import and_joined
+from rotsolve.grading.mistakes.mistake import MOST, Change, Made, bodies_and_parts, each
 from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Condition, Problem
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.passage import Alteration
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import and_joined, spoken
 from rotsolve.language.problem import Body, Problem
 
 MOST = 8  # places that are tried one by one; of more only all together
@@ -78,11 +78,6 @@ def bodies_and_parts(bodies: Iterable[Body]) -> Iterator[Body]:
     for body in bodies:
         yield body
         yield from bodies_and_parts(part.body for part in body.parts)
-
-
-def and_joined(words: Sequence[str]) -> str:
-    """a, b and c."""
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def of_bodies(names: Collection[str], change: Callable[[BodyFacts, Facts], BodyFacts]) -> Alteration:

@@ -26,12 +26,13 @@ from rotsolve.grading.mistakes.mistake import Change, Mistake
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
-from rotsolve.pipeline import asked_part
+from rotsolve.pipeline import asked_part, made_ready
 from rotsolve.search.answering import answer
 from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
+from rotsolve.solving import scene_equations_of
 
 ROUNDS = 2  # times that a question is asked
 NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
@@ -46,7 +47,7 @@ class Scene(Struct, frozen=True, dict=True):
 
     @cached_property
     def configuration(self) -> Configuration:
-        return asked_part(self.whole)
+        return made_ready(self.whole)[1] if self.whole.space else asked_part(self.whole)
 
     @property
     def problem(self) -> Problem:
@@ -56,11 +57,11 @@ class Scene(Struct, frozen=True, dict=True):
     @cached_property
     def modes(self) -> Mapping[str, str]:
         """What slips, and which way."""
-        return decide(self.configuration).modes
+        return modes_of(self.configuration)
 
     @cached_property
     def equations(self) -> SceneEquations:
-        return SceneEquations(self.configuration, self.modes)
+        return equations_by(self.configuration, self.modes)
 
     @cached_property
     def moments(self) -> tuple[Facts, ...]:
@@ -117,11 +118,21 @@ class Scene(Struct, frozen=True, dict=True):
             return self._reread(change, self.problem.values)
         problem = self.problem if change.problem is None else change.problem(self.problem)
         configuration = Configuration(problem, change.altered)
-        modes = self.modes if change.problem is None else decide(configuration).modes
+        modes = self.modes if change.problem is None else modes_of(configuration)
         families = tuple(family for family in families_for(None) if family not in change.aside)
-        search = Search(SceneEquations(configuration, modes), families, confirming=True)
+        search = Search(equations_by(configuration, modes), families, confirming=True)
         answers = answers_of(search)
         return {} if change.throughout and disagreement(search) is not None else answers
+
+
+def modes_of(configuration: Configuration) -> Mapping[str, str]:
+    """What slips, and which way; in space nothing does."""
+    return {} if configuration.problem.space else decide(configuration).modes
+
+
+def equations_by(configuration: Configuration, modes: Mapping[str, str]) -> SceneEquations:
+    """What the laws say of a scene, with what slips."""
+    return scene_equations_of(configuration) if configuration.problem.space else SceneEquations(configuration, modes)
 
 
 def answers_of(search: Search) -> dict[str, Answer]:

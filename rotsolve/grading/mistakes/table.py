@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
-from rotsolve.grading.mistakes import energies, forces, inertias, misread
+from rotsolve.grading.mistakes import energies, forces, in_space, inertias, misread
 from rotsolve.grading.mistakes.mistake import Made, Mistake
 from rotsolve.grading.mistakes.scene import Scene, same_answers
 from rotsolve.language.problem import Problem
@@ -80,6 +80,51 @@ MISTAKES = [
         ("start from rest", "a velocity at the start is left out", misread.from_rest),
         ("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.letters_exchanged),
         ("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
+        (
+            "products of inertia",
+            "the products of inertia have the wrong sign, +Σ m x y for −Σ m x y",
+            in_space.opposite_products,
+        ),
+        ("Ω × L left out", "dL/dt is taken in axes that turn, as if they stayed in space", in_space.without_carrying),
+        (
+            "tensor not moved",
+            "the inertia tensor about the centre of mass is used for that about another point",
+            in_space.unmoved_tensors,
+        ),
+        (
+            "momentum along ω",
+            "L is taken along ω, with one moment of inertia for the tensor",
+            in_space.momentum_along_rate,
+        ),
+        (
+            "sense of the torque",
+            "the torque has the wrong sense, that on the bearings for that on the body",
+            in_space.opposite_torque,
+        ),
+        (
+            "spin for ω₃",
+            "the spin ψ̇ is put for ω₃ = ψ̇ + φ̇ cos θ, or the other way round",
+            in_space.spin_for_axial_rate,
+        ),
+        ("fast top", "the formula of a fast top is used where the exact one is asked", in_space.fast_top),
+        ("other root", "the fast precession is given for the slow one, or the other way round", in_space.other_root),
+        (
+            "moments exchanged",
+            "the moment of inertia across the axis is used for that about it, and the other way round",
+            in_space.exchanged_moments,
+        ),
+        (
+            "parallel axes subtracted",
+            "M d² is taken away where it has to be added to a tensor",
+            in_space.moved_the_other_way,
+        ),
+        ("sense of a turn", "a body is turned the other way round", in_space.sense_of_turns),
+        ("order of turns", "turns in space are made in the other order", in_space.order_of_turns),
+        (
+            "centre kept",
+            "the acceleration of the centre of mass is left out of the forces in space",
+            in_space.centre_kept,
+        ),
         ("units not converted", "cm is put in as m, g as kg", misread.units_not_converted),
     )
 ]
