@@ -56,6 +56,7 @@ from rotsolve.space.attitude import (
     in_euler_angles,
     in_own_axes,
     nodding,
+    node_axes,
     on_axle,
     permutation,
 )
@@ -515,9 +516,17 @@ class SpaceMoment:
         """The axes that a question or line names: of space, of a body, or the node axes of one."""
         if axes in ("", "space"):
             return IN_SPACE
+        if axes == NODE and self.axes(name).name != NODE:
+            return self._node_axes(name)
         if axes in (BODY, NODE):
             return self.own_axes(name) if axes == BODY else self.axes(name)
         return self.own_axes(axes)
+
+    def _node_axes(self, name: str) -> Axes:
+        """The node axes of a body whose vectors are written in its own, as it has no symmetry."""
+        if not self.nods(name):
+            raise Unsolvable(f"`{name}` has no line of nodes", help=f"tell `{name}.tilt` and its rates in that state")
+        return node_axes(self.nodding(name))
 
     def own_axes(self, name: str) -> Axes:
         """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""

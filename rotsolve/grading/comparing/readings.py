@@ -19,7 +19,7 @@ from rotsolve.grading.comparing.numbers import Typed, measured_unit
 from rotsolve.grading.comparing.scalars import Scalar, number_judged
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReading
 from rotsolve.grading.verdict import RIGHT, WRONG, Finding, Remark, all_findings, found
-from rotsolve.language.marks import Tolerance
+from rotsolve.language.marks import LENIENT, Tolerance
 
 COMPONENT = "component"  # the kind of a remark on which of the components are wrong
 MOST_ORDERED = 3  # components that are tried in other orders
@@ -35,7 +35,8 @@ def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
         if isinstance(meant, Remark):
             return Finding(WRONG, (meant,))
         return formula_judged(reading.formula, reading.direction, asked, measured=meant is not None)
-    return found(WRONG, "form", f"{'a formula' if asked.value is None else 'a number or a formula'} is asked for")
+    wanted = "a formula" if asked.value is None else "a number or a formula"
+    return found(WRONG, "form", f"{wanted} is asked for{', not components' if reading.kind == VECTOR else ''}")
 
 
 def vector_judged(
@@ -45,6 +46,8 @@ def vector_judged(
     if reading.kind != VECTOR:
         return size_judged(reading, whole)
     typed = component_readings(reading)
+    if reading.basis and len(typed) + 1 == len(parts):
+        typed.append(LineReading(NUMBER, "0", ZERO, typed[0].unit))  # what stands along no axis
     wanted = [*parts, *([zero_component(parts[0])] if len(parts) == 2 and len(typed) == 3 else [])]
     if len(typed) != len(wanted):
         return found(WRONG, "form", f"{len(wanted)} components are asked for, not {len(typed)}")
@@ -55,7 +58,7 @@ def vector_judged(
     if finding.outcome != WRONG or finding.flaws:
         return finding
     if any(part.directed for part in parts) and all_right([negated(part) for part in typed], wanted):
-        return found(WRONG, "sign", "it points the other way")
+        return found(RIGHT if parts[0].marking.sign == LENIENT else WRONG, "sign", "it points the other way")
     if all(label.isdigit() for label in labels):
         orders = permutations(typed) if len(typed) <= MOST_ORDERED else ()
         return Finding(RIGHT) if any(all_right(order, wanted) for order in orders) else finding
@@ -140,6 +143,11 @@ def component_readings(reading: LineReading) -> list[LineReading]:
         lacks = part.unit is None and (part.parts or part.kind == NUMBER)
         found += component_readings(replace(part, unit=reading.unit) if lacks else part)
     return found
+
+
+def opposite(reading: LineReading) -> LineReading:
+    """A vector that points the other way."""
+    return replace(reading, parts=tuple(negated(part) for part in component_readings(reading)))
 
 
 def negated(reading: LineReading) -> LineReading:

@@ -82,9 +82,9 @@ def check_one(request: CheckRequest, judges: Judges) -> int:
     """Mark one paper; the exit code says whether all of it is right."""
     asked = tuple(judges.task.letters)
     if request.typed:
-        paper = from_answers(request.typed, asked)
+        paper = from_answers(request.typed, asked, judges.task.parts)
     else:
-        paper = read_sheet(content_of(request.answers), name_of(request.answers), asked)
+        paper = read_sheet(content_of(request.answers), name_of(request.answers), asked, judges.task.parts)
     if not paper.variant and request.variant is not None:
         paper = replace(paper, variant=str(request.variant))
     try:

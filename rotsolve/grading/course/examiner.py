@@ -92,8 +92,14 @@ class Judges:
     @property
     def task(self) -> Task:
         """What is asked, with its letters."""
+        from rotsolve.grading.marking.target import labels_of
+
         answers = self.solution.derivation.answers
-        return Task(self.problem.title, {answer.name: answer.symbol for answer in answers})
+        letters = {answer.name: answer.symbol for answer in answers}
+        parts = {
+            f"{answer.name}_{label}": answer.name for answer in answers if answer.rows for label in labels_of(answer)
+        }
+        return Task(self.problem.title, letters, {name: whole for name, whole in parts.items() if name not in letters})
 
     def judge(self, number: int) -> Judge:
         """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""

@@ -58,7 +58,7 @@ def report_objection(request: CheckRequest) -> str:
 def marked_course(request: CheckRequest, judges: Judges) -> MarkedClass:
     """All rows of the table, marked."""
     task = judges.task
-    handed = read_table(content_of(request.answers), request.answers, tuple(task.letters))
+    handed = read_table(content_of(request.answers), request.answers, tuple(task.letters), task.parts)
     papers = [entry.paper for entry in handed.entries]
     if request.variant is not None:
         own = str(request.variant)

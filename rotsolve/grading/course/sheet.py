@@ -5,8 +5,9 @@ from __future__ import annotations
 import codecs
 import re
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 from rotsolve.algebra.notation.letters import RUN, name_to_text, spellings
 from rotsolve.core.faults import Fault, SceneError, Span
@@ -29,6 +30,8 @@ STUDENT_KEY, VARIANT_KEY, WORKING_KEY = "student", "variant", "working"
 OWN = (STUDENT_KEY, VARIANT_KEY, WORKING_KEY)  # keys beside the names of the answers
 MARGIN = re.compile(r"\s|#|-\s|[\w\\$]+:(\s|$)")  # how each line of a YAML map begins
 LINES, LONGEST = 10_000, 200_000
+Parts = Mapping[str, str]  # L_x of L: the names of components, each with that of the vector or tensor
+NO_PARTS: Parts = MappingProxyType({})
 
 
 class HandedInError(SceneError):
@@ -81,7 +84,7 @@ def meant_answer(name: str, asked: Iterable[str]) -> str | None:
     names = tuple(asked)
     if name.strip() in names:
         return name.strip()
-    plain = name.strip().translate(LATEX)
+    plain = name.strip().translate(LATEX).strip("|")  # |L| where the size is asked
     if not re.fullmatch(RUN, plain):
         return None
     said = {plain, *spellings(plain)}
@@ -98,11 +101,26 @@ def name_and_text(line: str) -> tuple[str, str] | None:
     return (match["name"], match["text"].rstrip()) if match else None
 
 
+def with_components(answers: Mapping[str, str], asked: Sequence[str], parts: Parts) -> dict[str, str]:
+    """The answers in the order in which they are asked, those that are told by components as one: `L_x = …; L_y = …`."""
+    told: dict[str, list[str]] = {}
+    for name, text in answers.items():
+        if name not in asked:
+            told.setdefault(parts[name], []).append(f"{name} = {text}")
+    whole = {name: "; ".join(lines) for name, lines in told.items()} | {
+        name: answers[name] for name in answers if name in asked
+    }
+    return {name: whole[name] for name in asked if name in whole}
+
+
 # papers
 
 
-def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:
-    """The paper of one student. The file's name says whether it is YAML; of what has no such name, its lines do."""
+def read_sheet(text: str, file: str, asked: Sequence[str], parts: Parts = NO_PARTS) -> Paper:
+    """The paper of one student. The file's name says whether it is YAML; of what has no such name, its lines do.
+
+    `parts` are the names of the components of vectors that are asked, each with that of the whole.
+    """
     text = text.removeprefix(MARK)
     lines = text.split("\n")
     if not text.strip():
@@ -112,18 +130,18 @@ def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:
         raise HandedInError([Fault(message, None, "hand in one student's answers; a class is a .csv")], (), file)
     named_so = file.lower().endswith(YAML)
     if named_so or all(MARGIN.match(line) for line in lines if line):
-        return from_yaml(text, file, asked)
-    return from_lines(lines, file, asked)
+        return from_yaml(text, file, asked, parts)
+    return from_lines(lines, file, asked, parts)
 
 
-def from_lines(lines: Sequence[str], file: str, asked: Sequence[str]) -> Paper:
+def from_lines(lines: Sequence[str], file: str, asked: Sequence[str], parts: Parts) -> Paper:
     """`a = …` is an answer, the last one where there are several; `student:` and `variant:` say whose; all else is working."""
     told: dict[str, str] = {}
     found: dict[str, tuple[int, str]] = {}
     working: dict[int, str] = {}
     for number, line in enumerate(lines):
         said = name_and_text(line)
-        name = meant_answer(said[0], asked) if said else None
+        name = meant_answer(said[0], (*asked, *parts)) if said else None
         if said and name is None and said[0].lower() in OWN[:2] and ":" in line:
             told[said[0].lower()] = said[1]
         elif said and name is not None:
@@ -133,14 +151,14 @@ def from_lines(lines: Sequence[str], file: str, asked: Sequence[str]) -> Paper:
             found[name] = number, said[1]
         elif line.strip() and not line.lstrip().startswith("#"):
             working[number] = line.strip()
-    answers = {name: found[name][1] for name in asked if name in found}
+    answers = with_components({name: text for name, (_, text) in found.items()}, asked, parts)
     if not answers:
         raise HandedInError([no_answer_fault(asked, "=")], lines, file)
     ways = tuple(working[number] for number in sorted(working))
     return Paper(told.get(STUDENT_KEY, ""), answers, ways, told.get(VARIANT_KEY, ""))
 
 
-def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
+def from_yaml(text: str, file: str, asked: Sequence[str], parts: Parts) -> Paper:
     """`a: …`, and beside the answers `student`, `variant` and `working`, a text or a list of them."""
     root, lines = compose(text, file)
     if not isinstance(root, Map):
@@ -149,8 +167,8 @@ def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
     told: dict[str, str] = {}
     working: tuple[str, ...] = ()
     for key, node in root.entries:
-        name = meant_answer(key.value, asked) or key.value
-        if name not in asked and name not in OWN:
+        name = meant_answer(key.value, (*asked, *parts)) or key.value
+        if name not in asked and name not in OWN and name not in parts:
             faults.append(Fault(f"{quoted(name)} is not asked", key.span, hint(name, (*asked, *OWN), "keys")))
         elif name in told:
             faults.append(Fault(f"{quoted(name)} stands here twice", key.span, "leave one out"))
@@ -160,7 +178,8 @@ def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
             working = tuple(line for item in items for line in item.split("\n") if line.strip())
         else:
             told[name] = single_text(name, node, faults).replace("\n", " ")
-    answers = {name: told[name] for name in asked if told.get(name)}
+    given = {name: text for name, text in told.items() if text and (name in asked or name in parts)}
+    answers = with_components(given, asked, parts)
     if faults or not answers:
         raise HandedInError(faults or [no_answer_fault(asked, ":")], lines, file)
     student, variant = ("" if name in asked else told.get(name, "") for name in (STUDENT_KEY, VARIANT_KEY))
@@ -181,13 +200,13 @@ def single_text(name: str, node: Node, faults: list[Fault]) -> str:
     return ""
 
 
-def from_answers(texts: Sequence[str], asked: Sequence[str]) -> Paper:
+def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_PARTS) -> Paper:
     """The answers of the command line, each `a = …`, or the text alone where one thing is asked."""
     answers: dict[str, str] = {}
     faults: list[Fault] = []
     for number, text in enumerate(texts, 1):
         said = name_and_text(text)
-        name = meant_answer(said[0], asked) if said else None
+        name = meant_answer(said[0], (*asked, *parts)) if said else None
         if name in answers:
             faults.append(Fault(f"{quoted(str(name))} is answered twice", Span(number, 1), "leave one out"))
         elif said and name is not None:
@@ -196,7 +215,7 @@ def from_answers(texts: Sequence[str], asked: Sequence[str]) -> Paper:
             answers[asked[0]] = text.strip()
         else:
             faults.append(unnamed_fault(text, said[0] if said else "", number, asked))
-    given = {name: text for name, text in answers.items() if text}
+    given = with_components({name: text for name, text in answers.items() if text}, asked, parts)
     if faults or not given:
         raise HandedInError(faults or [no_answer_fault(asked, "=")], texts, "--answer")
     return Paper("", given)

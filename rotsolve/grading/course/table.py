@@ -16,7 +16,15 @@ from msgspec.structs import replace
 from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.core.faults import Fault, Span
-from rotsolve.grading.course.sheet import MARK, HandedInError, file_error, meant_answer
+from rotsolve.grading.course.sheet import (
+    MARK,
+    NO_PARTS,
+    HandedInError,
+    Parts,
+    file_error,
+    meant_answer,
+    with_components,
+)
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
 
@@ -162,21 +170,30 @@ class Handed(Struct, frozen=True):
     byte_order_mark: bool = False
 
 
-def read_table(text: str, file: str, asked: Sequence[str]) -> Handed:
-    """The class in a CSV; of a table that is none, what is wrong."""
+def read_table(text: str, file: str, asked: Sequence[str], parts: Parts = NO_PARTS) -> Handed:
+    """The class in a CSV; of a table that is none, what is wrong. A column may hold a component, one of the `parts` of what is asked."""
     plain = text.removeprefix(MARK)
     lines = plain.split("\n")
     start = next((number for number, line in enumerate(lines) if line.strip() and not TOLD.match(line)), None)
     if start is None:
         raise file_error("the table is empty", "its first line names the columns", file)
     header = first_row(lines, start)
-    found = read_columns(header, start + 1, file, asked)
+    found = read_columns(header, start + 1, file, (*asked, *parts))
     entries = list(islice(table_entries(lines, start + len(header), found), ROWS + 1))
+    if parts.keys() & found.answers.keys():
+        entries = [with_whole_vectors(entry, asked, parts) for entry in entries]
     if not entries:
         raise file_error("the table has no row below its first line", "", file)
     if len(entries) > ROWS:
         raise HandedInError([Fault(f"the table has more than {ROWS} rows", None, "split the class")], (), file)
     return Handed(found, tuple(with_name_remarks(entries)), plain is not text)
+
+
+def with_whole_vectors(entry: Entry, asked: Sequence[str], parts: Parts) -> Entry:
+    """The entry with the components of a vector as one answer."""
+    if entry.paper is None:
+        return entry
+    return replace(entry, paper=replace(entry.paper, answers=with_components(entry.paper.answers, asked, parts)))
 
 
 def first_row(lines: Sequence[str], start: int) -> Sequence[str]:

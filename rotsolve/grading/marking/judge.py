@@ -44,7 +44,7 @@ class Judge:
     def __init__(self, solution: Solution, wrong: Wrong | None = None) -> None:
         self.letters = SceneLetters.of(solution)
         self.domain = SampledRegion.of(solution)
-        self.texts = Texts(self.letters)
+        self.texts = Texts(self.letters, self.same, self.close)
         self.targets = {target.name: target for target in targets_of(self.letters, self.same, self.close)}
         self.following = Following(self.letters, self.same)
         self.explaining = Explaining(self.letters, wrong)

@@ -37,6 +37,7 @@ class Target(Struct, frozen=True, eq=False):
     word: str = ""
     options: tuple[str, ...] = ()
     directional: bool = False  # whether the published answer is the direction alone
+    either: bool = False  # whether it is a line, which points either way
 
 
 class SceneLetters(Struct, frozen=True, dict=True):
@@ -179,7 +180,8 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
         turns = [term.path.quantity for term in find.terms] == ["turns"]
         whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, turns)
         directional = told and bool(answer.direction)
-        yield Target(answer.name, marking, whole, parts, labels_of(answer), len(rows) or 1, directional=directional)
+        either = [term.path.quantity for term in find.terms] == ["principal_axis"]
+        yield Target(answer.name, marking, whole, parts, labels_of(answer), len(rows) or 1, "", (), directional, either)
 
 
 def entries_of_answer(answer: Answer) -> tuple[Answer, ...]:

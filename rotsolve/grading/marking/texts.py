@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 import re
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.remembered import remembered
-from rotsolve.grading.comparing.readings import scalar_judged, vector_judged
+from rotsolve.grading.comparing.readings import opposite, scalar_judged, vector_judged
+from rotsolve.grading.comparing.scalars import Close, Same
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 from rotsolve.grading.marking.target import SceneLetters, Target
-from rotsolve.grading.reading.answers import read_line, read_matrix
+from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Definitions, clause
 from rotsolve.grading.reading.lines import chain_members, without_asides
-from rotsolve.grading.reading.records import NUMBER, AnswerError, LineReading, Names
+from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language.marks import FORM
+
+if TYPE_CHECKING:
+    from rotsolve.grading.marking.axes import OtherAxes
 
 LONGEST_ECHO = 400  # characters of a line that is said back
 Defined = tuple[tuple[str, Formula], ...]  # letters that the student brought in, with what they stand for
@@ -37,8 +43,15 @@ class JudgedText(Struct, frozen=True):
 class Texts:
     """Judges the texts that answer the questions of one solved scene."""
 
-    def __init__(self, letters: SceneLetters) -> None:
-        self.letters = letters
+    def __init__(self, letters: SceneLetters, same: Same, close: Close) -> None:
+        self.letters, self.same, self.close = letters, same, close
+
+    @cached_property
+    def others(self) -> OtherAxes:
+        """The answers along other axes than those that are asked."""
+        from rotsolve.grading.marking.axes import OtherAxes
+
+        return OtherAxes(self.letters.problem, self.same, self.close)
 
     @remembered
     def judged(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
@@ -50,10 +63,14 @@ class Texts:
             return JudgedText(None, word_judged(text, target))
         if is_direction(without_letter(text)):
             return JudgedText(None, direction_judged(without_letter(text), target))
+        if target.parts and self._names_components(target, text):
+            return self._in_axes(target, text, defined)
         told = clause(text, self.names(target.name))
         if told is not None:
             text, defined = told[0], (*defined, told[1:])
         text = without_asides(text, self.names(target.name))
+        if target.parts:
+            return self._in_axes(target, text, defined)
         chain = chain_members(text, self.names(target.name)) if target.rows == 1 else ()
         if chain:
             return chain_judged([self._value(target, member, defined) for member in chain], chain)
@@ -63,6 +80,58 @@ class Texts:
     def names(self, asked: str) -> Names:
         """The letters that an answer may hold."""
         return Names(self.letters.givens, self.letters.told, asked)
+
+    def _names_components(self, target: Target, text: str) -> bool:
+        """Whether a text tells a vector or matrix by the names of its components."""
+        from rotsolve.grading.reading.matrices import told_components  # only vectors and matrices need it
+
+        return any(told_components(text, self.names(target.name), target.labels))
+
+    def _in_axes(self, target: Target, text: str, defined: Defined) -> JudgedText:
+        """What is found in a vector or matrix, along the axes that are asked or those that the student names."""
+        if not self.letters.problem.space:
+            return self._vector(target, text, defined)
+        from rotsolve.grading.marking.axes import NODES, cut_axes, named_axes
+
+        line, named = cut_axes(text, self.letters.problem)
+        asked = named_axes(self.letters.problem, target.name)
+        if named not in ("", asked):
+            return self._along(target, line, defined, named)
+        own = self._vector(target, line, defined)
+        if own.finding.outcome != WRONG or own.reading is None or own.reading.basis != NODES or named:
+            return own
+        along = self._along(target, line, defined, "node")
+        return along if along.finding.outcome != UNDECIDED else own
+
+    def _along(self, target: Target, line: str, defined: Defined, axes: str) -> JudgedText:
+        """What is found in a vector along other axes than those that are asked; undecided where nothing tells them."""
+        other = self.others.target(target.name, axes)
+        if isinstance(other, str):
+            words = f"can't tell its components in {axes} axes: {other}"
+            return JudgedText(None, found(UNDECIDED, "axes", words))
+        one = self._vector(other, line, defined)
+        remark = Remark("axes", (f"read in {axes} axes",))
+        return replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+
+    def _vector(self, target: Target, text: str, defined: Defined) -> JudgedText:
+        """What is found in a vector or matrix: its named components, the last member of a chain, or one value."""
+        from rotsolve.grading.reading.matrices import named_components
+
+        try:
+            told = named_components(text, self.names(target.name), target.labels)
+        except AnswerError as error:
+            return unreadable(error)
+        if told is not None:
+            return self._best(target, text, (told,))
+        listed = self.letters.problem.space and re.search(r"[,;]\s", text) and not set(text).intersection("([<{")
+        if listed and target.rows == 1:  # components without brackets
+            bare = self._value(target, f"({without_letter(text)})", defined)
+            if bare.reading is not None and bare.reading.kind == VECTOR:
+                return bare
+        chain = chain_members(text, self.names(target.name)) if target.rows == 1 else ()
+        if chain:
+            return chain_judged([self._value(target, member, defined) for member in chain], chain)
+        return self._value(target, text, defined)
 
     def _value(self, target: Target, text: str, defined: Defined) -> JudgedText:
         """What is found in one value; where it can't be read by the scene's letters, with those that the student brought in."""
@@ -80,8 +149,7 @@ class Texts:
         """What is found in one value: by the letters of the scene, else with units in it, else with letters of the laws."""
         line, direction = cut_direction(text)
         try:
-            read = read_line if target.rows == 1 else read_matrix
-            best = self._best(target, text, with_direction(read(line, self.names(target.name)), direction))
+            best = self._best(target, text, with_direction(self._readings(target, line), direction))
         except AnswerError as error:
             best = unreadable(error)
         plain = best.reading is not None and best.reading.figures is not None  # 4.36 m/s² can be read in one way only
@@ -99,6 +167,14 @@ class Texts:
             return best
         other = self._best(target, text, with_direction(others, direction))
         return other if best.reading is None or preference(other.finding) < preference(best.finding) else best
+
+    def _readings(self, target: Target, line: str) -> tuple[LineReading, ...]:
+        """All readings that a line allows by the letters of the scene."""
+        if target.rows == 1:
+            return read_line(line, self.names(target.name))
+        from rotsolve.grading.reading.matrices import read_matrix
+
+        return read_matrix(line, self.names(target.name))
 
     def _with_laws(self, line: str, asked: str) -> tuple[LineReading, ...]:
         """The readings of a line with letters that no motion has to be solved for, I for the moment of inertia, in terms of the givens."""
@@ -139,7 +215,10 @@ class Texts:
         if reading.formula is not None and target.name in reading.formula.symbols() and not own:
             return found(WRONG, "form", "the answer speaks of itself")
         if target.parts:
-            return vector_judged(reading, target.parts, target.whole, target.labels)
+            finding = vector_judged(reading, target.parts, target.whole, target.labels)
+            if finding.right or not target.either or reading.kind != VECTOR:
+                return finding
+            return vector_judged(opposite(reading), target.parts, target.whole, target.labels)
         assert target.whole is not None
         return scalar_judged(reading, target.whole)
 

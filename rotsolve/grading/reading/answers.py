@@ -1,9 +1,6 @@
-"""Answers: all that a student's line can mean, the likeliest first; and a matrix, of which each row is a line of its own."""
+"""Answers: all that a student's line can mean, the likeliest first."""
 
 from __future__ import annotations
-
-import re
-from collections.abc import Iterator
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -23,7 +20,7 @@ from rotsolve.grading.reading.numbers import (
     read_number_with_unit,
     read_unit,
 )
-from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, VECTOR, AnswerError, LineReading, Names
+from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import tokens_of
 from rotsolve.grading.reading.vectors import (
     SizeAndAngle,
@@ -36,12 +33,6 @@ from rotsolve.grading.reading.vectors import (
     with_remarks,
 )
 from rotsolve.grading.reading.vocabulary import all_ways, read_formula
-
-LATEX = re.compile(r"\\begin\{[pb]?matrix\}(?P<inside>.*)\\end\{[pb]?matrix\}", re.DOTALL)
-NESTED = re.compile(r"\s*[\[(]\s*(?P<inside>[\[(].*[\])])\s*[\])]", re.DOTALL)
-FLAT = re.compile(r"\s*[\[(](?P<inside>[^\[\]()]*;[^\[\]()]*)[\])]")
-LARGEST = 4000  # characters of a matrix
-OPEN, CLOSE = "[(", "])"
 
 
 class AnswerLine(Struct, frozen=True):
@@ -188,53 +179,3 @@ def si_formula(side: LineReading) -> Formula | None:
     if side.formula is None or side.unit is None:
         return side.formula
     return side.formula * side.unit.factor
-
-
-# matrices
-
-
-MatrixRow = tuple[str, int]  # the entries of one row between brackets, and where they begin in the line
-
-
-def read_matrix(text: str, names: Names) -> tuple[LineReading, ...]:
-    """The one reading of a matrix, its rows as vectors; AnswerError where it can not be read."""
-    shape = None if len(text) > LARGEST else LATEX.search(text) or NESTED.search(text) or FLAT.search(text)
-    if shape is None:
-        raise AnswerError("a matrix is written row by row: `[[1, 0], [0, 2]] kg m²`", 0, len(text))
-    inside, start = shape["inside"], shape.start("inside")
-    unit = text[shape.end() :].strip()
-    rows = latex_rows(inside, start) if shape.re is LATEX else bracketed_rows(inside, start) or flat_rows(inside, start)
-    return (LineReading(VECTOR, text.strip(), parts=tuple(read_row(*row, unit, names) for row in rows)),)
-
-
-def read_row(text: str, start: int, unit: str, names: Names) -> LineReading:
-    """One row, with the unit behind the whole matrix."""
-    try:
-        return read_line(f"({text}) {unit}".strip(), names)[0]
-    except AnswerError as error:
-        first, end = start - 1 + error.start, start - 1 + error.end
-        raise AnswerError(error.message, first, end, error.suggestion, error.unknown) from None
-
-
-def latex_rows(inside: str, start: int) -> Iterator[MatrixRow]:
-    for match in re.finditer(r"(?:(?!\\\\).)+", inside, re.DOTALL):
-        if match[0].strip():
-            yield match[0].replace("&", ","), start + match.start()
-
-
-def flat_rows(inside: str, start: int) -> Iterator[MatrixRow]:
-    return ((match[0], start + match.start()) for match in re.finditer("[^;]+", inside))
-
-
-def bracketed_rows(inside: str, start: int) -> list[MatrixRow]:
-    """What stands between brackets of the outermost level."""
-    rows, depth, first = [], 0, 0
-    for index, character in enumerate(inside):
-        if character in OPEN:
-            depth += 1
-            first = index + 1 if depth == 1 else first
-        elif character in CLOSE:
-            depth -= 1
-            if depth == 0:
-                rows.append((inside[first:index], start + first))
-    return rows

@@ -20,6 +20,9 @@ from rotsolve.grading.verdict import Remark
 _ABOUT = re.compile(
     r"(?P<before>^|[=≈:])\s*(?:ca|approx|approximately|about|roughly|circa)\b\.?(?=\s*[-+−]?[\d.√(\\])", re.IGNORECASE
 )
+_TRANSPOSED = re.compile(
+    r"(?<=[\])}])\s*(?:\^\s*(?:\{\s*)?(?:\\(?:top|mathsf\{T\}|mathrm\{T\}|intercal)|T(?![A-Za-z]))(?:\s*\})?|ᵀ)"
+)
 _ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
 _IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|(?<=\s)is\b)(?=\s*\S)")
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
@@ -70,6 +73,8 @@ def without_asides(text: str, names: Names) -> str:
     if _ABOUT.search(text):
         text = _ABOUT.sub(lambda match: match["before"] + blanks(match[0][len(match["before"]) :]), text)
     text = _ERROR.sub(lambda match: blanks(match[0]), text)
+    if "," in text or ";" in text or "&" in text:
+        text = _TRANSPOSED.sub(lambda match: blanks(match[0]), text)
     text = _IS.sub(lambda match: f"{match['name']}{'=':>{len(match['sign'])}}", text)
     text = _PER.sub(lambda match: match["blank"] + _PER_MARKS[match["word"]].ljust(len(match["word"])), text)
     text = _CAPITAL.sub(lambda match: match[0].lower(), text)

@@ -68,7 +68,8 @@ class LineReading(Struct, frozen=True):
     `formula` is that of a formula or the exact number in the unit as typed; of an equation it is the left side, with numbers in SI units.
     `unit` is the unit as typed, `figures` the significant figures of a number, None where it is exact (1/2, √3) or worked out.
     `parts` are the components of a vector; where it was told by size and direction, `polar` holds these two as typed.
-    `direction` is that of a number told in words: "down", "clockwise". `cut` says that the line can be read in more ways than were tried.
+    `basis` is the first of the unit vectors by which one is told, "i", "e_x" or "e_1". `direction` is that of a number told in words:
+    "down", "clockwise". `cut` says that the line can be read in more ways than were tried.
     """
 
     kind: str
@@ -82,6 +83,7 @@ class LineReading(Struct, frozen=True):
     remarks: tuple[Remark, ...] = ()
     polar: tuple[LineReading, ...] = ()
     direction: str = ""
+    basis: str = ""
 
     @property
     def text(self) -> str:

@@ -51,21 +51,22 @@ MARKS = {
     **dict.fromkeys("—‐‑‒", "-"),
     **dict.fromkeys("•∗", "*"),
     **dict.fromkeys(("≈", "≃", ":=", "==", "＝"), "="),
-    **{"⟨": "(", "⟩": ")", "∣": "|", "º": "°"},
+    **{"⟨": "(", "⟩": ")", "∣": "|", "º": "°", "&": ";"},
 }
 _TOKEN = re.compile(
-    rf"(?P<space>[\s$~]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵ]|{RUN})"
+    rf"(?P<space>[\s$~\u0302\u20d7]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵŷẑê]|[ijkxyz]\u0302|{RUN})"
     rf"|{RAISED}"
     r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
     r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
-    r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
+    r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝&])|(?P<other>.)"
 )
 _CALLED = re.compile(rf"(?<!_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
-_MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
+_MATRIX = re.compile(r"\s*\{\s*(?:[pbvBV]?(?:small)?matrix\s*\}|array\s*\}(?:\s*\{[^{}]*\})?)")
 _CHANGED = re.compile(rf"\s*(?:\\({'|'.join(GREEK_LETTERS)})(?![A-Za-z])|([A-Za-z]))")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
-_HATTED = {"î": "i", "ĵ": "j"}
+_HATTED = {"î": "i", "ĵ": "j", "k\u0302": "k", "i\u0302": "i", "j\u0302": "j", "ê": "e"}  # no letters but unit vectors
+_HATTED |= {"ŷ": "e_y", "ẑ": "e_z", **{f"{axis}\u0302": f"e_{axis}" for axis in "xyz"}}
 
 
 def plain_width(text: str) -> str:
@@ -106,11 +107,12 @@ class LineLexer(Lexer):
         if called and found not in FUNCTION_NAMES:  # sin2θ is sin 2θ, but atan2 is atan2
             self.emit("name", found[: called.end()], start, start + called.end())
             return start + called.end()
+        found = _HATTED.get(found, found)
         bare = found.rstrip("_")
         at = start + len(bare) if end - start == len(found) else end
         index = _INDEX.match(self.text, at) if self.text.startswith("_", at) else None
         if index is None:
-            self.emit("name", _HATTED.get(found, found), start, end)
+            self.emit("name", found, start, end)
             return end
         braced, plain, command = index.groups()
         content = plain or _index_text(braced if braced is not None else command)
@@ -160,7 +162,7 @@ class LineLexer(Lexer):
         if word == "sqrt":
             return self.root(start, end)
         if word in CONTENT:
-            return self.content(start, end)
+            return self.content(word, start, end)
         if word in ("begin", "end"):
             return self.matrix(word, start, end)
         mark = _MARK_OF.get(word)
@@ -213,14 +215,18 @@ class LineLexer(Lexer):
         self.emit(mark, mark, start, match.end())
         return match.end()
 
-    def content(self, start: int, at: int) -> int:
-        """The content of \\text{…} and its like, which only says how letters are set."""
+    def content(self, word: str, start: int, at: int) -> int:
+        """The content of \\text{…} and its like, which only says how letters are set; \\hat{x} is a unit vector."""
+        before = len(self.tokens)
         while self.text[at : at + 1].isspace():
             at += 1
         at = self.inside(at, at + 1) if self.text.startswith("{", at) else self.argument(start, at)
         if self.text.startswith("_", at) and self.tokens and self.tokens[-1].kind == "name":
             named = self.tokens.pop()  # \mathrm{hp}_{m}
             return self.name(named.text, named.start, at)
+        if word == "hat" and len(self.tokens) == before + 1 and self.tokens[-1].text in ("x", "y", "z"):
+            axis = self.tokens.pop()
+            self.emit("name", f"e_{axis.text}", axis.start, axis.end)
         return at
 
     def other(self, found: str, start: int, end: int) -> int:

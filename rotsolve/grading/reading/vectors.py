@@ -7,24 +7,33 @@ both are read.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from fractions import Fraction
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ZERO, Call, Formula, Number, add, divide, multiply, negate
+from rotsolve.algebra.formula import ZERO, Call, Formula, Negative, Number, add, divide, multiply, negate
 from rotsolve.algebra.notation.cursor import Forks
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.algebra.units.unit_table import UNITS, Unit, power_of_pi
-from rotsolve.grading.reading.lines import with_points
+from rotsolve.grading.reading.lines import CALLED, with_points
 from rotsolve.grading.reading.numbers import are_letters, looks_like_unit, read_unit
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReading
 from rotsolve.grading.verdict import Remark
 
 AXES = ("i", "j", "k")
+BASES = (AXES, ("e_x", "e_y", "e_z"), ("e_1", "e_2", "e_3"))
+_TYPED = {  # other spellings of unit vectors
+    **{f"e{sub}": f"e_{plain}" for sub, plain in zip("₁₂₃", "123", strict=True)},
+    **{f"e{plain}": f"e_{plain}" for plain in "123"},
+    **{f"{axis}hat": axis for axis in AXES},
+    **{f"{axis}hat": f"e_{axis}" for axis in "xyz"},
+}
+UNIT_VECTORS = {name: name for basis in BASES for name in basis} | _TYPED
+PLACES = {name: place for basis in BASES for place, name in enumerate(basis)}
 OPENING, CLOSING = ("(", "[", "<"), (")", "]", ">")
 MOST_COMPONENTS = 9
 
@@ -91,20 +100,26 @@ def list_components(tokens: list[Token], forks: Forks) -> list[list[Token]]:
 def between_digits(tokens: list[Token], index: int) -> bool:
     """Whether the comma at a place stands between two digits without a space."""
     before, comma, after = tokens[index - 1], tokens[index], tokens[index + 1]
-    return before.kind == after.kind == "number" and before.end == comma.start and comma.end == after.start
+    joined = before.kind == after.kind == "number" and before.end == comma.start and comma.end == after.start
+    return joined and "." not in before.text
 
 
 def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading | None:
     """A vector in brackets, perhaps with a unit behind them; None where the line is none."""
-    last = closing_bracket(tokens)
-    behind = tokens[last + 1 :]
-    if last < 0 or all(token.kind not in (",", ";") for token in tokens[1:last]) or not looks_like_unit(behind):
+    front, listed, behind = around_list(tokens)
+    if listed and behind[0].kind in ("/", "*") and len(behind) > 2:
+        whole = read_list(text, [*front[:-1], *listed, end_at(behind[0])], forks, read)
+        return None if whole is None else multiplied(read(with_one(behind)), whole)
+    if not listed or not looks_like_unit(behind):
         return None
-    inside = list_components([*tokens[1:last], end_at(tokens[last])], forks)
+    if front:
+        whole = read_list(text, [*listed, *behind], forks, read)
+        return None if whole is None else multiplied(read(with_one(front)), whole)
+    inside = list_components([*listed[1:-1], end_at(listed[-1])], forks)
     if len(inside) == 1:
         return None
     if len(inside) > MOST_COMPONENTS:
-        raise FormulaError("a vector has two or three components", tokens[0].start, tokens[last].end)
+        raise FormulaError("a vector has two or three components", listed[0].start, listed[-1].end)
     unit = read_unit(text, behind, forks) if len(behind) > 1 else None
     parts = []
     for component in inside:
@@ -115,12 +130,69 @@ def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
     return vector_of(parts, unit)
 
 
+def around_list(tokens: list[Token]) -> tuple[list[Token], list[Token], list[Token]]:
+    """A line as a factor in front of a list (with an `end`; nothing where there is none), the list in its brackets, and what is behind."""
+    if all(token.kind not in (",", ";") for token in tokens):
+        return [], [], tokens
+    start = 0
+    while start < len(tokens):
+        last = start + closing_bracket(tokens[start:])
+        listed = tokens[start : last + 1]
+        while (
+            len(listed) > 2 and closing_bracket(listed[1:]) == len(listed) - 3
+        ):  # brackets round a matrix that has its own
+            listed = listed[1:-1]
+        front = tokens[: start - 1] if start and tokens[start - 1].kind == "*" else tokens[:start]
+        if listed and is_listed(listed, front):
+            return [*front, end_at(tokens[start])] if front else [], listed, tokens[last + 1 :]
+        start = max(start, last) + 1
+    return [], [], tokens
+
+
+def is_listed(tokens: list[Token], front: list[Token]) -> bool:
+    """Whether commas or semicolons part what stands in brackets, behind a factor not the arguments of a function or a decimal number."""
+    marks = [index for index, token in enumerate(tokens) if token.kind in (",", ";")]
+    if not front:
+        return bool(marks)
+    called = front[-1].kind == "name" and front[-1].text.endswith(CALLED)
+    return bool(marks) and not called and not (len(marks) == 1 and between_digits(tokens, marks[0]))
+
+
+def multiplied(factor: LineReading, reading: LineReading) -> LineReading:
+    """A vector or matrix with a factor in front of it."""
+    if reading.parts:
+        parts = tuple(multiplied(factor, part) for part in reading.parts)
+        return replace(reading, parts=parts, written=f"{factor.text} {reading.text}")
+    assert reading.formula is not None and factor.formula is not None
+    formula, unit = multiply(factor.formula, reading.formula), reading.unit or factor.unit
+    rounded = [one.figures for one in (factor, reading) if one.figures is not None and not is_whole(one.formula)]
+    figures = min(rounded, default=None)
+    kind = FORMULA if FORMULA in (factor.kind, reading.kind) else NUMBER
+    return LineReading(kind, unit.after(to_text(formula)) if unit else "", formula, unit, figures)
+
+
+def is_whole(value: Formula | None) -> bool:
+    """Whether a number has no decimals, so that beside a factor it counts exactly."""
+    number = value.operand if isinstance(value, Negative) else value
+    return isinstance(number, Number) and number.value.denominator == 1
+
+
+def with_one(tokens: list[Token]) -> list[Token]:
+    """A sign alone, or what begins with `/` or `*`, with the 1 that goes without saying."""
+    one = Token("number", "1", tokens[0].start, tokens[0].start)
+    if tokens[0].kind in ("/", "*"):
+        return [one, *tokens]
+    return [*tokens[:-1], one, tokens[-1]] if all(token.kind in ("+", "-", "end") for token in tokens) else tokens
+
+
 def with_remarks(reading: LineReading, remarks: tuple[Remark, ...]) -> LineReading:
     return replace(reading, remarks=(*reading.remarks, *remarks)) if remarks else reading
 
 
 def vector_of(parts: list[LineReading], unit: Unit | None) -> LineReading:
-    """The vector with these components, all in the unit behind the bracket where that has one."""
+    """The vector with these components, all in the unit behind the bracket, or behind the last of them where no other has one."""
+    if unit is None and all(part.unit is None and part.kind == NUMBER for part in parts[:-1]):
+        unit = parts[-1].unit
     if unit is not None:
         parts = [part if part.unit else replace(part, unit=unit, written=unit.after(part.text)) for part in parts]
         inner = ", ".join(part.text.removesuffix(unit.text).strip() for part in parts)
@@ -133,32 +205,41 @@ def vector_of(parts: list[LineReading], unit: Unit | None) -> LineReading:
 
 
 def by_axes(tokens: list[Token], letters: frozenset[str]) -> list[Token] | None:
-    """The tokens with each i, j or k by itself as an `axis`; None where the line has none."""
+    """The tokens with each unit vector by itself as an `axis`, called as in BASES; None where the line has none."""
+    known = UNIT_VECTORS.keys() - letters
     if not letters.isdisjoint(AXES[:2]):
-        return None
-    result: list[Token] = []
-    for token in tokens:
-        if token.kind == "name" and token.text[-1] in AXES and token.text[-1] not in letters:
-            result += _split_axis(token, letters)
-        else:
-            result.append(token)
+        known -= set(AXES)
+    result = [
+        part for token in tokens for part in (_split_axis(token, letters, known) if token.kind == "name" else [token])
+    ]
     return result if any(token.kind == "axis" for token in result) else None
 
 
-def _split_axis(token: Token, letters: frozenset[str]) -> list[Token]:
+def _split_axis(token: Token, letters: frozenset[str], known: Collection[str]) -> list[Token]:
     """`mgj` as mg and j; a token that has a meaning of its own stays."""
-    if token.text in AXES:
-        return [Token("axis", token.text, token.start, token.end)]
-    front = Token("name", token.text[:-1], token.start, token.end - 1)
-    if are_letters((token,), letters) or not are_letters((front,), letters):
+    if token.text in known:
+        return [Token("axis", UNIT_VECTORS[token.text], token.start, token.end)]
+    name = next((name for name in known if token.text.endswith(name)), "")
+    cut = token.end - len(name)
+    front = Token("name", token.text[: -len(name)], token.start, cut)
+    if not name or are_letters((token,), letters) or not are_letters((front,), letters):
         return [token]
-    return [front, Token("axis", token.text[-1], token.end - 1, token.end)]
+    return [front, Token("axis", UNIT_VECTORS[name], cut, token.end)]
 
 
 def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading:
-    """`3i + 4j` with a unit in its terms, behind it, or behind its bracket; the tokens have their axes told apart."""
-    last = closing_bracket(tokens)
-    if last > 0 and any(token.kind == "axis" for token in tokens[:last]) and looks_like_unit(tokens[last + 1 :]):
+    """`3i + 4j` with a unit in its terms, behind it, or behind its bracket; the tokens have their axes told apart.
+
+    What is not written is nothing.
+    """
+    start = next((index for index, token in enumerate(tokens) if token.kind in OPENING), 0)
+    last = start + closing_bracket(tokens[start:])
+    inside = last > start and any(token.kind == "axis" for token in tokens[start:last])
+    if inside and start:
+        sign = [] if tokens[start - 1].kind != "*" else tokens[start - 1 : start]
+        front = [*tokens[: start - len(sign)], end_at(tokens[start])]
+        return multiplied(read(with_one(front)), read_axes(text, tokens[start:], forks, read))
+    if inside and looks_like_unit(tokens[last + 1 :]):
         behind = tokens[last + 1 :]
         tokens = [*tokens[1:last], end_at(tokens[last])]
     else:
@@ -166,17 +247,22 @@ def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
         behind = tokens[final + 1 :] if looks_like_unit(tokens[final + 1 :]) else tokens[-1:]
         tokens = [*tokens[: len(tokens) - len(behind)], end_at(behind[0])]
     unit = read_unit(text, behind, forks) if len(behind) > 1 else None
-    found: dict[str, LineReading] = {}
+    found: dict[int, LineReading] = {}
+    bases = set()
     for term in axis_terms(tokens):
         axis, coefficient = axis_and_coefficient(term)
-        if axis.text in found:
+        place, basis = PLACES[axis.text], next(names for names in BASES if axis.text in names)
+        if place in found:
             raise FormulaError(f"two components along {axis.text}", axis.start, axis.end)
+        bases.add(basis)
+        if len(bases) > 1:
+            raise FormulaError("unit vectors of two kinds in one line", axis.start, axis.end)
         pointed, remarks = with_points(coefficient, forks)
-        found[axis.text] = with_remarks(read(pointed), remarks)
-    wanted = AXES if "k" in found else AXES[:2]
+        found[place] = with_remarks(read(pointed), remarks)
     shared = next((part.unit for part in found.values()), None)
     nothing = LineReading(NUMBER, "0", ZERO, shared)
-    return vector_of([found.get(axis, nothing) for axis in wanted], unit)
+    whole = vector_of([found.get(place, nothing) for place in range(3 if 2 in found else 2)], unit)
+    return replace(whole, basis=basis[0])
 
 
 def axis_terms(tokens: list[Token]) -> list[list[Token]]:
@@ -207,7 +293,16 @@ def axis_and_coefficient(term: list[Token]) -> tuple[Token, list[Token]]:
         rest = [*rest[:-1], Token("number", "1", axis.start, axis.start), rest[-1]]
     if rest[0].kind == "+":
         rest = rest[1:]
-    return axis, rest
+    return axis, without_brackets(rest)
+
+
+def without_brackets(tokens: list[Token]) -> list[Token]:
+    """A coefficient, perhaps with a sign, without the brackets round a single number with its unit: `−(3 N) i`."""
+    sign = 1 if tokens[0].kind == "-" else 0
+    inner = tokens[sign + 1 : -2]
+    whole = closing_bracket(tokens[sign:]) == len(tokens) - sign - 2
+    plain = bool(inner) and inner[0].kind == "number" and not any(one.kind in ("+", "-") for one in inner)
+    return [*tokens[:sign], *inner, tokens[-1]] if whole and plain else tokens
 
 
 # by size and direction

@@ -33,10 +33,14 @@ FIRST = "wrong, here first"
 
 
 class Task(Struct, frozen=True):
-    """The problem that is marked: its title, and what is asked by name with the letter that is printed for it."""
+    """The problem that is marked: its title, and what is asked by name with the letter that is printed for it.
+
+    `parts` are the names of the components of vectors in space, each with that of the vector.
+    """
 
     title: str
     letters: Mapping[str, Formula]
+    parts: Mapping[str, str] = {}
 
     def letter(self, name: str) -> Words:
         return (self.letters[name],) if name in self.letters else (name,)
