@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
@@ -58,11 +58,20 @@ def evaluate_many(
     except ModuleNotFoundError:
         raise NotForMany("arrays take NumPy: pip install 'rotsolve[arrays]'") from None
     known = checked(givens, valid.positive, values)
-    forms = {answer.name: in_its_unit(answer) for answer in answers}
+    forms = {name: in_its_unit(answer) for name, answer in single_answers(answers)}
     bounds = [*valid.bounds, *valid.sides, *(limit for limit in valid.limits if limit.symbols() <= values.keys())]
     work = program([*forms.values(), *bounds], values, known)
     found = (ball_results if certified else float_results)(work, values, len(bounds))
     return dict(zip(forms, found, strict=True))
+
+
+def single_answers(answers: Iterable[Answer]) -> Iterator[tuple[str, Answer]]:
+    """Each answer by its name; of vectors in space and tensors each component by its own, `L.x`."""
+    for answer in answers:
+        if answer.rows:
+            yield from ((f"{answer.name}.{part.name}", part) for part in answer.components)
+        else:
+            yield answer.name, answer
 
 
 def checked(givens: tuple[Given, ...], positive: Collection[str], values: Mapping[str, Any]) -> dict[str, Formula]:

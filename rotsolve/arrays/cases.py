@@ -10,7 +10,7 @@ import numpy as np
 
 from rotsolve.algebra.formula import ONE, Formula, Number
 from rotsolve.algebra.units.dimension import is_positive
-from rotsolve.arrays import NotForMany, checked, in_its_unit, program
+from rotsolve.arrays import NotForMany, checked, in_its_unit, program, single_answers
 from rotsolve.arrays.balls import ball_results
 from rotsolve.arrays.floats import float_results
 from rotsolve.core.faults import SceneError, Unsolvable
@@ -52,7 +52,7 @@ def evaluate_by_cases(
         if any(check.holds is False for check in solution.derivation.checks):
             continue
         chosen = {name: column[here] for name, column in columns.items()}
-        forms = {answer.name: in_its_unit(answer) for answer in solution.derivation.answers}
+        forms = {name: in_its_unit(answer) for name, answer in single_answers(solution.derivation.answers)}
         work = program(forms.values(), chosen, known)
         results = ball_results(work, chosen, 0) if certified else float_results(work, chosen, 0)
         for name, result in zip(forms, results, strict=True):

@@ -11,7 +11,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Number
-from rotsolve.arrays import NotForMany
+from rotsolve.arrays import NotForMany, single_answers
 from rotsolve.confirm.course.samples import with_givens
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.verdicts import judged_numbers
@@ -72,11 +72,12 @@ def contradicted_at(
     givens = tuple([replace(item, value=set_[item.name]) if item.name in set_ else item for item in problem.givens])
     own = replace(problem, givens=givens)
     numbers = with_givens(own, {})
-    sizes = {}
-    for answer in answers:
-        if not math.isnan(said[answer.name]):
+    sizes: dict[str, dict[str, float]] = {}
+    for name, answer in single_answers(answers):
+        if not math.isnan(said[name]):
             factor = 1.0 if answer.unit is None else float(value_of(answer.unit.factor, {}))
-            sizes[answer.name] = said[answer.name] * factor
+            whole, _, part = name.partition(".")
+            sizes.setdefault(whole, {})[part] = said[name] * factor
     for verdict in judged_numbers(answers, own, letter, numbers, sizes):
         if verdict.holds is False:
             yield verdict.name, "" if verdict.found else f" ({verdict.why})"

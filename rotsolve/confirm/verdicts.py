@@ -63,15 +63,22 @@ def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, nu
 
 
 def judged_numbers(
-    answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers, sizes: Mapping[str, float]
+    answers: Sequence[Answer],
+    problem: Problem,
+    solved: Solved,
+    numbers: Numbers,
+    sizes: Mapping[str, Mapping[str, float]],
 ) -> Iterator[AnswerConfirmation]:
-    """What the assembly says of answers that come to these numbers, in SI units, at one set of numbers for the letters."""
+    """What the assembly says of answers that come to these numbers, in SI units, at one set of numbers for the letters.
+
+    A number stands under '', those of a vector under the names of its components.
+    """
     known = {**numbers, **asked_letters(problem, numbers, solved)}
     told = [answer for answer in answers if answer.name in sizes]
     if problem.space:
         from rotsolve.confirm.space.verdict import judged_in_space
 
-        yield from judged_in_space(told, problem, known, {name: {"": size} for name, size in sizes.items()}, numbers)
+        yield from judged_in_space(told, problem, known, sizes, numbers)
         return
     from rotsolve.confirm.course.verdict import judged_in_plane
 

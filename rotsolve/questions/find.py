@@ -215,13 +215,14 @@ def question_for(
 
 def rewritten(question: Asked, altered: Alteration) -> Asked:
     """The question with what leads to it changed on purpose; a direct one is told by the laws alone."""
-    steps = tuple(altered.rewritten(question.definitions))
+    steps, laws = (tuple(altered.rewritten(told)) for told in (question.definitions, question.laws))
+    question = replace(question, definitions=steps, laws=laws)
     if question.direct:
-        return replace(question, definitions=steps)
+        return question
     meaning = altered.rewritten(
         [question.law.equation(Symbol(question.letter), question.formula, question.section, words=question.label)]
     )
-    return replace(question, definitions=steps, formula=meaning[0].right if meaning else question.formula)
+    return replace(question, formula=meaning[0].right if meaning else question.formula)
 
 
 def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: Beside | None) -> Asked:

@@ -193,13 +193,17 @@ def at_numbers(
 
 
 def judged_in_plane(
-    answers: Sequence[Answer], problem: Problem, known: Numbers, sizes: Mapping[str, float], numbers: Numbers
+    answers: Sequence[Answer],
+    problem: Problem,
+    known: Numbers,
+    sizes: Mapping[str, Mapping[str, float]],
+    numbers: Numbers,
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of answers that come to some numbers."""
     asker = Asker(problem, Course(problem, known, Budget(BUDGET)))
     for answer in answers:
         find = next(find for find in problem.finds if find.group == answer.name)
-        yield judged(find, {"": sizes[answer.name]}, asker, numbers)
+        yield judged(find, sizes[answer.name], asker, numbers)
 
 
 def judged(
