@@ -57,11 +57,11 @@ def vector_judged(
     finding = all_findings(findings)
     if finding.outcome != WRONG or finding.flaws:
         return finding
-    if any(part.directed for part in parts) and all_right([negated(part) for part in typed], wanted):
+    if any(part.directed for part in parts) and components_right([negated(part) for part in typed], wanted):
         return found(RIGHT if parts[0].marking.sign == LENIENT else WRONG, "sign", "it points the other way")
     if all(label.isdigit() for label in labels):
         orders = permutations(typed) if len(typed) <= MOST_ORDERED else ()
-        return Finding(RIGHT) if any(all_right(order, wanted) for order in orders) else finding
+        return Finding(RIGHT) if any(components_right(order, wanted) for order in orders) else finding
     names = labels if len(labels) == len(wanted) else [*labels, "z"]
     return exchanged(typed, wanted, names) or with_component_names(findings, names)
 
@@ -69,15 +69,15 @@ def vector_judged(
 def component_findings(typed: Sequence[LineReading], wanted: Sequence[Scalar]) -> list[Finding]:
     """Every component by itself, strictly: the sign of one alone is no convention."""
     size = max((abs(part.value.float) for part in wanted if part.value is not None), default=0.0)
-    strict = [replace(beside(one, size), directed=False) for one in wanted]
+    strict = [replace(nothing_beside(one, size), directed=False) for one in wanted]
     return [scalar_judged(part, one) for part, one in zip(typed, strict, strict=True)]
 
 
-def all_right(typed: Sequence[LineReading], wanted: Sequence[Scalar]) -> bool:
+def components_right(typed: Sequence[LineReading], wanted: Sequence[Scalar]) -> bool:
     return all_findings(component_findings(typed, wanted)).right
 
 
-def beside(part: Scalar, size: float) -> Scalar:
+def nothing_beside(part: Scalar, size: float) -> Scalar:
     """A component that is nothing: what is left of it by rounding is small beside the largest of the others."""
     share = part.marking.tolerance.share
     if share is None or not size or part.value is None or not part.value.equals(Fraction(0)):
@@ -90,7 +90,7 @@ def exchanged(typed: Sequence[LineReading], wanted: Sequence[Scalar], names: Seq
     for one, other in combinations(range(len(typed)), 2) if len(typed) <= MOST_ORDERED else ():
         order = list(typed)
         order[one], order[other] = order[other], order[one]
-        if all_right(order, wanted):
+        if components_right(order, wanted):
             return found(WRONG, COMPONENT, f"the {names[one]} and {names[other]} components are exchanged")
     return None
 
@@ -145,7 +145,7 @@ def component_readings(reading: LineReading) -> list[LineReading]:
     return found
 
 
-def opposite(reading: LineReading) -> LineReading:
+def opposite_vector(reading: LineReading) -> LineReading:
     """A vector that points the other way."""
     return replace(reading, parts=tuple(negated(part) for part in component_readings(reading)))
 

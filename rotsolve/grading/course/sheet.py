@@ -101,7 +101,7 @@ def name_and_text(line: str) -> tuple[str, str] | None:
     return (match["name"], match["text"].rstrip()) if match else None
 
 
-def with_components(answers: Mapping[str, str], asked: Sequence[str], parts: Parts) -> dict[str, str]:
+def as_whole_vectors(answers: Mapping[str, str], asked: Sequence[str], parts: Parts) -> dict[str, str]:
     """The answers in the order in which they are asked, those that are told by components as one: `L_x = …; L_y = …`."""
     told: dict[str, list[str]] = {}
     for name, text in answers.items():
@@ -151,7 +151,7 @@ def from_lines(lines: Sequence[str], file: str, asked: Sequence[str], parts: Par
             found[name] = number, said[1]
         elif line.strip() and not line.lstrip().startswith("#"):
             working[number] = line.strip()
-    answers = with_components({name: text for name, (_, text) in found.items()}, asked, parts)
+    answers = as_whole_vectors({name: text for name, (_, text) in found.items()}, asked, parts)
     if not answers:
         raise HandedInError([no_answer_fault(asked, "=")], lines, file)
     ways = tuple(working[number] for number in sorted(working))
@@ -179,7 +179,7 @@ def from_yaml(text: str, file: str, asked: Sequence[str], parts: Parts) -> Paper
         else:
             told[name] = single_text(name, node, faults).replace("\n", " ")
     given = {name: text for name, text in told.items() if text and (name in asked or name in parts)}
-    answers = with_components(given, asked, parts)
+    answers = as_whole_vectors(given, asked, parts)
     if faults or not answers:
         raise HandedInError(faults or [no_answer_fault(asked, ":")], lines, file)
     student, variant = ("" if name in asked else told.get(name, "") for name in (STUDENT_KEY, VARIANT_KEY))
@@ -215,7 +215,7 @@ def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_P
             answers[asked[0]] = text.strip()
         else:
             faults.append(unnamed_fault(text, said[0] if said else "", number, asked))
-    given = with_components({name: text for name, text in answers.items() if text}, asked, parts)
+    given = as_whole_vectors({name: text for name, text in answers.items() if text}, asked, parts)
     if faults or not given:
         raise HandedInError(faults or [no_answer_fault(asked, "=")], texts, "--answer")
     return Paper("", given)

@@ -21,9 +21,9 @@ from rotsolve.grading.course.sheet import (
     NO_PARTS,
     HandedInError,
     Parts,
+    as_whole_vectors,
     file_error,
     meant_answer,
-    with_components,
 )
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
@@ -193,7 +193,7 @@ def with_whole_vectors(entry: Entry, asked: Sequence[str], parts: Parts) -> Entr
     """The entry with the components of a vector as one answer."""
     if entry.paper is None:
         return entry
-    return replace(entry, paper=replace(entry.paper, answers=with_components(entry.paper.answers, asked, parts)))
+    return replace(entry, paper=replace(entry.paper, answers=as_whole_vectors(entry.paper.answers, asked, parts)))
 
 
 def first_row(lines: Sequence[str], start: int) -> Sequence[str]:

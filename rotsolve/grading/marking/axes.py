@@ -36,7 +36,7 @@ def cut_axes(text: str, problem: Problem) -> tuple[str, str]:
     return (text, "") if match is None else (text[: match.start()], known[match["axes"].lower()])
 
 
-def question(problem: Problem, name: str) -> Find | None:
+def vector_question(problem: Problem, name: str) -> Find | None:
     """The question for a vector or tensor, if that is all it asks for."""
     find = next((find for find in problem.finds if find.group == name), None)
     single = find is not None and len(find.terms) == 1 and find.terms[0].path.quantity in (*DIRECTED, "inertia_tensor")
@@ -45,7 +45,7 @@ def question(problem: Problem, name: str) -> Find | None:
 
 def named_axes(problem: Problem, name: str) -> str:
     """The axes along which the components of an answer are asked; '' where it has none."""
-    find = question(problem, name)
+    find = vector_question(problem, name)
     if find is None:
         return ""
     return find.terms[0].axes or ("body" if find.terms[0].path.quantity == "inertia_tensor" else "space")
@@ -60,7 +60,7 @@ class OtherAxes:
     @remembered
     def target(self, name: str, axes: str) -> Target | str:
         """What an answer along these axes is held against, or why nothing is known of it."""
-        find = question(self.problem, name)
+        find = vector_question(self.problem, name)
         if find is None:
             return "it is no single vector or tensor"
         asked = replace(find, terms=(replace(find.terms[0], axes=axes),))

@@ -21,7 +21,7 @@ from rotsolve.core.derivation import Answer, Words
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.formulas import numbers_stand, of_other_dimension, put_in
 from rotsolve.grading.comparing.numbers import Typed, certified_number, is_near, rounds_to
-from rotsolve.grading.comparing.readings import all_right, component_readings
+from rotsolve.grading.comparing.readings import component_readings, components_right
 from rotsolve.grading.comparing.scalars import Scalar
 from rotsolve.grading.marking.target import SceneLetters, Target, entries_of_answer
 from rotsolve.grading.reading.records import LineReading
@@ -155,7 +155,7 @@ class Explaining:
             parts = entries_of_answer(answers[target.name]) if target.name in answers else ()
             if len(parts) == len(typed) == len(target.parts):
                 wanted = [self.in_place_of(own, part) for own, part in zip(target.parts, parts, strict=True)]
-                if all_right(typed, wanted):
+                if components_right(typed, wanted):
                     return mistake_finding(mistake)
         return None
 

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.remembered import remembered
-from rotsolve.grading.comparing.readings import opposite, scalar_judged, vector_judged
+from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
 from rotsolve.grading.comparing.scalars import Close, Same
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 from rotsolve.grading.marking.target import SceneLetters, Target
@@ -218,7 +218,7 @@ class Texts:
             finding = vector_judged(reading, target.parts, target.whole, target.labels)
             if finding.right or not target.either or reading.kind != VECTOR:
                 return finding
-            return vector_judged(opposite(reading), target.parts, target.whole, target.labels)
+            return vector_judged(opposite_vector(reading), target.parts, target.whole, target.labels)
         assert target.whole is not None
         return scalar_judged(reading, target.whole)
 

@@ -175,7 +175,10 @@ def sense_of_turns(scene: Scene) -> Made:
     """−φ for φ."""
     if scene.problem.space:
         for names, who in each_and_all(name for name, _ in turned_bodies(scene.problem)):
-            yield f"the turn of {who} was made the other way round", Change(problem=with_turns(names, turned_back))
+            yield (
+                f"the turn of {who} was made the other way round",
+                Change(problem=with_turns(names, the_other_way_round)),
+            )
 
 
 def turned_bodies(problem: Problem) -> Iterator[tuple[str, Turns]]:
@@ -185,7 +188,7 @@ def turned_bodies(problem: Problem) -> Iterator[tuple[str, Turns]]:
         yield from ((name, turns) for name, turns in ((body.name, body.turned), *placed) if turns)
 
 
-def turned_back(turns: Turns) -> Turns:
+def the_other_way_round(turns: Turns) -> Turns:
     return tuple(replace(turn, by=negate(turn.by)) for turn in turns)
 
 

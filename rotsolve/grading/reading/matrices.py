@@ -17,7 +17,7 @@ from rotsolve.grading.reading.answers import after_name, read_line
 from rotsolve.grading.reading.lines import EQUALS
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import tokens_of
-from rotsolve.grading.reading.vectors import multiplied
+from rotsolve.grading.reading.vectors import with_factor_in_front
 
 _NAME = r"(?:[pbvBV]?(?:small)?matrix\}|array\}\s*\{[^{}]*\})"
 LATEX = re.compile(
@@ -40,7 +40,7 @@ def read_matrix(text: str, names: Names) -> tuple[LineReading, ...]:
     shape = next((match for form in forms if (match := form.search(text, start)) is not None), None)
     if shape is None:
         raise AnswerError("a matrix is written row by row: `[[1, 0], [0, 2]] kg m²`", 0, len(text))
-    whole = LineReading(VECTOR, text.strip(), parts=tuple(rows_of(shape, text[shape.end() :].strip(), names)))
+    whole = LineReading(VECTOR, text.strip(), parts=tuple(written_rows(shape, text[shape.end() :].strip(), names)))
     front = re.sub(r"(?:[\s$*·⋅×]|\\cdot|\\times)+$", "", text[start : shape.start()])
     if not front.strip(" $"):
         return (whole,)
@@ -48,7 +48,7 @@ def read_matrix(text: str, names: Names) -> tuple[LineReading, ...]:
     factor = next((one for one in readings if one.kind in (NUMBER, FORMULA)), None)
     if factor is None:
         raise AnswerError("what stands in front of the matrix is no factor", start, shape.start())
-    return (multiplied(factor, whole),)
+    return (with_factor_in_front(factor, whole),)
 
 
 def value_start(text: str, names: Names) -> int:
@@ -63,7 +63,7 @@ def value_start(text: str, names: Names) -> int:
     return signs[-1].end()
 
 
-def rows_of(shape: re.Match[str], unit: str, names: Names) -> Sequence[LineReading]:
+def written_rows(shape: re.Match[str], unit: str, names: Names) -> Sequence[LineReading]:
     """The rows of a matrix as it is written, with the unit behind it."""
     inside, start = shape["inside"], shape.start("inside")
     if shape.re is DIAGONAL:

@@ -109,12 +109,12 @@ def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
     front, listed, behind = around_list(tokens)
     if listed and behind[0].kind in ("/", "*") and len(behind) > 2:
         whole = read_list(text, [*front[:-1], *listed, end_at(behind[0])], forks, read)
-        return None if whole is None else multiplied(read(with_one(behind)), whole)
+        return None if whole is None else with_factor_in_front(read(with_one(behind)), whole)
     if not listed or not looks_like_unit(behind):
         return None
     if front:
         whole = read_list(text, [*listed, *behind], forks, read)
-        return None if whole is None else multiplied(read(with_one(front)), whole)
+        return None if whole is None else with_factor_in_front(read(with_one(front)), whole)
     inside = list_components([*listed[1:-1], end_at(listed[-1])], forks)
     if len(inside) == 1:
         return None
@@ -158,10 +158,10 @@ def is_listed(tokens: list[Token], front: list[Token]) -> bool:
     return bool(marks) and not called and not (len(marks) == 1 and between_digits(tokens, marks[0]))
 
 
-def multiplied(factor: LineReading, reading: LineReading) -> LineReading:
+def with_factor_in_front(factor: LineReading, reading: LineReading) -> LineReading:
     """A vector or matrix with a factor in front of it."""
     if reading.parts:
-        parts = tuple(multiplied(factor, part) for part in reading.parts)
+        parts = tuple(with_factor_in_front(factor, part) for part in reading.parts)
         return replace(reading, parts=parts, written=f"{factor.text} {reading.text}")
     assert reading.formula is not None and factor.formula is not None
     formula, unit = multiply(factor.formula, reading.formula), reading.unit or factor.unit
@@ -238,7 +238,7 @@ def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
     if inside and start:
         sign = [] if tokens[start - 1].kind != "*" else tokens[start - 1 : start]
         front = [*tokens[: start - len(sign)], end_at(tokens[start])]
-        return multiplied(read(with_one(front)), read_axes(text, tokens[start:], forks, read))
+        return with_factor_in_front(read(with_one(front)), read_axes(text, tokens[start:], forks, read))
     if inside and looks_like_unit(tokens[last + 1 :]):
         behind = tokens[last + 1 :]
         tokens = [*tokens[1:last], end_at(tokens[last])]

@@ -1,0 +1,69 @@
+"""Many sets of givens in space: numbers of the scene solved anew, vectors and tensors component by component, or refused by name."""
+
+from __future__ import annotations
+
+from math import isnan
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.arrays import NotForMany, single_answers
+from rotsolve.pipeline import solve
+from solutions import solved
+
+FILES = sorted((Path(__file__).resolve().parents[2] / "problems" / "space").glob("*.yaml"))
+REFUSED = {"stability-of-three-axes": "`unstable` has no closed form"}  # which of three bodies, a word
+ALIKE = 1e-9
+BOX = """
+    title: Box
+    up: z
+    given: {m: 3 kg, w: 0.6 m, h: 0.4 m, d: 0.2 m}
+    bodies: {box: {shape: cuboid, mass: m, sides: [w, h, d]}}
+    find: {I_p: box.principal_moments}
+"""
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_the_numbers_of_the_scene_come_back(file: Path) -> None:
+    solution = solved(file)
+    given = next((item for item in solution.problem.givens if item.value is not None), None)
+    if given is None:
+        return
+    assert given.value is not None
+    value = evaluate(given.value, {}).float
+    try:
+        found = solution.evaluate_many({given.name: np.array([value, 1.001 * value])})
+    except NotForMany as reason:
+        assert str(reason).startswith(REFUSED[file.stem])
+        return
+    for name, answer in single_answers(solution.derivation.answers):
+        own = answer.value.float if answer.value is not None else None
+        assert own is None or abs(found[name][0] - own) <= ALIKE * max(abs(own), 1.0), name
+
+
+def test_vectors_for_other_numbers_are_those_of_the_scene_solved_anew() -> None:
+    file = next(file for file in FILES if file.stem == "plate-diagonal")
+    sides = np.array([0.35, 0.4, 0.5])
+    found = solved(file).evaluate_many({"a": sides})
+    text = file.read_text(encoding="utf-8")
+    for place, side in enumerate(sides):
+        anew = dict(single_answers(solve(text.replace("a: 0.4 m", f"a: {side} m")).derivation.answers))
+        for name, one in anew.items():
+            assert one.value is not None
+            assert abs(found[name][place] - one.value.float) <= ALIKE * max(abs(one.value.float), 1.0), name
+
+
+def test_principal_moments_whose_order_is_another_have_no_number() -> None:
+    """The smallest is the first: with d beyond h it is another one than the formula says."""
+    found = solve(BOX).evaluate_many({"d": np.array([0.1, 0.3, 0.5])})
+    assert [isnan(number) for number in found["I_p.1"]] == [False, False, True]
+    assert abs(found["I_p.1"][1] - 3 * (0.4**2 + 0.3**2) / 12) < ALIKE
+
+
+def test_a_precession_that_is_not_possible_has_no_number() -> None:
+    """Below the least spin of the leaning top, 185.9 rad/s."""
+    file = next(file for file in FILES if file.stem == "leaning-top")
+    found = solved(file).evaluate_many({"w3": np.array([185.0, 187.0])})
+    assert isnan(found["slow"][0]) and not isnan(found["slow"][1])
