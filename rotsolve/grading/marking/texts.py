@@ -68,13 +68,7 @@ class Texts:
         told = clause(text, self.names(target.name))
         if told is not None:
             text, defined = told[0], (*defined, told[1:])
-        text = without_asides(text, self.names(target.name))
-        if target.parts:
-            return self._in_axes(target, text, defined)
-        chain = chain_members(text, self.names(target.name)) if target.rows == 1 else ()
-        if chain:
-            return chain_judged([self._value(target, member, defined) for member in chain], chain)
-        return self._value(target, text, defined)
+        return self._in_axes(target, without_asides(text, self.names(target.name)), defined)
 
     @remembered
     def names(self, asked: str) -> Names:
@@ -88,43 +82,44 @@ class Texts:
         return any(told_components(text, self.names(target.name), target.labels))
 
     def _in_axes(self, target: Target, text: str, defined: Defined) -> JudgedText:
-        """What is found in a vector or matrix, along the axes that are asked or those that the student names."""
+        """What is found in an answer, along the axes that are asked or those that the student names."""
         if not self.letters.problem.space:
-            return self._vector(target, text, defined)
+            return self._told(target, text, defined)
         from rotsolve.grading.marking.axes import NODES, cut_axes, named_axes
 
         line, named = cut_axes(text, self.letters.problem)
         asked = named_axes(self.letters.problem, target.name)
         if named not in ("", asked):
             return self._along(target, line, defined, named)
-        own = self._vector(target, line, defined)
+        own = self._told(target, line, defined)
         if own.finding.outcome != WRONG or own.reading is None or own.reading.basis != NODES or named:
             return own
         along = self._along(target, line, defined, "node")
         return along if along.finding.outcome != UNDECIDED else own
 
     def _along(self, target: Target, line: str, defined: Defined, axes: str) -> JudgedText:
-        """What is found in a vector along other axes than those that are asked; undecided where nothing tells them."""
+        """What is found along other axes than those that are asked; undecided where nothing tells them."""
         other = self.others.target(target.name, axes)
         if isinstance(other, str):
             words = f"can't tell its components in {axes} axes: {other}"
             return JudgedText(None, found(UNDECIDED, "axes", words))
-        one = self._vector(other, line, defined)
+        one = self._told(other, line, defined)
         remark = Remark("axes", (f"read in {axes} axes",))
         return replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
 
-    def _vector(self, target: Target, text: str, defined: Defined) -> JudgedText:
-        """What is found in a vector or matrix: its named components, the last member of a chain, or one value."""
-        from rotsolve.grading.reading.matrices import named_components
+    def _told(self, target: Target, text: str, defined: Defined) -> JudgedText:
+        """What is found in an answer: of a vector its named components, the last member of a chain, or one value."""
+        if target.parts:
+            from rotsolve.grading.reading.matrices import named_components
 
-        try:
-            told = named_components(text, self.names(target.name), target.labels)
-        except AnswerError as error:
-            return unreadable(error)
-        if told is not None:
-            return self._best(target, text, (told,))
+            try:
+                told = named_components(text, self.names(target.name), target.labels)
+            except AnswerError as error:
+                return unreadable(error)
+            if told is not None:
+                return self._best(target, text, (told,))
         listed = self.letters.problem.space and re.search(r"[,;]\s", text) and not set(text).intersection("([<{")
-        if listed and target.rows == 1:  # components without brackets
+        if listed and target.parts and target.rows == 1:  # components without brackets
             bare = self._value(target, f"({without_letter(text)})", defined)
             if bare.reading is not None and bare.reading.kind == VECTOR:
                 return bare

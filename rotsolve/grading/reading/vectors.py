@@ -105,12 +105,15 @@ def between_digits(tokens: list[Token], index: int) -> bool:
 
 
 def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading | None:
-    """A vector in brackets, perhaps with a unit behind them; None where the line is none."""
+    """A vector in brackets, perhaps with a factor in front of or behind it, and a unit; None where the line is none."""
     front, listed, behind = around_list(tokens)
-    if listed and behind[0].kind in ("/", "*") and len(behind) > 2:
+    if listed and (behind[0].kind in ("/", "*") or not looks_like_unit(behind)):
+        behind = (
+            behind if behind[0].kind in ("/", "*") else [Token("*", "*", behind[0].start, behind[0].start), *behind]
+        )
         whole = read_list(text, [*front[:-1], *listed, end_at(behind[0])], forks, read)
         return None if whole is None else with_factor_in_front(read(with_one(behind)), whole)
-    if not listed or not looks_like_unit(behind):
+    if not listed:
         return None
     if front:
         whole = read_list(text, [*listed, *behind], forks, read)
