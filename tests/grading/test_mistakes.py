@@ -224,23 +224,28 @@ def test_a_misread_number_changes_no_form() -> None:
     assert all(answer.closed is None and answer.value is not None for answer in answers.values())
 
 
-@pytest.mark.parametrize("name", ["pulleys/atwood", "rolling/ball-on-incline", "angular-momentum/bullet-in-rod-swing"])
+ANEW = ("pulleys/atwood", "rolling/ball-on-incline", "angular-momentum/bullet-in-rod-swing")
+
+
+@pytest.mark.parametrize("name", [*ANEW, "space/cube-edge", "space/plate-about-a-corner", "space/leaning-top"])
 def test_other_numbers_need_no_other_solving(name: str) -> None:
     """The answers for other numbers are those of the scene with these numbers in it."""
     scene = scene_of(name)
-    doubled = {"m2": "6 kg", "R": "23 cm", "theta": "31 deg", "v": "37 m/s"}
+    doubled = {"m2": "6 kg", "R": "23 cm", "theta": "31 deg", "v": "37 m/s", "a": "0.35 m"}
     settings = {given.name: doubled[given.name] for given in scene.problem.givens if given.name in doubled}
     other = Scene(read_file(ROOT / "problems" / f"{name}.yaml", settings))
     for mistake, same in zip(all_mistakes(scene), all_mistakes(other), strict=True):
         answers, anew = scene.with_mistake(mistake), other.with_mistake(same)
         quick = scene.with_values(mistake, answers or {}, other.problem.values)
-        assert {key: number_of(one) for key, one in (quick or {}).items()} == {
-            key: number_of(one) for key, one in (anew or {}).items()
+        assert {key: numbers_of(one) for key, one in (quick or {}).items()} == {
+            key: numbers_of(one) for key, one in (anew or {}).items()
         }, mistake.words
 
 
-def number_of(answer: Answer) -> str | None:
-    return None if answer.value is None else answer.value.text(6)
+def numbers_of(answer: Answer) -> list[str | None]:
+    """The number of an answer, then those of its components."""
+    own = None if answer.value is None else answer.value.text(6)
+    return [own, *(number for part in answer.components for number in numbers_of(part))]
 
 
 def test_a_scene_that_makes_no_sense_has_no_answers() -> None:

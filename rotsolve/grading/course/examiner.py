@@ -130,7 +130,12 @@ class Judges:
 
     def alike(self, solution: Solution) -> bool:
         """Whether the formulas of a variant are those of the problem, so that those of its mistakes are too."""
-        own, others = ([answer.closed for answer in one.derivation.answers] for one in (self.solution, solution))
+        from rotsolve.grading.marking.target import entries_of_answer
+
+        own, others = (
+            [part.closed for answer in one.derivation.answers for part in entries_of_answer(answer) or (answer,)]
+            for one in (self.solution, solution)
+        )
         return own == others and None not in own and self.smooth
 
     def wrong_for(self, solution: Solution) -> Wrong:

@@ -65,7 +65,7 @@ class OtherAxes:
             return "it is no single vector or tensor"
         asked = replace(find, terms=(replace(find.terms[0], axes=axes),))
         try:
-            solution = solve_problem(replace(self.problem, finds=(asked,)), confirm=False).complete()
+            solution = solve_problem(replace(self.problem, finds=(asked,))).complete()
         except (Unsolvable, SceneError) as error:
             return error.faults[0].message if isinstance(error, SceneError) else error.fault.message
         return next(targets_of(SceneLetters.of(solution), self.same, self.close))

@@ -126,7 +126,8 @@ class Judge:
                 finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)
         if finding is None:
             return one
-        return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *one.finding.remarks)), one.read_as)
+        more = [remark for remark in one.finding.remarks if remark.kind != COMPONENT]
+        return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *more)), one.read_as)
 
     @remembered
     def own(self, target: Target, text: str) -> Own | None:

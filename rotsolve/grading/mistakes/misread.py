@@ -10,16 +10,19 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.algebra.units.unit_table import UNITS, Unit
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import and_joined
+from rotsolve.grading.mistakes.in_space import Turns, turned_bodies, with_turns
 from rotsolve.grading.mistakes.mistake import MOST, Change, Made, bodies_and_parts, each
 from rotsolve.language.keys import Element
-from rotsolve.language.problem import Body, Condition, Problem
+from rotsolve.language.problem import Body, Condition, Problem, Term
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
 
+WAYS = ("direction", "axis in space")
 MINUTE = Number(UNITS["min"].scale)
 Turn = Callable[[Formula], Formula]
 
@@ -161,10 +164,21 @@ def scene_angles(problem: Problem) -> Iterator[Formula]:
         yield from angles_in(element).values()
     lines = (line for state in problem.states for line in state.conditions)
     yield from (line.value for line in lines if tells_angle(line) and line.value is not None)
+    if problem.space:
+        yield from (turn.by for _, turns in turned_bodies(problem) for turn in turns)
+        known = {given.name for given in problem.givens if given.dimension == ANGLE}
+        ways = (way for element in (*problem.connections, *problem.actions) for way in ways_in(element).values())
+        yield from (Symbol(name) for way in ways for part in way for name in sorted(part.symbols() & known))
 
 
 def tells_angle(line: Condition) -> bool:
-    return line.path is not None and line.path.quantity == "angle" and line.value is not None
+    return line.path is not None and line.path.quantity in ("angle", "tilt") and line.value is not None
+
+
+def ways_in(element: Element) -> dict[str, tuple[Formula, ...]]:
+    """The fields of an element in space that hold a direction by its components."""
+    values = {name: getattr(element, name) for name, key in element.declared.items() if key.kind in WAYS}
+    return {name: value for name, value in values.items() if isinstance(value, tuple)}
 
 
 def angles_in(element: Element) -> dict[str, Formula]:
@@ -181,7 +195,14 @@ def with_turned(turn: Turn) -> Callable[[Problem], Problem]:
     """The scene with other directions."""
 
     def element(item: Any) -> Any:
-        return replace(item, **{name: turn(value) for name, value in angles_in(item).items()})
+        ways = {name: tuple(map(turn, way)) for name, way in ways_in(item).items()}
+        return replace(item, **{name: turn(value) for name, value in angles_in(item).items()}, **ways)
+
+    def turns(told: Turns) -> Turns:
+        return tuple(replace(one, by=turn(one.by)) for one in told)
+
+    def term(item: Term) -> Term:
+        return replace(item, along=tuple(map(turn, item.along))) if isinstance(item.along, tuple) else item
 
     def line(item: Condition) -> Condition:
         return replace(item, value=turn(item.value)) if tells_angle(item) and item.value is not None else item
@@ -191,6 +212,10 @@ def with_turned(turn: Turn) -> Callable[[Problem], Problem]:
         elements = {
             name: tuple(map(element, getattr(problem, name))) for name in ("surfaces", "connections", "actions")
         }
-        return replace(problem, states=states, **elements)
+        turned = problem
+        if problem.space:
+            turned = with_turns([name for name, _ in turned_bodies(problem)], turns)(problem)
+        finds = tuple(replace(find, terms=tuple(map(term, find.terms))) for find in problem.finds)
+        return replace(turned, states=states, finds=finds, **elements)
 
     return changed
