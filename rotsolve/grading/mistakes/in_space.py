@@ -24,7 +24,7 @@ ROOTS = {"smallest": "largest", "largest": "smallest"}
 RATES_OF_SPIN = {"spin": "axial_rate", "axial_rate": "spin"}
 
 
-def with_laws(scene: Scene, kind: str, words: str, aside: tuple[str, ...] = ()) -> Made:
+def with_laws(scene: Scene, kind: str, words: str) -> Made:
     """Other laws for each body of a scene in space, then for all; `words` speak of {who}."""
     if not scene.problem.space:
         return
@@ -32,7 +32,7 @@ def with_laws(scene: Scene, kind: str, words: str, aside: tuple[str, ...] = ()) 
 
     laws: type[MistakenLaws] = getattr(space_laws, kind)
     for names, who in each_and_all(body.name for body in scene.problem.bodies):
-        yield words.format(who=who), Change(altered=Alteration(in_space=laws.of(names)), aside=aside)
+        yield words.format(who=who), Change(altered=Alteration(in_space=laws.of(names)))
 
 
 def opposite_products(scene: Scene) -> Made:

@@ -1,5 +1,6 @@
 """Vectors: by components, `(3, 4) N` and `3i + 4j`, and by size and direction, `5 N at 53°` and `5 N, 53.1° above the horizontal`.
 
+Unit vectors are i, j, k, e_x, e_y, e_z (x̂, ŷ, ẑ) or e₁, e₂, e₃; a factor may stand in front of a vector or behind it, `M a² (1, −1, 0)`.
 An angle without words is counted counterclockwise from the right. Where words leave open whether it is to the right or to the left,
 both are read.
 """
