@@ -6,8 +6,9 @@ the error of a motion, which may drift along itself; the bounds do.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import fsum
+from typing import Any
 
 from msgspec import Struct
 
@@ -20,7 +21,7 @@ from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.laws import energy
 from rotsolve.simulation.bounded import FLOAT_BITS, Regime
 from rotsolve.simulation.series import BALLS, FLOATS
-from rotsolve.simulation.system import Readout, System
+from rotsolve.simulation.system import PlanarSystem, Readout, System
 from rotsolve.simulation.tape import Scalar
 
 LOOKS = 400  # moments of a regime at which the balance is drawn; where it takes integrals, its first steps
@@ -37,10 +38,14 @@ NODES = (  # Gauss and Legendre's places and weights on −1 to 1, the positive 
 
 
 class Drift(Struct, frozen=True):
-    """The largest misfit of energy and of momentum, as a part of the largest that there was; None where not all is told."""
+    """The largest misfit of energy and of momentum, as a part of the largest that there was; None where not all is told.
+
+    `angular_momentum` has, in space, those of each component that is kept.
+    """
 
     energy: float | None
     momentum: float | None
+    angular_momentum: Mapping[str, float] = {}
 
 
 class Balance(Struct, frozen=True):
@@ -57,10 +62,10 @@ class Balance(Struct, frozen=True):
 
 def drift(regimes: Sequence[Regime]) -> Drift:
     """The drift of energy and momentum over a whole motion."""
-    return Drift(*(largest_misfit(regimes, balances) for balances in (energy_balance, momentum_balance)))
+    return Drift(largest_misfit(regimes, energy_balance), largest_misfit(regimes, momentum_balance))
 
 
-def largest_misfit(regimes: Sequence[Regime], balances: Callable[[System], Iterator[Balance]]) -> float | None:
+def largest_misfit(regimes: Sequence[Regime], balances: Callable[[Any], Iterator[Balance]]) -> float | None:
     """The largest misfit within a regime, as a part of the largest size in all; None where the forces do not tell it."""
     misfits, sizes = [0.0], [0.0]
     for part in regimes:
@@ -126,7 +131,7 @@ class Values:
         return list(self.readout.read(time, self.part.middle(time)).values())
 
 
-def energy_balance(system: System) -> Iterator[Balance]:
+def energy_balance(system: PlanarSystem) -> Iterator[Balance]:
     """K + U against the power of what has no potential; nothing where a turning shaft gives energy."""
     bodies = system.facts.bodies
     if any(body.sweep is not None for body in bodies):
@@ -148,7 +153,7 @@ def energy_balance(system: System) -> Iterator[Balance]:
     yield from balance_on_tape(system, [*kinetic, *heights, *stored], powers, kinetic)
 
 
-def risen(body: BodyFacts, system: System) -> Formula:
+def risen(body: BodyFacts, system: PlanarSystem) -> Formula:
     """How high the reference point of a body is above some level that stays."""
     motion, since = body.motion, GENERIC + system.moment.state
     if motion.kind == "axis":
@@ -160,7 +165,7 @@ def risen(body: BodyFacts, system: System) -> Formula:
     return gone if motion.heading is None else gone * motion.heading.sin()
 
 
-def momentum_balance(system: System) -> Iterator[Balance]:
+def momentum_balance(system: PlanarSystem) -> Iterator[Balance]:
     """Σ m v to the right and up against the sum of all forces, where these are all told and nothing is carried round."""
     if any(body.sweep is not None for body in system.facts.bodies):
         return

@@ -31,7 +31,16 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.beginning import Beginning, beginning
 from rotsolve.simulation.linear import Contradictory, Linear, Row
 from rotsolve.simulation.series import rough_value
-from rotsolve.simulation.system import System, Variable, check_rules, named_in_text, path_name, refusal, told_by_others
+from rotsolve.simulation.system import (
+    PlanarSystem,
+    System,
+    Variable,
+    check_rules,
+    named_in_text,
+    path_name,
+    refusal,
+    told_by_others,
+)
 from rotsolve.simulation.tape import SeriesTape, vanishes
 
 RIGHT_ANGLE = PI / 2
@@ -70,7 +79,7 @@ class Compiler(Struct, dict=True):
         self.unnumbered = ""  # a letter without a number that some law speaks of
         self.linear = Linear(self.tape, self.letters, lambda place: rough_value(self.tape, place, self.first))
 
-    def compiled(self) -> System:
+    def compiled(self) -> PlanarSystem:
         """The system of the scene from its first state."""
         with Precision(BITS):
             bodies = [body.name for body in self.configuration.present(self.start.instant.state)]
@@ -94,7 +103,7 @@ class Compiler(Struct, dict=True):
             moving = {item.letter for item in variables}
             variables = self._followed(variables)
             outputs = self._outputs([line for line in lines if line[1] in moving], variables)
-            system = System(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
+            system = PlanarSystem(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
             check_rules(system)
             return system
 
@@ -335,7 +344,7 @@ def refuse_changing(facts: Facts) -> None:
             raise NotYet(f"`{rule.owner}` changes its sizes on the way: not simulated yet")
 
 
-def compiled(configuration: Configuration, modes: Mapping[str, str], before: System | None = None) -> System:
+def compiled(configuration: Configuration, modes: Mapping[str, str], before: System | None = None) -> PlanarSystem:
     """The equations of motion of a configuration, from its first state, or as they go on from a system before."""
     compiler = Compiler(configuration, modes, before)
     try:

@@ -27,7 +27,7 @@ from rotsolve.simulation.bounded import (
     start_of,
 )
 from rotsolve.simulation.compiling import compiled
-from rotsolve.simulation.system import Readout, System
+from rotsolve.simulation.system import PlanarSystem, Readout, System
 from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, is_told, place_on_tape, watches
 
@@ -66,23 +66,27 @@ class Follower(Struct, dict=True):
         first = self.configuration.timeline.after(self.configuration.timeline.states[0].name)
         if first is not None and first.event is not None:
             raise NotYet(f"the motion begins with the event `{first.name}`, which is not simulated yet")
-        self.scene = scene_from(self.configuration, self.configuration.timeline.states[0].name)
         self.found = Followed()
-        self.modes = self.decided(self.scene)
         self.ahead = list(self.configuration.timeline.states[1:])
+        self.arrange()
+
+    def arrange(self) -> None:
+        """Takes the scene as it is at first."""
+        self.scene = scene_from(self.configuration, self.configuration.timeline.states[0].name)
+        self.modes = self.decided(self.scene)
         # of this scene, as it goes on from others: it sticks and slips again and again
-        self.systems: dict[object, System] = {}
+        self.systems: dict[object, PlanarSystem] = {}
 
     def followed(self) -> Followed:
         """The motion up to the end asked for, or to where it can not go on."""
-        system = compiled(self.scene, self.modes)
+        system = self.begun()
         states = start_of(system, self.tolerances)
         times: Times = (0.0,) * len(states)
         since = self._coordinates(system, [item.start for item in system.variables], 0.0)
         sides: Sequence[Mapping[Watch, int]] = [{} for _ in states]
         while not self.found.ended and len(self.found.events) < CROWD:
             try:
-                watched = watches(system, self.modes, self.ahead[0] if self.ahead else None, since)
+                watched = self.looked_for(system, self.ahead[0] if self.ahead else None, since)
             except NotYet as error:
                 if not self.found.regimes:
                     raise
@@ -104,6 +108,15 @@ class Follower(Struct, dict=True):
         if not self.found.ended:
             raise Unsettled(times[0])
         return self.found
+
+    def begun(self) -> System:
+        """The system of its first state."""
+        return compiled(self.scene, self.modes)
+
+    def looked_for(self, system: System, ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
+        """All that may happen in a system, the next state of the scene among it."""
+        assert isinstance(system, PlanarSystem)
+        return watches(system, self.modes, ahead, since)
 
     def decided(self, scene: Configuration, at_rest: Collection[str] = ()) -> dict[str, str]:
         """Which contacts stick and which slip, decided as for any scene that starts so."""
@@ -148,6 +161,7 @@ class Follower(Struct, dict=True):
         """The system that goes on from another one; it depends on that one's coordinates and their origins alone."""
         key = (tuple(sorted(self.modes.items())), tuple((item.letter, item.origin) for item in system.variables))
         if key not in self.systems:
+            assert isinstance(system, PlanarSystem)
             self.systems[key] = compiled(self.scene, self.modes, system)
         return self.systems[key]
 
@@ -161,6 +175,7 @@ class Follower(Struct, dict=True):
     def _slips(self, part: Regime, time: float) -> dict[str, Scalar]:
         """How fast all that rubs slips at a moment, where the laws tell it."""
         system = part.system
+        assert isinstance(system, PlanarSystem)
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
             slips = {rub.name: rub.rate(system.moment) for rub in rubs(system.moment.configuration)}
             places = {

@@ -13,7 +13,6 @@ from rotsolve.page.columns import TextLine, paragraph_lines
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.tape import Scalar
 
-SHOWN = ("angle", "position", "elongation", "length", "rotation", "angular_velocity", "velocity")  # in the table
 ROWS = 10  # rows of the table, where no step is asked for
 DIGITS = 6
 FLOAT_DIGITS, MOST_DIGITS = 17, 80  # of a number in CSV
@@ -21,7 +20,6 @@ ROUNDED_UP = 1.06  # so that a bound of two digits is not below what it stands f
 GAP = 3
 MOST_EVENTS = 30
 UNSETTLED = "?"
-SIGNS = "Angles are counted counterclockwise; speeds and distances along the way in which each body is said to move or turn."
 STANDS = "Nothing moves: it starts at rest where nothing pushes it, and stays there, even where the least push would end that."
 
 
@@ -32,7 +30,7 @@ def run_lines(run: Run, width: int, step: float | None = None) -> Iterator[TextL
         yield TextLine("")
     times = times_of(run, step)
     names = columns_of(run)
-    yield from paragraph_lines(SIGNS, 0, width)
+    yield from paragraph_lines(run.signs, 0, width)
     yield TextLine("")
     yield from table_lines(run, names, times, width)
     yield from happenings(run)
@@ -64,8 +62,8 @@ def columns_of(run: Run) -> tuple[str, ...]:
     """Places and speeds of bodies, body by body, as far as they are told all along."""
     told = set(run.names).intersection(*(part.system.outputs for part in run.regimes))
     owners = list(dict.fromkeys(name.partition(".")[0] for name in run.names))
-    shown = [name for name in told if quantity_word(name) in SHOWN]
-    return tuple(sorted(shown, key=lambda n: (owners.index(n.partition(".")[0]), SHOWN.index(quantity_word(n)), n)))
+    shown = [name for name in told if quantity_word(name) in run.shown]
+    return tuple(sorted(shown, key=lambda n: (owners.index(n.partition(".")[0]), run.shown.index(quantity_word(n)), n)))
 
 
 def quantity_word(name: str) -> str:
@@ -175,6 +173,12 @@ def balances_sentence(run: Run) -> str:
         for name, value, of in pairs
         if value is not None
     ]
+    kept = run.drift.angular_momentum
+    if kept:
+        widest = max(kept.values())
+        told.append(
+            f"{', '.join(kept)} {'is' if len(kept) == 1 else 'are'} kept to {bound_text(widest, 1)} of its size"
+        )
     return f"The {'; '.join(told)}." if told else "Its forces do not tell an energy or a momentum that is kept."
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from functools import cached_property
 from math import inf
+from typing import ClassVar
 
 from msgspec import Struct, field
 
@@ -23,6 +24,19 @@ WIDTH = 120  # columns of a printed run
 
 class Run(Struct, dict=True):
     """A motion in time. `names` are what can be told at any moment; every number comes with a bound that holds the true one."""
+
+    signs: ClassVar[str] = (
+        "Angles are counted counterclockwise; speeds and distances along the way in which each body is said to move or turn."
+    )
+    shown: ClassVar[tuple[str, ...]] = (  # in the table
+        "angle",
+        "position",
+        "elongation",
+        "length",
+        "rotation",
+        "angular_velocity",
+        "velocity",
+    )
 
     problem: Problem
     until: float

@@ -20,8 +20,8 @@ Series = list[Scalar]
 Lists = Mapping[int, Series]  # by the places of their values on the tape
 # what begins a series, and appends to it; None for a constant's
 Made = tuple[Callable[[], None], Callable[[int], None] | None]
-Functions = Mapping[str, Callable[[Scalar], Scalar]]
-NAMES = ("sin", "cos", "exp", "log", "atan", "asin", "acos", "abs")
+Functions = Mapping[str, Callable[..., Scalar]]
+NAMES = ("sin", "cos", "exp", "log", "atan", "atan2", "asin", "acos", "abs")
 OF_FLOAT: Functions = {name: getattr(math, name, abs) for name in NAMES}
 OF_BALL: Functions = {name: getattr(arb, name, abs) for name in NAMES}
 COARSE = 2.0**-51  # the relative error of what is rounded more coarsely on purpose
@@ -217,6 +217,19 @@ def chained_series(operation: Operation, place: int, lists: Lists, arithmetic: A
     return start, step
 
 
+def angle_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    """z = atan2(y, x): k r₀ zₖ = Σ j (yⱼ xₖ₋ⱼ − xⱼ yₖ₋ⱼ) − Σ j zⱼ rₖ₋ⱼ, j below k in the last, with r = x² + y²."""
+    own = lists[place]
+    y, x, r = (lists[value] for value in operation.values)
+
+    def step(order: int) -> None:
+        gained = sum(j * (y[j] * x[order - j] - x[j] * y[order - j]) for j in range(1, order + 1))
+        total = gained - sum(j * own[j] * r[order - j] for j in range(1, order))
+        own.append(total / (order * r[0]))
+
+    return (lambda: own.append(arithmetic.functions["atan2"](y[0], x[0]))), step
+
+
 def size_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """|x| as long as x keeps its sign."""
     own, argument = lists[place], lists[operation.values[0]]
@@ -235,6 +248,7 @@ OPERATIONS: Mapping[str, Callable[..., Made]] = {
     "power": power_series,
     "sin": sine_series,
     **dict.fromkeys(("exp", "log", "atan", "asin", "acos"), chained_series),
+    "atan2": angle_series,
     "abs": size_series,
 }
 

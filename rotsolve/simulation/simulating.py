@@ -8,6 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from time import monotonic
 
+from msgspec import Struct
+
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
@@ -16,12 +18,10 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.scene.read import read_source
 from rotsolve.scene.values import read_seconds
 from rotsolve.simulation.bounded import FLOAT_BITS, Regime, Tolerances, Unsettled
-from rotsolve.simulation.compiling import compiled
 from rotsolve.simulation.enclosing import enclosed
 from rotsolve.simulation.following import Follower
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.taylor import Unbounded
-from rotsolve.simulation.watches import watches
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 OF_FLOATS = 1e-14  # accuracy that floats can give: their roundings alone come to a fifth of it
@@ -64,12 +64,14 @@ def simulate_problem(
     certified: bool = False,
 ) -> Run:
     """Follow a problem that has been read."""
-    if problem.space:
-        message = "scenes in space are not followed in time yet"
-        raise Unsolvable(message, help="`rotsolve solve` answers what is asked", lines=problem.lines, file=problem.file)
-    configuration = configured(problem)
+    course = in_space(problem) if problem.space else Course(configured(problem), Follower, Run)
     try:
-        return (proved if certified else follow)(configuration, until, accuracy, tell)
+        return (proved if certified else follow)(course, until, accuracy, tell)
+    except Unsolvable as error:
+        fault = error.fault
+        raise Unsolvable(
+            fault.message, span=fault.span, help=fault.help, lines=problem.lines, file=problem.file
+        ) from None
     except NotYet as error:
         span, help = error.span, error.help
         raise Unsolvable(str(error), span=span, help=help, lines=problem.lines, file=problem.file) from None
@@ -77,8 +79,26 @@ def simulate_problem(
         raise Unsolvable(str(error), lines=problem.lines, file=problem.file) from None
 
 
-def follow(configuration: Configuration, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
-    """Follow a configuration; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked.
+class Course(Struct, frozen=True):
+    """A scene made ready for the laws, what follows it, and what its motion is told by."""
+
+    configuration: Configuration
+    follower: type[Follower]
+    run: type[Run]
+
+
+def in_space(problem: Problem) -> Course:
+    """A scene in space, with the room that is loaded for these alone."""
+    from rotsolve.scene.idle import noted
+    from rotsolve.simulation.space.following import SpaceFollower
+    from rotsolve.simulation.space.run import SpaceRun
+    from rotsolve.space.complete import configured_in_space
+
+    return Course(Configuration(noted(configured_in_space(problem).problem)), SpaceFollower, SpaceRun)
+
+
+def follow(course: Course, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+    """Follow a scene; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked.
 
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
     """
@@ -88,7 +108,7 @@ def follow(configuration: Configuration, until: float, accuracy: float, tell: Ca
     excess, idle = math.inf, 0
     while True:
         try:
-            found = Follower(configuration, until, tolerances, going_on).followed()
+            found = course.follower(course.configuration, until, tolerances, going_on).followed()
         except (Unsettled, TimeoutError) as error:
             if isinstance(error, Unsettled) and tolerances.main > FINEST * FINEST:
                 tolerances = finer(tolerances, 1e6)
@@ -98,20 +118,24 @@ def follow(configuration: Configuration, until: float, accuracy: float, tell: Ca
             settled = settled_until(best.regimes, accuracy)
             why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
             events = tuple(event for event in best.events if event.time <= settled)
-            return Run(configuration.problem, until, accuracy, best.regimes, events, why, settled, best.sought)
+            return course.run(
+                course.configuration.problem, until, accuracy, best.regimes, events, why, settled, best.sought
+            )
         before, excess = excess, worst(found.regimes) / accuracy
         idle += excess > before / 2
         if excess <= 1 or idle == IDLE:
             events, ended = tuple(found.events), found.ended
-            return Run(configuration.problem, until, accuracy, found.regimes, events, ended, sought=found.sought)
+            return course.run(
+                course.configuration.problem, until, accuracy, found.regimes, events, ended, sought=found.sought
+            )
         tolerances, best = finer(tolerances, excess), found
 
 
-def proved(configuration: Configuration, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
-    """Follow a configuration in balls that surely hold its motion, with twice the bits as long as they are wider than asked."""
-    follower, going_on = Follower(configuration, until, Tolerances(accuracy)), patient(tell)
-    system = compiled(follower.scene, follower.modes)
-    watched = watches(system, follower.modes, None, {})
+def proved(course: Course, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+    """Follow a scene in balls that surely hold its motion, with twice the bits as long as they are wider than asked."""
+    follower, going_on = course.follower(course.configuration, until, Tolerances(accuracy)), patient(tell)
+    system = follower.begun()
+    watched = follower.looked_for(system, None, {})
     bits = FIRST_BITS + math.ceil(-math.log2(accuracy))
     while True:
         with suppress(Unbounded):
@@ -122,7 +146,7 @@ def proved(configuration: Configuration, until: float, accuracy: float, tell: Ca
                 raise NotYet(said, help="follow it for a shorter time, or without --certified") from None
             sizes = sizes_of([part])
             if excess_of(part, [float(number.rad()) for number in part.last[0]], sizes) <= accuracy:
-                return Run(configuration.problem, until, accuracy, [part], (), why)
+                return course.run(course.configuration.problem, until, accuracy, [part], (), why)
         bits *= 2
 
 
@@ -145,19 +169,20 @@ def in_balls(tolerance: float) -> Tolerances:
 
 
 def sizes_of(regimes: Sequence[Regime]) -> dict[str, float]:
-    """The largest size of each number of the state."""
+    """The largest size of each number of the state, of the components of a vector together."""
     sizes: dict[str, float] = {}
     for part in regimes:
         for number, item in enumerate(part.system.variables):
             own = max(abs(float(piece.polynomials[number][0])) for piece in part.runs[0].pieces)
-            sizes[item.name] = max(sizes.get(item.name, 0.0), own, abs(float(part.last[0][number])))
+            whole = item.vector or item.name
+            sizes[whole] = max(sizes.get(whole, 0.0), own, abs(float(part.last[0][number])))
     return sizes
 
 
 def excess_of(part: Regime, bounds: Sequence[float], sizes: Mapping[str, float]) -> float:
     """The widest of some bounds of the state, as a part of the size of its number."""
-    pairs = zip(part.system.variables, bounds, strict=True)
-    return max((bound / sizes[item.name] for item, bound in pairs if sizes[item.name]), default=0.0)
+    pairs = zip((sizes[item.vector or item.name] for item in part.system.variables), bounds, strict=True)
+    return max((bound / size for size, bound in pairs if size), default=0.0)
 
 
 def worst(regimes: Sequence[Regime]) -> float:

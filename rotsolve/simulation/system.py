@@ -21,7 +21,8 @@ from rotsolve.simulation.tape import Scalar, SeriesTape, vanishes
 class Variable(Struct, frozen=True):
     """One number of the state of motion: its name, its letter, its first value, and the place of its rate on the tape.
 
-    An angle is counted from `origin` right angles, so that close to the vertical or level no digits are lost.
+    An angle is counted from `origin` right angles, so that close to the vertical or level no digits are lost. The numbers of one `vector`
+    have a size together.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Variable(Struct, frozen=True):
     start: Exact
     rate: int
     origin: int = 0
+    vector: str = ""
 
 
 class System(Struct, frozen=True):
@@ -41,6 +43,11 @@ class System(Struct, frozen=True):
     variables: tuple[Variable, ...]
     outputs: Mapping[str, int]
     letters: Mapping[str, int]
+
+
+class PlanarSystem(System, frozen=True):
+    """A scene of the plane as it moves, with the moment at which all its places and speeds are letters."""
+
     facts: Facts
     moment: Instant
 
@@ -152,7 +159,7 @@ ASIDE = (0.137, -0.211, 0.093, 0.171, -0.059)  # how far from the first state th
 PAIRS = {"velocity": "acceleration", "angular_velocity": "angular_acceleration"}
 
 
-def check_rules(system: System) -> None:
+def check_rules(system: PlanarSystem) -> None:
     """Refuse a scene whose speeds do not change as its accelerations say, at a state near the first one."""
     pairs = [(path_name(speed), place, system.letters[rate]) for speed, place, rate in dependent_speeds(system)]
     places = [place for _, *both in pairs for place in both]
@@ -177,7 +184,7 @@ def check_rules(system: System) -> None:
             raise NotYet(f"the rules tell `{name}` for one moment alone, not how it goes on: not simulated yet")
 
 
-def dependent_speeds(system: System) -> Sequence[tuple[str, int, str]]:
+def dependent_speeds(system: PlanarSystem) -> Sequence[tuple[str, int, str]]:
     """The speeds that are told by others, with their places and the letters of their accelerations."""
     found = []
     keys = {letter: key_of(letter) for letter in system.letters}

@@ -29,7 +29,8 @@ class SeriesTape(Tape):
     """A tape of what changes in time.
 
     Beside 'number' and 'letter' it has 'sum' c + Σ cᵢ xᵢ; 'times' x y; 'over' x/y; 'power' x^c; 'abs' x; 'sin' and 'cos' of x, one after
-    the other; 'exp', 'log', 'atan', 'asin', 'acos' of x, whose rate is that of x times the second value; 'unknown' number c of a block.
+    the other; 'atan2' of y, x and x² + y²; 'exp', 'log', 'atan', 'asin', 'acos' of x, whose rate is that of x times the second value;
+    'unknown' number c of a block.
     """
 
     blocks: list[Block] = field(default_factory=list)
@@ -130,6 +131,9 @@ class SeriesTape(Tape):
         numbers = [self.constant(argument) for argument in arguments]
         if name == "atan2" and all(number is not None for number in numbers):
             return self.number(arb.atan2(*map(arb, numbers)))
+        if name == "atan2":
+            y, x = arguments
+            return self.write(Operation("atan2", (y, x, self.add(self.times(x, x), self.times(y, y)))))
         if len(arguments) > 1:
             raise Unwritable("a formula of this kind")
         (argument,), (number,) = arguments, numbers

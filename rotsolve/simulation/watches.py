@@ -23,7 +23,7 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.paths.meaning import NotYet
 from rotsolve.paths.reader import PathReader
-from rotsolve.simulation.system import System, refusal
+from rotsolve.simulation.system import PlanarSystem, System, refusal
 from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.taylor import TaylorStep, horner
 
@@ -36,7 +36,7 @@ class Watch(Struct, frozen=True):
     """A value on the tape of a system that passes zero when something happens.
 
     `kind`: STOPS of what slips, SLIPS of what sticks, BREAKS of what can only push or pull, REACHED of a state of the scene, TURNS of a
-    value between bars. `rub` and `mode` tell what begins to slip, and how.
+    value between bars. `rub` and `mode` tell what begins to slip, and how. What `falls` only counts where it passes zero downwards.
     """
 
     kind: str
@@ -44,9 +44,12 @@ class Watch(Struct, frozen=True):
     what: str
     rub: Rub | None = None
     mode: str = ""
+    falls: bool = False
 
 
-def watches(system: System, modes: Mapping[str, str], ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
+def watches(
+    system: PlanarSystem, modes: Mapping[str, str], ahead: State | None, since: Mapping[str, Exact]
+) -> list[Watch]:
     """All that may happen in a system; `ahead` is the state of the scene that comes next, `since` what was told at the last one."""
     found: list[Watch] = []
     for rub in rubs_at(system.moment.configuration, system.moment.state):
@@ -56,27 +59,30 @@ def watches(system: System, modes: Mapping[str, str], ahead: State | None, since
             value = item.left - item.right
             if is_told(system, value):
                 found.append(Watch(BREAKS, place_on_tape(system, value), item.otherwise))
+    return changing(system, found, list(of_state(ahead, system, since)) if ahead is not None else [])
+
+
+def changing(system: System, found: Sequence[Watch], reached: Sequence[Watch]) -> list[Watch]:
+    """Those of some watches whose values change, with all values between bars on which the motion hangs."""
     rates = system.tape.needed(item.rate for item in system.variables)
     sizes = [system.tape.operations[place] for place in rates if system.tape.operations[place].kind == "abs"]
-    found += [Watch(TURNS, operation.values[0], "") for operation in sizes]
-    if ahead is not None:
-        found += of_state(ahead, system, since)
-    return [watch for watch in found if system.tape.constant(watch.place) is None]
+    bars = [Watch(TURNS, operation.values[0], "") for operation in sizes]
+    return [watch for watch in (*found, *bars, *reached) if system.tape.constant(watch.place) is None]
 
 
-def is_told(system: System, value: Formula) -> bool:
+def is_told(system: PlanarSystem, value: Formula) -> bool:
     """Whether all letters of a value are told by the laws."""
     return all(name in system.letters for name in value.symbols())
 
 
-def place_on_tape(system: System, value: Formula) -> int:
+def place_on_tape(system: PlanarSystem, value: Formula) -> int:
     try:
         return system.tape.formula(value, system.letters)
     except Unwritable as error:
         raise refusal(error, system.moment.registry) from None
 
 
-def of_rub(rub: Rub, system: System, modes: Mapping[str, str]) -> Iterator[Watch]:
+def of_rub(rub: Rub, system: PlanarSystem, modes: Mapping[str, str]) -> Iterator[Watch]:
     """When what rubs comes to rest, or begins to slip."""
     mode, name = modes.get(rub.key, ""), rub.owner
     brake = rub.item is None
@@ -119,7 +125,7 @@ def friction_along(item: Force | Couple, reference: Force | Couple) -> Formula:
     return item.torque
 
 
-def of_state(state: State, system: System, since: Mapping[str, Exact]) -> Iterator[Watch]:
+def of_state(state: State, system: PlanarSystem, since: Mapping[str, Exact]) -> Iterator[Watch]:
     """When a state is reached: where the first of its lines that tells a quantity holds."""
     for condition in state.conditions:
         path = condition.path
@@ -133,7 +139,7 @@ def of_state(state: State, system: System, since: Mapping[str, Exact]) -> Iterat
             return
 
 
-def passed(path: Path, value: Formula, system: System, since: Mapping[str, Exact]) -> int | None:
+def passed(path: Path, value: Formula, system: PlanarSystem, since: Mapping[str, Exact]) -> int | None:
     """A way or an angle gone since the state before, less what it is to be; `since` has what was told at that state."""
     name = f"{path.owner}.{PASSED[path.quantity]}" + (f".{path.component}" if path.component else "")
     if name not in system.outputs or name not in since or not is_told(system, value):
@@ -144,7 +150,7 @@ def passed(path: Path, value: Formula, system: System, since: Mapping[str, Exact
     return system.tape.sum([(gone, fmpq(sense)), (wanted, -ONE)])
 
 
-def state_gap(condition: Condition, system: System) -> Formula | None:
+def state_gap(condition: Condition, system: PlanarSystem) -> Formula | None:
     """What is zero where a line of a state holds."""
     path = condition.path
     if path is None:
@@ -164,7 +170,7 @@ def state_gap(condition: Condition, system: System) -> Formula | None:
     return call("sin", (found - condition.value) / 2) if turned else found - condition.value
 
 
-def formula_at(path: Path, system: System) -> Formula | None:
+def formula_at(path: Path, system: PlanarSystem) -> Formula | None:
     """What a path stands for at any moment of a system; None where that is not told there."""
     try:
         return PathReader(system.moment, lambda: system.facts).meaning(path).formula
@@ -219,7 +225,7 @@ class Lookout:
         if not side and abs(row[0]) > CLEAR * max(abs(item) for item in row):
             side = sign_of_float(row[0])
         for time, now in zip(times[1:], row[1:], strict=True):
-            if side and sign_of_float(now) == -side:
+            if side and sign_of_float(now) == -side and not (self.watched[number].falls and side < 0):
                 return crossing_time(polynomial, low, time, side)
             side, low = sign_of_float(now) or side, time
         self.sides[number] = side

@@ -132,11 +132,11 @@ class SpaceLaws:
         """Σ F = m a, along the axes in which the force of the body's joint is written."""
         held, moment = self.moment.held, self.moment
         mass = held.mass(name)
-        own, axes = moment.axes(name), self.newton_axes(name)
+        axes = self.newton_axes(name)
         forces = NOTHING
         for push in pushes:
             forces = vector_sum(forces, push.along(axes))
-        wanted = [moment.tidy(part) for part in own.to(axes, moment.acceleration(PointRef(name, CM)))]
+        wanted = [moment.tidy(part) for part in moment.acceleration_along(axes, PointRef(name, CM))]
         for axis, left, right in zip(AXES, forces, wanted, strict=True):
             if left != ZERO or right != ZERO:
                 words = f", along {axis}"

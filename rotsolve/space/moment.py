@@ -168,9 +168,7 @@ class SpaceMoment:
         if led:
             return self._led(name, led)
         if joint is None or joint.free:
-            if self.nods(name):
-                return self._nods(name)
-            return self._led(name, ()) if body.moved else self._anyhow(name)
+            return self.freely(name)
         carrier = held.carrier(name)
         base = self.attitude(carrier) if carrier else at_rest_in(AS_DRAWN)
         if carrier and self.held.wheel(carrier):
@@ -178,6 +176,12 @@ class SpaceMoment:
         if not joint.turning:
             return hinged_on(base, self.turned(name), Z, HingeTurn())
         return self._about_axis(name, joint, base, bool(carrier))
+
+    def freely(self, name: str) -> Attitude:
+        """A body that no axis holds and nothing turns as it is told."""
+        if self.nods(name):
+            return self._nods(name)
+        return self._led(name, ()) if self.held.bodies[name].moved else self._anyhow(name)
 
     def turned(self, name: str) -> Rows:
         """How a body is turned from how it is drawn, as the scene says."""
@@ -327,8 +331,7 @@ class SpaceMoment:
                 help = "a wheel on an axle is symmetric about it; hold other bodies by a `hinge`"
                 raise Unsolvable(f"`{name}` is not symmetric about its axle", span=joint.body.span, help=help)
             return on_axle(base, direction, rate, faster, aligning(axis, direction))
-        driven = dict(joint.drive).get("angle")
-        angle = self.now(driven) if driven is not None else self.told(name, "angle")
+        angle = self.hinge_angle(name, joint)
         if on_body:
             lost = "" if angle is not None else self.lost(name)
             return hinged_on(
@@ -340,6 +343,11 @@ class SpaceMoment:
         else:
             lost = self.lost(name)
         return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
+
+    def hinge_angle(self, name: str, joint: Joint) -> Formula | None:
+        """How far a body is turned about its hinge: as it is driven or the state tells; None where nothing does."""
+        driven = dict(joint.drive).get("angle")
+        return self.now(driven) if driven is not None else self.told(name, "angle")
 
     def direction(self, name: str, joint: Joint) -> Triple:
         """The axis of a joint in the axes of its body as it is drawn: an axle is told in those of what carries it."""
@@ -429,6 +437,10 @@ class SpaceMoment:
             cross_product(alpha, arm),
             cross_product(omega, cross_product(omega, arm)),
         )
+
+    def acceleration_along(self, axes: Axes, ref: PointRef) -> Triple:
+        """The acceleration of a point in the components of other axes."""
+        return self.axes(ref.owner).to(axes, self.acceleration(ref))
 
     def reference_velocity(self, name: str) -> Triple:
         """The velocity of the point about which a body turns, in its axes."""

@@ -1,0 +1,177 @@
+"""Compiling in space: the equations of motion of a scene with `up: z` on a tape, from the laws that `rotsolve solve` writes there.
+
+The laws are written for a moment at which all places and rates are letters (`course`); they are linear in accelerations and forces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.certified.balls import with_values
+from rotsolve.algebra.formula import ZERO as NOTHING
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.tape import BITS, ZERO, Exact, Unwritable
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import ACCELERATIONS, TIME, is_key, key_of
+from rotsolve.motion.configuration import Configuration
+from rotsolve.paths.meaning import NotYet, path_text
+from rotsolve.scene.idle import idle_keys, key_faults, look_at_bodies
+from rotsolve.simulation.linear import Contradictory, Linear
+from rotsolve.simulation.series import rough_value
+from rotsolve.simulation.space.coordinates import OPEN, Coordinate, Coordinates
+from rotsolve.simulation.space.course import CourseMoment
+from rotsolve.simulation.space.outputs import Outputs
+from rotsolve.simulation.system import System, Variable, named_in_text, refusal
+from rotsolve.simulation.tape import SeriesTape, vanishes
+from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.moment import SECOND
+from rotsolve.space.pushes import Pushes
+from rotsolve.space.scene import SpaceEquations
+
+
+class SpaceSystem(System, frozen=True):
+    """A scene in space as it moves, with what the laws say of any moment of it."""
+
+    registry: Registry
+    moment: CourseMoment
+    laws: SpaceLaws
+
+
+class SpaceCompiler(Struct, dict=True):
+    """Writes the equations of motion of a configuration in space."""
+
+    configuration: Configuration
+
+    def __post_init__(self) -> None:
+        problem, first = self.configuration.problem, self.configuration.timeline.states[0].name
+        self.scene = SpaceEquations(self.configuration)
+        self.registry = self.scene.registry
+        self.beginning = self.scene.dynamics[first]
+        self.values = {given.name: given.value for given in problem.givens if given.value is not None}
+        self.moment = CourseMoment(self.scene.held, self.registry, first, self.configuration)
+        pushes = Pushes(self.moment, problem.gravity, problem.actions)
+        self.laws = SpaceLaws(self.moment, pushes, self.scene.tensors)
+        self.tape = SeriesTape()
+        self.letters: dict[str, int] = {TIME: self.tape.letter(TIME)}
+        self.first: dict[str, Exact] = {TIME: ZERO}
+        self.linear = Linear(self.tape, self.letters, lambda place: rough_value(self.tape, place, self.first))
+
+    def compiled(self) -> SpaceSystem:
+        """The system of the scene from its first state."""
+        with Precision(BITS):
+            for name in self.values:
+                self.letters[name] = self.tape.number(self.worth(Symbol(name)))
+            coordinates = Coordinates(self.moment, self.beginning.moment, self.worth)
+            numbers = list(coordinates.all())
+            for item in numbers:
+                self.letters[item.letter] = self.tape.letter(item.letter)
+                self.first[item.letter] = item.start
+            for letter, value in coordinates.rotations():
+                self.letters[letter] = self.tape.formula(value, self.letters)
+            self.letters.update(self._solved(self.laws, {}))
+            variables = tuple(map(self._variable, numbers))
+            self._agree_at_first()
+            outputs = dict(self._outputs())
+            refuse_idle(self.scene)
+        return SpaceSystem(self.tape, variables, outputs, self.letters, self.registry, self.moment, self.laws)
+
+    def worth(self, value: Formula) -> Exact:
+        """The number that a formula of givens is; refuses letters without a number."""
+        formula = with_values(value, self.values)
+        for name in sorted(formula.symbols()):
+            raise NotYet(f"`{name}` has no number", help=f"give it one, or say --set {name}=…")
+        number = self.tape.constant(self.tape.formula(formula, {}))
+        return ZERO if vanishes(number) else number
+
+    def _enter_inertias(self) -> None:
+        """The entries of tensors that have letters, each after those by which it is told."""
+        steps = {step.left.name: step.right for step in self.scene.tensors.steps if isinstance(step.left, Symbol)}
+        pending = [name for name in steps if name not in self.letters]
+        while pending:
+            name = pending.pop()
+            before = [other for other in steps[name].symbols() & steps.keys() if other not in self.letters]
+            if before:
+                pending += [name, *before]
+            elif name not in self.letters:
+                self.letters[name] = self.tape.formula(steps[name], self.letters)
+
+    def _solved(self, laws: SpaceLaws, idle: Mapping[str, Formula]) -> dict[str, int]:
+        """All forces and accelerations that the laws tell of a moment; what is `idle` there is put in."""
+        equations = list(laws.equations())
+        for refused in laws.unwritten.values():
+            raise refused
+        self._enter_inertias()
+        formulas = [(law.left - law.right).substitute(idle) for law in equations]
+        unknown = {name for formula in formulas for name in formula.symbols()} - self.letters.keys()
+        for name in sorted(unknown):
+            key = key_of(name)
+            if key.kind == "inertia":
+                help = f"give `{key.owner}` its `inertia: {{principal: [I1, I2, I3]}}`"
+                raise NotYet(f"the moment of inertia of `{key.owner}` across its axis is not told", help=help)
+            if not is_key(name):
+                raise refusal(Unwritable("", name), self.registry)
+        try:
+            rows = [self.linear.row(formula, unknown) for formula in formulas]
+            late = {name: 1 for name in unknown if is_acceleration(name)}
+            return self.linear.solve(rows, late)
+        except Contradictory as error:
+            law = equations[error.equation]
+            raise NotYet(f"the data contradict each other: “{law.label}” can not hold") from None
+
+    def _variable(self, item: Coordinate) -> Variable:
+        """A number of the state with its rate on the tape; refuses one that no law tells."""
+        for name in sorted(item.rate.symbols() - self.letters.keys()):
+            raise NotYet(f"the laws do not tell the {named_in_text(name, self.registry)}")
+        return Variable(item.name, item.letter, item.start, self.tape.formula(item.rate, self.letters), 0, item.vector)
+
+    def _agree_at_first(self) -> None:
+        """Refuse a first state that the laws do not allow, or lines of it that have no part in the motion."""
+        laws = self.beginning
+        self._solved(laws, dict.fromkeys(self._open_rates(), NOTHING))
+        lines = laws.moment.state.conditions
+        for number, line in enumerate(lines):
+            if number not in laws.moment.used and line.path is not None:
+                message = f"what the first state says of `{path_text(line.path)}` is not followed in time"
+                raise NotYet(message, line.span, "leave it out")
+
+    def _outputs(self) -> Iterator[tuple[str, int]]:
+        """The places on the tape of all that can be told."""
+        known = self.letters.keys()
+        for name, told in Outputs(self.moment, self.laws, self.beginning.moment, self.configuration.problem).all():
+            if told.symbols() <= known:
+                yield name, self.tape.formula(told, self.letters)
+
+    def _open_rates(self) -> Iterator[str]:
+        """The letters of rates that the first state leaves open: at first they are nothing."""
+        when = self.beginning.moment.when
+        for name in self.registry.quantities:
+            key = key_of(name)
+            if key.when == when and key.kind in OPEN and name not in self.registry.known:
+                yield name
+
+
+def is_acceleration(name: str) -> bool:
+    """Whether a letter is that of an acceleration, or of how fast a rate changes."""
+    kind = key_of(name).kind
+    return kind in ACCELERATIONS or kind.startswith(SECOND)
+
+
+def refuse_idle(scene: SpaceEquations) -> None:
+    """Refuse what the scene says and nothing has read."""
+    problem = scene.configuration.problem
+    if any(True for _ in idle_keys(problem)):
+        look_at_bodies(scene)
+    for fault in key_faults(problem):
+        raise NotYet(fault.message, fault.span, fault.help)
+
+
+def compiled_in_space(configuration: Configuration) -> SpaceSystem:
+    """The equations of motion of a configuration in space, from its first state."""
+    compiler = SpaceCompiler(configuration)
+    try:
+        return compiler.compiled()
+    except Unwritable as error:
+        raise refusal(error, compiler.registry) from None

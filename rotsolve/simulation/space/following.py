@@ -1,0 +1,78 @@
+"""Following in space: what a scene with `up: z` can be followed through, and what is refused by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rotsolve.algebra.tape import Exact
+from rotsolve.language.bodies import Joint
+from rotsolve.language.problem import State
+from rotsolve.motion.configuration import Configuration
+from rotsolve.paths.meaning import NotYet
+from rotsolve.simulation.following import Follower
+from rotsolve.simulation.space.compiling import SpaceSystem, compiled_in_space
+from rotsolve.simulation.space.watching import watches_in_space
+from rotsolve.simulation.system import System
+from rotsolve.simulation.watches import Watch
+from rotsolve.space.arrangement import JointedBodies
+
+
+class SpaceFollower(Follower):
+    """Follows a scene in space from its first state on."""
+
+    def arrange(self) -> None:
+        self.scene, self.modes = self.configuration, {}
+        refuse_unfollowed(self.configuration)
+
+    def begun(self) -> System:
+        return compiled_in_space(self.configuration)
+
+    def looked_for(self, system: System, ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
+        assert isinstance(system, SpaceSystem)
+        return watches_in_space(system, ahead)
+
+    def _reconfigured(self, state: State) -> bool:
+        """Nothing begins or ends to act in space; an event is not followed."""
+        after = self.configuration.timeline.after(state.name)
+        if after is not None and after.event is not None:
+            self.found.ended = f"`{after.name}` happens at `{state.name}`: what comes after that is not followed"
+        return False
+
+
+def refuse_unfollowed(configuration: Configuration) -> None:
+    """Refuse by name what is not followed in time."""
+    problem = configuration.problem
+    held = JointedBodies(problem, configuration.signs)
+    for action in problem.actions:
+        if action.from_ is not None or action.to is not None:
+            raise NotYet(f"`{action.name}` acts between two states: that is not followed in space yet")
+    for joint in held.joints:
+        words = unfollowed(joint, held)
+        if words:
+            raise NotYet(f"`{joint.owner}`: {words} not followed in time yet", joint.body.span)
+    for name, body in held.bodies.items():
+        led = {word for word, _, _ in body.moved}
+        if led and held.main(name) is not None:
+            raise NotYet(f"`{name}` is led, and held by a joint: that is not followed in time yet", body.span)
+        if "acceleration" in led:
+            help = "tell its `velocity` or `position` by `time`"
+            raise NotYet(f"`{name}` is led by an acceleration: how fast it moves is not told", body.span, help)
+    for line in configuration.timeline.states[0].conditions:
+        if line.path is not None and line.path.quantity == "vertical":
+            help = f"tell the `tilt` of `{line.path.owner}`, or how it is `turned`"
+            raise NotYet("how a body stands by its `vertical` alone is not followed in time yet", line.span, help)
+        if line.path is not None and line.path.quantity == "time":
+            raise NotYet("a motion is followed from t = 0 on", line.span, "leave out the `time` of the first state")
+
+
+def unfollowed(joint: Joint, held: JointedBodies) -> str:
+    """What of a joint is not followed, in words; '' of others."""
+    if joint.sliding or joint.flat:
+        return "what slides is"
+    if joint.rolls and len(held.of_body(joint.body.owner)) > 1:
+        return "what rolls and is held or carried is"
+    if joint.rolls and joint.carrier.owner in held.bodies:
+        return "what rolls on a body is"
+    if held.wheel(joint.carrier.owner) if joint.carrier.owner in held.bodies else False:
+        return "what a wheel on an axle carries is"
+    return ""

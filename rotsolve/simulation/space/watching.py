@@ -1,0 +1,69 @@
+"""Watching in space: the states of a scene that a motion comes to, and a floor that it leaves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.formula import Formula, Symbol, negate
+from rotsolve.algebra.tape import HALF, ONE
+from rotsolve.core.symbols import TIME
+from rotsolve.core.vectors.heading import heading
+from rotsolve.core.writing import spoken
+from rotsolve.language.problem import EXTREMES, Condition, Path, State
+from rotsolve.simulation.space.compiling import SpaceSystem
+from rotsolve.simulation.space.course import CourseMoment
+from rotsolve.simulation.space.outputs import Tilting
+from rotsolve.simulation.watches import BREAKS, REACHED, Watch, changing
+from rotsolve.space.attitude import IN_SPACE
+
+
+def watches_in_space(system: SpaceSystem, ahead: State | None) -> list[Watch]:
+    """All that may happen in a system; `ahead` is the state of the scene that comes next."""
+    return changing(system, list(of_floors(system)), [] if ahead is None else list(coming(ahead, system)))
+
+
+def of_floors(system: SpaceSystem) -> Iterator[Watch]:
+    """What rolls leaves its floor where that would have to pull."""
+    for joint in system.moment.held.joints:
+        for push in system.laws.pushes.by_joint(joint) if joint.rolls else ():
+            place = system.tape.formula(push.along(IN_SPACE)[2], system.letters)
+            yield Watch(BREAKS, place, f"{spoken(joint.body.owner)} leaves `{joint.carrier.owner}`")
+
+
+def coming(state: State, system: SpaceSystem) -> Iterator[Watch]:
+    """When a state is reached: where the first of its lines that tells a single number holds."""
+    for line in state.conditions:
+        place = gap_in_space(line, system)
+        if place is not None:
+            yield Watch(REACHED, place, state.name, falls=line.word in EXTREMES)
+            return
+
+
+def gap_in_space(line: Condition, system: SpaceSystem) -> int | None:
+    """The place of what is zero where a line holds; where a tilt or an angle is largest or smallest, of what falls through zero."""
+    path, tape = line.path, system.tape
+    if path is None or path.component or path.point or line.axes or line.relative:
+        return None
+    if line.value is None:
+        rate = changing_at(path, system.moment) if line.word in EXTREMES else None
+        return None if rate is None else tape.formula(rate if line.word == "largest" else negate(rate), system.letters)
+    if path.quantity == "time":
+        return tape.formula(Symbol(TIME) - line.value, system.letters)
+    if path.quantity == "tilt" and system.moment.held.axis(path.owner) is not None:
+        height = Tilting(system.moment, path.owner).height
+        return tape.formula(heading(line.value).cos() - height, system.letters)
+    place = system.outputs.get(f"{path.owner}.{path.quantity}")
+    if place is None:
+        return None
+    beyond = tape.sum([(place, ONE), (tape.formula(line.value, system.letters), -ONE)])
+    turned = path.quantity == "angle"  # one of the places on its circle
+    return tape.function("sin", tape.scaled(beyond, HALF)) if turned else beyond
+
+
+def changing_at(path: Path, moment: CourseMoment) -> Formula | None:
+    """What has the sign of the rate of a tilt, or of an angle about a hinge."""
+    if path.quantity == "tilt" and moment.held.axis(path.owner) is not None:
+        return Tilting(moment, path.owner).sinking
+    joint = moment.held.main(path.owner)
+    hinged = path.quantity == "angle" and joint is not None and joint.turning
+    return moment.about_hinge(path.owner, joint)[1] if hinged and joint is not None else None
