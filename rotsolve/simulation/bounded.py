@@ -143,12 +143,15 @@ class Regime(Struct):
         return marks[max(0, number - BESIDE) : number + BESIDE]
 
     def _gaps(self, reading: Readout, time: float) -> dict[str, float]:
-        """How far quantities differ between the main run and the others at a moment, and some more for safety."""
+        """How far quantities differ between the main run and the others at a moment, and some more for safety.
+
+        Where one has no value then, nothing bounds it so.
+        """
         first, *others = (reading.read(time, run.piece_at(time).at(time)) for run in self.runs)
-        return {
-            name: SAFETY * farthest(number.mid(), [other[name].mid() for other in others])
-            for name, number in first.items()
+        gaps = {
+            name: [abs(float(number.mid() - other[name].mid())) for other in others] for name, number in first.items()
         }
+        return {name: math.inf if any(map(math.isnan, row)) else SAFETY * max(row) for name, row in gaps.items()}
 
 
 class Unsettled(ValueError):

@@ -19,7 +19,7 @@ FLOAT_DIGITS, MOST_DIGITS = 17, 80  # of a number in CSV
 ROUNDED_UP = 1.06  # so that a bound of two digits is not below what it stands for
 GAP = 3
 MOST_EVENTS = 30
-UNSETTLED = "?"
+UNSETTLED, NOWHERE = "?", "–"  # what is not settled, what has no value at that time
 STANDS = "Nothing moves: it starts at rest where nothing pushes it, and stays there, even where the least push would end that."
 
 
@@ -80,7 +80,9 @@ def table_lines(run: Run, names: Sequence[str], times: Sequence[float], width: i
     """The table, in as many parts below each other as the width takes."""
     rows = [run.balls(time, tuple(names)) for time in times]
     clock = column_cells("t", "s", time_cells(times))
-    columns = [column_cells(name, quantity_unit(name), settled_cells([row[name] for row in rows])) for name in names]
+    columns = [
+        column_cells(name, quantity_unit(name), settled_cells([row.get(name) for row in rows])) for name in names
+    ]
     while columns:
         part, used = [clock], len(clock[0])
         while columns and (len(part) == 1 or used + GAP + len(columns[0][0]) <= width):
@@ -103,12 +105,12 @@ def time_cells(times: Sequence[float]) -> list[str]:
     return [f"{time:.{places}f}" for time in times]
 
 
-def settled_cells(balls: Sequence[Scalar]) -> list[str]:
+def settled_cells(balls: Sequence[Scalar | None]) -> list[str]:
     """A column with as many decimals as make six digits of its largest number; fewer where a bound settles no more."""
-    largest = max(abs(float(ball.mid())) for ball in balls)
+    largest = max((abs(float(ball.mid())) for ball in balls if ball is not None), default=0.0)
     scale = floor(log10(largest)) if largest and isfinite(largest) else 0
     decimals = max(0, DIGITS - 1 - scale)
-    return [digits_of(ball, decimals) for ball in balls]
+    return [NOWHERE if ball is None else digits_of(ball, decimals) for ball in balls]
 
 
 def digits_of(ball: Scalar, decimals: int) -> str:

@@ -92,7 +92,7 @@ class Run(Struct, dict=True):
         return tuple(self.regimes[0].system.outputs)
 
     def balls(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, Scalar]:
-        """Quantities at a time as balls that hold the true values."""
+        """Quantities at a time as balls that hold the true values; those without a value then (a precession at tilt 0) are left out."""
         if not 0 <= time <= self.end:
             raise ValueError(f"the motion was followed from 0 to {self.end:g} s, not to {time:g} s")
         number = max(0, bisect_right([item.times[0] for item in self.regimes], time) - 1)
@@ -112,7 +112,7 @@ class Run(Struct, dict=True):
                     near = middles[name]
                     apart = arb(near.mid(), near.rad() + bound + part.rounding * abs(float(near)))
                     found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
-        return found
+        return {name: ball for name, ball in found.items() if ball.is_finite()}
 
     def at(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
         """Values at a time, each with its bound, in SI units and radians."""

@@ -64,9 +64,9 @@ def simulate_problem(
     certified: bool = False,
 ) -> Run:
     """Follow a problem that has been read."""
-    course = in_space(problem) if problem.space else Course(configured(problem), Follower, Run)
+    pursuit = in_space(problem) if problem.space else Pursuit(configured(problem), Follower, Run)
     try:
-        return (proved if certified else follow)(course, until, accuracy, tell)
+        return (proved if certified else follow)(pursuit, until, accuracy, tell)
     except Unsolvable as error:
         fault = error.fault
         raise Unsolvable(
@@ -79,7 +79,7 @@ def simulate_problem(
         raise Unsolvable(str(error), lines=problem.lines, file=problem.file) from None
 
 
-class Course(Struct, frozen=True):
+class Pursuit(Struct, frozen=True):
     """A scene made ready for the laws, what follows it, and what its motion is told by."""
 
     configuration: Configuration
@@ -87,17 +87,17 @@ class Course(Struct, frozen=True):
     run: type[Run]
 
 
-def in_space(problem: Problem) -> Course:
+def in_space(problem: Problem) -> Pursuit:
     """A scene in space, with the room that is loaded for these alone."""
     from rotsolve.scene.idle import noted
     from rotsolve.simulation.space.following import SpaceFollower
     from rotsolve.simulation.space.run import SpaceRun
     from rotsolve.space.complete import configured_in_space
 
-    return Course(Configuration(noted(configured_in_space(problem).problem)), SpaceFollower, SpaceRun)
+    return Pursuit(Configuration(noted(configured_in_space(problem).problem)), SpaceFollower, SpaceRun)
 
 
-def follow(course: Course, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+def follow(pursuit: Pursuit, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
     """Follow a scene; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked.
 
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
@@ -108,7 +108,7 @@ def follow(course: Course, until: float, accuracy: float, tell: Callable[[float]
     excess, idle = math.inf, 0
     while True:
         try:
-            found = course.follower(course.configuration, until, tolerances, going_on).followed()
+            found = pursuit.follower(pursuit.configuration, until, tolerances, going_on).followed()
         except (Unsettled, TimeoutError) as error:
             if isinstance(error, Unsettled) and tolerances.main > FINEST * FINEST:
                 tolerances = finer(tolerances, 1e6)
@@ -118,22 +118,22 @@ def follow(course: Course, until: float, accuracy: float, tell: Callable[[float]
             settled = settled_until(best.regimes, accuracy)
             why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
             events = tuple(event for event in best.events if event.time <= settled)
-            return course.run(
-                course.configuration.problem, until, accuracy, best.regimes, events, why, settled, best.sought
+            return pursuit.run(
+                pursuit.configuration.problem, until, accuracy, best.regimes, events, why, settled, best.sought
             )
         before, excess = excess, worst(found.regimes) / accuracy
         idle += excess > before / 2
         if excess <= 1 or idle == IDLE:
             events, ended = tuple(found.events), found.ended
-            return course.run(
-                course.configuration.problem, until, accuracy, found.regimes, events, ended, sought=found.sought
+            return pursuit.run(
+                pursuit.configuration.problem, until, accuracy, found.regimes, events, ended, sought=found.sought
             )
         tolerances, best = finer(tolerances, excess), found
 
 
-def proved(course: Course, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+def proved(pursuit: Pursuit, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
     """Follow a scene in balls that surely hold its motion, with twice the bits as long as they are wider than asked."""
-    follower, going_on = course.follower(course.configuration, until, Tolerances(accuracy)), patient(tell)
+    follower, going_on = pursuit.follower(pursuit.configuration, until, Tolerances(accuracy)), patient(tell)
     system = follower.begun()
     watched = follower.looked_for(system, None, {})
     bits = FIRST_BITS + math.ceil(-math.log2(accuracy))
@@ -146,7 +146,7 @@ def proved(course: Course, until: float, accuracy: float, tell: Callable[[float]
                 raise NotYet(said, help="follow it for a shorter time, or without --certified") from None
             sizes = sizes_of([part])
             if excess_of(part, [float(number.rad()) for number in part.last[0]], sizes) <= accuracy:
-                return course.run(course.configuration.problem, until, accuracy, [part], (), why)
+                return pursuit.run(pursuit.configuration.problem, until, accuracy, [part], (), why)
         bits *= 2
 
 

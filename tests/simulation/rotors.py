@@ -12,7 +12,7 @@ import mpmath
 Vector = list[mpmath.mpf]
 Matrix = mpmath.matrix
 Torque = Callable[[Matrix, mpmath.mpf], Sequence[mpmath.mpf]]  # from the rotation and the time
-LEVELS = 14
+LEVELS = 10
 
 
 def cross(a: Sequence[mpmath.mpf], b: Sequence[mpmath.mpf]) -> Vector:
@@ -30,6 +30,12 @@ def turn(axis: str, angle: mpmath.mpf) -> Matrix:
     found = mpmath.eye(3)
     found[i, i], found[i, j], found[j, i], found[j, j] = c, -s, s, c
     return found
+
+
+def turning(rotation: Matrix, omega: Sequence[mpmath.mpf]) -> Vector:
+    """[ω]× R, row by row."""
+    columns = [cross(omega, [rotation[i, k] for i in range(3)]) for k in range(3)]
+    return [columns[k][i] for i in range(3) for k in range(3)]
 
 
 class Rotor:
@@ -51,8 +57,7 @@ class Rotor:
 
     def slope(self, time: mpmath.mpf, state: Vector) -> Vector:
         rotation, omega = self.rotation(state), self.omega(state)
-        columns = [cross(omega, [rotation[i, k] for i in range(3)]) for k in range(3)]
-        return [*(columns[k][i] for i in range(3) for k in range(3)), *self.torque(rotation, time)]
+        return [*turning(rotation, omega), *self.torque(rotation, time)]
 
     def go(self, until: mpmath.mpf, step: float) -> None:
         """Goes on to a time."""
@@ -92,3 +97,51 @@ class Rotor:
         found |= {f"{name}.angular_momentum.{a}": part for a, part in zip("xyz", momentum, strict=True)}
         found |= {f"{name}.{a}_axis.{b}": rotation[i, k] for k, a in enumerate("xyz") for i, b in enumerate("xyz")}
         return found
+
+
+class RollingCoin(Rotor):
+    """A thin disc whose lowest point is at rest on a level floor; its state has R, ω in space and the way of its centre.
+
+    With r from the centre to that point, v = −ω × r and (I + m (r² 1 − r rᵀ)) α = −ω × I ω − m r × (ω × ṙ) − m r × g.
+    """
+
+    def __init__(
+        self, mass: mpmath.mpf, radius: mpmath.mpf, weight: mpmath.mpf, start: Matrix, omega: Sequence[mpmath.mpf]
+    ) -> None:
+        tensor = mass * radius**2 / 4 * mpmath.diag([1, 1, 2])
+        super().__init__(tensor, start, omega, lambda rotation, time: [])
+        self.mass, self.radius, self.gravity = mass, radius, weight / mass
+        self.state = [*start, *times(start, omega), mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0)]
+
+    def omega(self, state: Vector) -> Vector:
+        return state[9:12]
+
+    def lowest(self, state: Vector) -> tuple[Vector, Vector]:
+        """r and its rate: −R times the unit vector that points up along the disc."""
+        n = [state[2], state[5], state[8]]
+        faster = cross(self.omega(state), n)
+        sine = mpmath.sqrt(1 - n[2] ** 2)
+        rate = -n[2] * faster[2] / sine
+        up = [-n[2] * n[0], -n[2] * n[1], 1 - n[2] ** 2]
+        change = [-faster[2] * a - n[2] * b for a, b in zip(n, faster, strict=True)]
+        place = [-self.radius * part / sine for part in up]
+        return place, [-self.radius * (a / sine - b * rate / sine**2) for a, b in zip(change, up, strict=True)]
+
+    def slope(self, time: mpmath.mpf, state: Vector) -> Vector:
+        rotation, omega, (r, rate) = self.rotation(state), self.omega(state), self.lowest(state)
+        tensor = rotation * self.tensor * rotation.T
+        column = mpmath.matrix(r)
+        whole = tensor + self.mass * ((column.T * column)[0] * mpmath.eye(3) - column * column.T)
+        pulled = [a + b for a, b in zip(cross(omega, rate), [0, 0, -self.gravity], strict=True)]
+        left = zip(cross(omega, times(tensor, omega)), cross(r, pulled), strict=True)
+        alpha = mpmath.lu_solve(whole, mpmath.matrix([-a - self.mass * b for a, b in left]))
+        return [*turning(rotation, omega), *alpha, *(-part for part in cross(omega, r))]
+
+    def told(self, name: str) -> dict[str, mpmath.mpf]:
+        rotation, omega = self.rotation(self.state), self.omega(self.state)
+        momentum = times(rotation * self.tensor * rotation.T, omega)
+        found = {f"{name}.position.{a}": part for a, part in zip("xyz", self.state[12:], strict=True)}
+        found |= {f"{name}.angular_momentum.{a}": part for a, part in zip("xyz", momentum, strict=True)}
+        return found | {
+            f"{name}.{a}_axis.{b}": rotation[i, k] for k, a in enumerate("xyz") for i, b in enumerate("xyz")
+        }

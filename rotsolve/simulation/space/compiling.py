@@ -5,7 +5,7 @@ The laws are written for a moment at which all places and rates are letters (`co
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from msgspec import Struct
 
@@ -14,6 +14,7 @@ from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.formula import ZERO as NOTHING
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.tape import BITS, ZERO, Exact, Unwritable
+from rotsolve.core.drive import TRAVELLING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import ACCELERATIONS, TIME, is_key, key_of
 from rotsolve.motion.configuration import Configuration
@@ -41,9 +42,10 @@ class SpaceSystem(System, frozen=True):
 
 
 class SpaceCompiler(Struct, dict=True):
-    """Writes the equations of motion of a configuration in space."""
+    """Writes the equations of motion of a configuration in space; `still` are letters of its state that never change."""
 
     configuration: Configuration
+    still: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         problem, first = self.configuration.problem, self.configuration.timeline.states[0].name
@@ -67,15 +69,16 @@ class SpaceCompiler(Struct, dict=True):
             coordinates = Coordinates(self.moment, self.beginning.moment, self.worth)
             numbers = list(coordinates.all())
             for item in numbers:
-                self.letters[item.letter] = self.tape.letter(item.letter)
+                stays = item.letter in self.still
+                self.letters[item.letter] = self.tape.number(item.start) if stays else self.tape.letter(item.letter)
                 self.first[item.letter] = item.start
             for letter, value in coordinates.rotations():
                 self.letters[letter] = self.tape.formula(value, self.letters)
             self.letters.update(self._solved(self.laws, {}))
-            variables = tuple(map(self._variable, numbers))
+            variables = tuple(self._variable(item) for item in numbers if item.letter not in self.still)
             self._agree_at_first()
-            outputs = dict(self._outputs())
-            refuse_idle(self.scene)
+            outputs = self._outputs()
+            refuse_unread(self.scene)
         return SpaceSystem(self.tape, variables, outputs, self.letters, self.registry, self.moment, self.laws)
 
     def worth(self, value: Formula) -> Exact:
@@ -128,29 +131,51 @@ class SpaceCompiler(Struct, dict=True):
         return Variable(item.name, item.letter, item.start, self.tape.formula(item.rate, self.letters), 0, item.vector)
 
     def _agree_at_first(self) -> None:
-        """Refuse a first state that the laws do not allow, or lines of it that have no part in the motion."""
-        laws = self.beginning
-        self._solved(laws, dict.fromkeys(self._open_rates(), NOTHING))
-        lines = laws.moment.state.conditions
+        """Refuse a first state that is said to be steady, or to have an acceleration, where the laws do not allow that.
+
+        So are lines of it that have no part in the motion.
+        """
+        moment = self.beginning.moment
+        lines = moment.state.conditions
+        speeding = any(line.path is not None and line.path.quantity in ACCELERATIONS for line in lines)
+        if moment.state.steady or speeding:
+            open_rates = self._open_rates()
+            if moment.state.steady and open_rates:
+                told = named_in_text(open_rates[0], self.registry)
+                raise NotYet(
+                    f"the laws have to tell the {told} of the steady state `{moment.when}`", help="tell it there"
+                )
+            self._solved(self.beginning, dict.fromkeys(open_rates, NOTHING))
         for number, line in enumerate(lines):
-            if number not in laws.moment.used and line.path is not None:
+            if number not in moment.used and line.path is not None:
                 message = f"what the first state says of `{path_text(line.path)}` is not followed in time"
                 raise NotYet(message, line.span, "leave it out")
 
-    def _outputs(self) -> Iterator[tuple[str, int]]:
-        """The places on the tape of all that can be told."""
-        known = self.letters.keys()
-        for name, told in Outputs(self.moment, self.laws, self.beginning.moment, self.configuration.problem).all():
-            if told.symbols() <= known:
-                yield name, self.tape.formula(told, self.letters)
+    def _outputs(self) -> dict[str, int]:
+        """The places on the tape of all that can be told; a body that stays where it is has neither way nor velocity."""
+        told = Outputs(self.moment, self.laws, self.beginning.moment, self.configuration.problem).all()
+        places = {
+            name: self.tape.formula(value, self.letters)
+            for name, value in told
+            if value.symbols() <= self.letters.keys()
+        }
+        numbers = {name: self.tape.constant(place) for name, place in places.items()}
+        moving = {whole_vector(name) for name, number in numbers.items() if number is None or not vanishes(number)}
+        return {
+            name: place
+            for name, place in places.items()
+            if whole_vector(name) in moving or whole_vector(name).rpartition(".")[2] not in TRAVELLING
+        }
 
-    def _open_rates(self) -> Iterator[str]:
-        """The letters of rates that the first state leaves open: at first they are nothing."""
-        when = self.beginning.moment.when
-        for name in self.registry.quantities:
-            key = key_of(name)
-            if key.when == when and key.kind in OPEN and name not in self.registry.known:
-                yield name
+    def _open_rates(self) -> list[str]:
+        """The letters of rates of which the laws speak and that the first state leaves open."""
+        names = {name for law in self.beginning.equations() for name in law.symbols()}
+        return [name for name in sorted(names) if key_of(name).kind in OPEN]
+
+
+def whole_vector(name: str) -> str:
+    """The vector of which something is a component: `box.position` of `box.position.x`."""
+    return name.rpartition(".")[0]
 
 
 def is_acceleration(name: str) -> bool:
@@ -159,7 +184,7 @@ def is_acceleration(name: str) -> bool:
     return kind in ACCELERATIONS or kind.startswith(SECOND)
 
 
-def refuse_idle(scene: SpaceEquations) -> None:
+def refuse_unread(scene: SpaceEquations) -> None:
     """Refuse what the scene says and nothing has read."""
     problem = scene.configuration.problem
     if any(True for _ in idle_keys(problem)):
@@ -172,6 +197,12 @@ def compiled_in_space(configuration: Configuration) -> SpaceSystem:
     """The equations of motion of a configuration in space, from its first state."""
     compiler = SpaceCompiler(configuration)
     try:
+        found = compiler.compiled()
+        rates = {item.letter: found.tape.constant(item.rate) for item in found.variables}
+        still = frozenset(letter for letter, rate in rates.items() if rate is not None and vanishes(rate))
+        if len(still) in (0, len(rates)):  # what is at rest altogether keeps its numbers
+            return found
+        compiler = SpaceCompiler(configuration, still)
         return compiler.compiled()
     except Unwritable as error:
         raise refusal(error, compiler.registry) from None

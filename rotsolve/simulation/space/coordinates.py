@@ -25,6 +25,7 @@ from rotsolve.simulation.tape import vanishes
 from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import Attitude
 from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.thin import thin_axis
 
 OPEN = (*RATES, *SPEEDS, "axial_rate")  # what is nothing at first where nothing tells it
 Worth = Callable[[Formula], Exact]  # the number that a formula of givens is
@@ -66,6 +67,7 @@ class Coordinates(Struct):
     def of_turning(self, name: str) -> Iterator[Coordinate]:
         """What tells how a body stands and turns."""
         moment, joint = self.moment, self.moment.held.main(name)
+        self.refuse_untold_spin(name)
         if moment.turns_anyhow(name):
             yield from self.of_quaternion(name)
         elif moment.nods(name):
@@ -73,13 +75,23 @@ class Coordinates(Struct):
         elif joint is not None and joint.turning and not moment.held.bodies[name].moved:
             yield from self.of_hinge(name, joint)
 
+    def refuse_untold_spin(self, name: str) -> None:
+        """Refuse a body that precesses at first, while nothing tells whether it does so without spin, or without turning about its axis."""
+        first = self.first
+        if not first.nods(name) or not first.left_open(name)[0] or thin_axis(first.held, name) is not None:
+            return
+        rate = first.nodding(name).rates[0]
+        if not has_quantities(rate) and not first.held.vanishes(rate):
+            help = f"tell its `{name}.spin` or its `{name}.axial_rate`"
+            raise NotYet(f"how fast `{name}` spins at first is not told", help=help)
+
     # about any axis
 
     def of_quaternion(self, name: str) -> Iterator[Coordinate]:
         """Four numbers for how its axes stand, three for its angular velocity, one for its own spin in them."""
         moment, own = self.moment, self.moment.attitude(name)
         q, rows = moment.quaternion(name), self.first_rows(name, own)
-        parts = zip(q, quaternion_of(rows, self.at_first), rates_of(q, own.axes.rate), strict=True)
+        parts = zip(q, unit_quaternion(rows, self.at_first), quaternion_rates(q, own.axes.rate), strict=True)
         for letter, start, rate in parts:
             yield Coordinate(f"{name}.{key_of(letter.name).component}", letter.name, start, rate, f"{name}.turn")
         rates, starts = zip(own.omega, own.rates, strict=True), self.first_rates(name, rows)
@@ -141,7 +153,7 @@ class Coordinates(Struct):
         for name in self.moment.held.order:
             if self.moment.turns_anyhow(name):
                 ways = ((one, other) for one in AXES for other in AXES)
-                for (one, other), value in zip(ways, rows_of(self.moment.quaternion(name)), strict=True):
+                for (one, other), value in zip(ways, rotation_entries(self.moment.quaternion(name)), strict=True):
                     yield self.moment.entry_letter(name, one, other).name, value
 
     # places
@@ -160,7 +172,7 @@ class Coordinates(Struct):
                 yield self.coordinate(f"{name}.velocity.{axis}", speed, start, rate, f"{name}.velocity")
 
 
-def rates_of(q: Sequence[Symbol], omega: Triple) -> list[Formula]:
+def quaternion_rates(q: Sequence[Symbol], omega: Triple) -> list[Formula]:
     """½ q Ω, Ω in the axes that q turns into space."""
     w, x, y, z = q
     a, b, c = omega
@@ -180,7 +192,7 @@ def rates_of(q: Sequence[Symbol], omega: Triple) -> list[Formula]:
     return found
 
 
-def rows_of(q: Sequence[Symbol]) -> list[Formula]:
+def rotation_entries(q: Sequence[Symbol]) -> list[Formula]:
     """The nine entries of the rotation of a unit quaternion, row by row."""
     w, x, y, z = q
 
@@ -200,7 +212,7 @@ def rows_of(q: Sequence[Symbol]) -> list[Formula]:
     ]
 
 
-def quaternion_of(rows: Rows, worth: Worth) -> list[Exact]:
+def unit_quaternion(rows: Rows, worth: Worth) -> list[Exact]:
     """The unit quaternion of a rotation: the 4 qᵢ qⱼ are sums of entries, each row of them qᵢ times q."""
     (a, b, c), (d, e, f), (g, h, i) = rows
     table = (

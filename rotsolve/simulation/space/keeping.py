@@ -15,7 +15,7 @@ from rotsolve.language.bodies import PointRef
 from rotsolve.simulation.balance import Balance, Drift, balance_on_tape, largest_misfit
 from rotsolve.simulation.bounded import Regime
 from rotsolve.simulation.space.compiling import SpaceSystem
-from rotsolve.simulation.space.outputs import place_of
+from rotsolve.simulation.space.outputs import place_in_space
 from rotsolve.space.energies import kinetic_energies
 from rotsolve.space.inertia import CM
 from rotsolve.space.passing import left_alone, momenta, own_momentum
@@ -53,7 +53,8 @@ def energy_in_space(system: SpaceSystem) -> Iterator[Balance]:
     bodies = [name for name in moment.held.order if not moment.held.bodies[name].moved]
     kinetic = [add(*kinetic_energies(laws, name)) for name in bodies]
     heights = [
-        multiply(multiply(moment.held.mass(name), gravity), place_of(moment, PointRef(name, CM))[2]) for name in bodies
+        multiply(multiply(moment.held.mass(name), gravity), place_in_space(moment, PointRef(name, CM))[2])
+        for name in bodies
     ]
     powers = [
         power_of(push, system) for name in bodies for push in laws.pushes.on(name) if gives_power(push.owner, system)

@@ -24,6 +24,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Path, Problem, Term
+from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.space.course import CourseMoment
 from rotsolve.space.attitude import IN_SPACE
 from rotsolve.space.energies import kinetic_energies
@@ -59,9 +60,9 @@ class Outputs(Struct):
             if not moment.held.pointlike(name):
                 yield from self.vector(Path(name, "angular_momentum"))
             yield f"{name}.kinetic_energy", add(*kinetic_energies(self.laws, name))
-        yield from components(f"{name}.position", self.way(name))
+        yield from by_axes(f"{name}.position", self.way(name))
         if moment.held.main(name) is None:
-            yield from components(f"{name}.velocity", moment.of_centre(name, "velocity"))
+            yield from by_axes(f"{name}.velocity", moment.of_centre(name, "velocity"))
 
     def of_turning(self, name: str) -> Iterator[Told]:
         moment, joint = self.moment, self.moment.held.main(name)
@@ -75,10 +76,10 @@ class Outputs(Struct):
         if own.rate == NOTHING:
             return
         if joint is None or not joint.turning:
-            yield from components(f"{name}.angular_velocity", own.rate, IN_BODY)
+            yield from by_axes(f"{name}.angular_velocity", own.rate, IN_BODY)
             yield from self.of_nodding(name)
         for axis, *column in zip(OWN_AXES, *own.rows, strict=True):
-            yield from components(f"{name}.{axis}", (column[0], column[1], column[2]))
+            yield from by_axes(f"{name}.{axis}", (column[0], column[1], column[2]))
 
     def of_nodding(self, name: str) -> Iterator[Told]:
         """Tilt, precession, nutation and spin of a body of which the scene speaks so."""
@@ -88,7 +89,7 @@ class Outputs(Struct):
     def way(self, name: str) -> Triple:
         """How far the centre of mass has gone since the first state."""
         ref = PointRef(name, CM)
-        return way_between(place_of(self.first, ref), place_of(self.moment, ref))
+        return way_between(place_in_space(self.first, ref), place_in_space(self.moment, ref))
 
     def of_joint(self, owner: str, untwisted: bool) -> Iterator[Told]:
         """The force and the torque of a joint on the body that it holds."""
@@ -96,9 +97,12 @@ class Outputs(Struct):
             yield from self.vector(Path(owner, word))
 
     def vector(self, path: Path) -> Iterator[Told]:
-        """A vector along the axes of space."""
-        found, axes = SpaceReader(self.laws, {}, self.problem).vector(path, Term(path))
-        yield from components(f"{path.owner}.{path.quantity}", axes.to(IN_SPACE, found))
+        """A vector along the axes of space; nothing of one that the laws do not tell alone, as of two balls on a line."""
+        try:
+            found, axes = SpaceReader(self.laws, {}, self.problem).vector(path, Term(path))
+        except NotYet:
+            return
+        yield from by_axes(f"{path.owner}.{path.quantity}", axes.to(IN_SPACE, found))
 
 
 class Tilting:
@@ -125,14 +129,14 @@ class Tilting:
         yield f"{self.name}.axial_rate", self.along
 
 
-def components(name: str, vector: Triple, axes: str = "") -> Iterator[Told]:
+def by_axes(name: str, vector: Triple, axes: str = "") -> Iterator[Told]:
     """The three components of a vector, none of one that is nothing."""
     if vector != NOTHING:
         for axis, part in zip(AXES, vector, strict=True):
             yield f"{name}.{axis}{axes}", part
 
 
-def place_of(moment: SpaceMoment, ref: PointRef) -> Triple:
+def place_in_space(moment: SpaceMoment, ref: PointRef) -> Triple:
     """Where a point is in space, from the point of the ground that holds its body, or from where the body's centre was at first."""
     joint = moment.held.main(ref.owner)
     base = NOTHING
@@ -140,5 +144,5 @@ def place_of(moment: SpaceMoment, ref: PointRef) -> Triple:
         x, y, z = (moment.own_letter("displacement", ref.owner, axis) for axis in AXES)
         base = (x, y, z)
     elif joint is not None and joint.carrier.owner in moment.held.bodies:
-        base = place_of(moment, joint.carrier)
+        base = place_in_space(moment, joint.carrier)
     return vector_sum(base, moment.axes(ref.owner).to(IN_SPACE, moment.arm(ref)))
