@@ -12,6 +12,7 @@ POINTS = 1200  # moments of a curve
 RATES = ("velocity", "angular_velocity")
 MOST_MARKS = 12  # events that are named; of more only the lines are drawn
 COLOURS = ("#0b6e99", "#d1495b", "#5b8c3a", "#8d5a97", "#e08e1b", "#4a4e69")
+STYLES = {"x": "-", "y": "--", "z": ":"}
 INK, FAINT = "#2b2d33", "#d9dbe0"
 
 
@@ -35,7 +36,7 @@ def plot_run(run: Run, path: str) -> None:
     colours = dict(zip(dict.fromkeys(name.partition(".")[0] for name in names), cycle(COLOURS), strict=False))
     for axis, (unit, held) in zip(axes, panels.items(), strict=True):
         for name in held:
-            style = "--" if name.endswith(".y") else "-"
+            style = STYLES.get(component_of(name), "-")
             values = [row[name][0] if name in row else float("nan") for row in found]
             colour = colours[name.partition(".")[0]]
             axis.plot(times, values, style, color=colour, linewidth=1.6, label=curve_label(name))
@@ -46,10 +47,15 @@ def plot_run(run: Run, path: str) -> None:
     figure.savefig(path, dpi=150)
 
 
+def component_of(name: str) -> str:
+    """The axis of a component, `x` of `box.angular_velocity.x in body axes`; '' of what has none."""
+    component = name.rpartition(".")[2].partition(" ")[0]
+    return component if component in STYLES else ""
+
+
 def curve_label(name: str) -> str:
     """Whose curve it is: `block`, `lower x`."""
-    owner, component = name.partition(".")[0], name.rpartition(".")[2]
-    return f"{owner} {component}" if component in ("x", "y") else owner
+    return " ".join(filter(None, (name.partition(".")[0], component_of(name))))
 
 
 def panels_of(names: tuple[str, ...]) -> dict[str, list[str]]:

@@ -17,6 +17,7 @@ from rotsolve.algebra.tape import BITS, ZERO, Exact, Unwritable
 from rotsolve.core.drive import TRAVELLING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import ACCELERATIONS, TIME, is_key, key_of
+from rotsolve.language.noted import read_all
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.scene.idle import idle_keys, key_faults, look_at_bodies
@@ -96,10 +97,20 @@ class SpaceCompiler(Struct, dict=True):
         while pending:
             name = pending.pop()
             before = [other for other in steps[name].symbols() & steps.keys() if other not in self.letters]
+            for other in steps[name].symbols() - steps.keys() - self.letters.keys():
+                self._refuse_untold(other)
             if before:
                 pending += [name, *before]
             elif name not in self.letters:
                 self.letters[name] = self.tape.formula(steps[name], self.letters)
+
+    def _refuse_untold(self, name: str) -> None:
+        """Refuse a letter that has no number, or a moment of inertia of which the scene tells nothing."""
+        key = key_of(name)
+        if key.kind != "inertia":
+            raise refusal(Unwritable("", name), self.registry)
+        help = f"give `{key.owner}` its `inertia: {{principal: [I1, I2, I3]}}`"
+        raise NotYet(f"the moment of inertia of `{key.owner}` across its axis is not told", help=help)
 
     def _solved(self, laws: SpaceLaws, idle: Mapping[str, Formula]) -> dict[str, int]:
         """All forces and accelerations that the laws tell of a moment; what is `idle` there is put in."""
@@ -110,12 +121,8 @@ class SpaceCompiler(Struct, dict=True):
         formulas = [(law.left - law.right).substitute(idle) for law in equations]
         unknown = {name for formula in formulas for name in formula.symbols()} - self.letters.keys()
         for name in sorted(unknown):
-            key = key_of(name)
-            if key.kind == "inertia":
-                help = f"give `{key.owner}` its `inertia: {{principal: [I1, I2, I3]}}`"
-                raise NotYet(f"the moment of inertia of `{key.owner}` across its axis is not told", help=help)
-            if not is_key(name):
-                raise refusal(Unwritable("", name), self.registry)
+            if key_of(name).kind == "inertia" or not is_key(name):
+                self._refuse_untold(name)
         try:
             rows = [self.linear.row(formula, unknown) for formula in formulas]
             late = {name: 1 for name in unknown if is_acceleration(name)}
@@ -185,8 +192,10 @@ def is_acceleration(name: str) -> bool:
 
 
 def refuse_unread(scene: SpaceEquations) -> None:
-    """Refuse what the scene says and nothing has read."""
+    """Refuse what the scene says and nothing has read; of events, which end the motion, nothing need be."""
     problem = scene.configuration.problem
+    for event in problem.events:
+        read_all(event)
     if any(True for _ in idle_keys(problem)):
         look_at_bodies(scene)
     for fault in key_faults(problem):

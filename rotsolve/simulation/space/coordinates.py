@@ -61,7 +61,9 @@ class Coordinates(Struct):
         if has_quantities(value):
             place = next(key for name, key in keys.items() if key.kind and name not in idle)
             line = f"{place.owner}.{place.kind}"
-            raise NotYet(f"the {place.kind} of `{place.owner}` at first is not told", help=f"let it say `{line}`")
+            raise NotYet(
+                f"the {place.kind} of `{place.owner}` at first is not told", help=f"let the first state say `{line}`"
+            )
         return self.worth(value)
 
     def of_turning(self, name: str) -> Iterator[Coordinate]:
@@ -125,6 +127,8 @@ class Coordinates(Struct):
     def of_euler_angles(self, name: str) -> Iterator[Coordinate]:
         """φ, θ, ψ; φ̇ and θ̇; ω₃ of a symmetric body, from which ψ̇ = ω₃ − φ̇ cos θ follows, else ψ̇."""
         now, first, own = self.moment.nodding(name), self.first.nodding(name), self.moment.attitude(name)
+        if self.at_first(heading(first.angles[1]).sin()) == 0:
+            raise NotYet(f"`{name}` lies flat at first: so it does not roll")
         along, axial = self.first.attitude(name).omega[2], own.omega[2]
         spin = add(axial, negate(multiply(now.rates[0], heading(now.angles[1]).cos())))
         rates = (now.rates[0], now.rates[1], spin)

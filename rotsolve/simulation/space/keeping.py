@@ -26,7 +26,8 @@ def drift_in_space(regimes: Sequence[Regime]) -> Drift:
     """The drift of energy and of all components of angular momentum that are kept."""
     system = regimes[0].system
     assert isinstance(system, SpaceSystem)
-    kept = {label: largest_misfit(regimes, partial(kept_momentum, label)) for label, *_ in kept_momenta(system)}
+    labels = [label for label, *_ in kept_momenta(system)]
+    kept = {label: largest_misfit(regimes, partial(kept_momentum, number)) for number, label in enumerate(labels)}
     told = {label: misfit for label, misfit in kept.items() if misfit is not None}
     return Drift(largest_misfit(regimes, energy_in_space), None, told)
 
@@ -39,11 +40,10 @@ def kept_momenta(system: SpaceSystem) -> Iterator[tuple[str, str, Formula]]:
                 yield f"{words} of `{name}`", name, value
 
 
-def kept_momentum(label: str, system: SpaceSystem) -> Iterator[Balance]:
+def kept_momentum(number: int, system: SpaceSystem) -> Iterator[Balance]:
     """One of these, beside which the whole angular momentum tells what is small."""
-    for words, name, value in kept_momenta(system):
-        if words == label:
-            yield from balance_on_tape(system, [value], [], list(own_momentum(system.laws, name)))
+    _, name, value = list(kept_momenta(system))[number]
+    yield from balance_on_tape(system, [value], [], list(own_momentum(system.laws, name)))
 
 
 def energy_in_space(system: SpaceSystem) -> Iterator[Balance]:

@@ -10,6 +10,8 @@ from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
+from rotsolve.paths.meaning import NotYet
+from rotsolve.simulation.series import rough_value
 from rotsolve.simulation.space.compiling import SpaceSystem
 from rotsolve.simulation.space.course import CourseMoment
 from rotsolve.simulation.space.outputs import Tilting
@@ -23,11 +25,18 @@ def watches_in_space(system: SpaceSystem, ahead: State | None) -> list[Watch]:
 
 
 def of_floors(system: SpaceSystem) -> Iterator[Watch]:
-    """What rolls leaves its floor where that would have to pull."""
-    for joint in system.moment.held.joints:
+    """What rolls leaves its floor where that would have to pull; a wheel falls flat where its tilt comes to 0° or 180°."""
+    moment, starts = system.moment, {item.letter: item.start for item in system.variables}
+    for joint in moment.held.joints:
+        name, floor = joint.body.owner, joint.carrier.owner
         for push in system.laws.pushes.by_joint(joint) if joint.rolls else ():
             place = system.tape.formula(push.along(IN_SPACE)[2], system.letters)
-            yield Watch(BREAKS, place, f"{spoken(joint.body.owner)} leaves `{joint.carrier.owner}`")
+            if rough_value(system.tape, place, starts) < 0:
+                raise NotYet(f"`{floor}` would have to pull `{name}` at first: it does not roll there", joint.body.span)
+            yield Watch(BREAKS, place, f"{spoken(name)} leaves `{floor}`")
+        if joint.rolls and moment.nods(name):
+            sine = heading(moment.nodding(name).angles[1]).sin()
+            yield Watch(BREAKS, system.tape.formula(sine, system.letters), f"{spoken(name)} falls flat on `{floor}`")
 
 
 def coming(state: State, system: SpaceSystem) -> Iterator[Watch]:
