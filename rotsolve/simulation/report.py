@@ -54,7 +54,7 @@ def times_of(run: Run, step: float | None) -> list[float]:
         unit = 10.0 ** floor(log10(raw))
         step = next(unit * factor for factor in (1, 2, 5, 10) if unit * factor >= raw * (1 - 1e-9))
     count = int(run.end / step * (1 + 1e-12))
-    times = [step * k for k in range(count + 1)]
+    times = [min(step * k, run.end) for k in range(count + 1)]
     return times if run.end - times[-1] < 1e-9 * run.end else [*times, run.end]
 
 

@@ -5,7 +5,8 @@ The laws are written for a moment at which all places and rates are letters (`co
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 
 from msgspec import Struct
 
@@ -57,6 +58,7 @@ class SpaceCompiler(Struct, dict=True):
         self.moment = CourseMoment(self.scene.held, self.registry, first, self.configuration)
         pushes = Pushes(self.moment, problem.gravity, problem.actions)
         self.laws = SpaceLaws(self.moment, pushes, self.scene.tensors)
+        self.unnumbered = ""  # a letter without a number of which some law speaks
         self.tape = SeriesTape()
         self.letters: dict[str, int] = {TIME: self.tape.letter(TIME)}
         self.first: dict[str, Exact] = {TIME: ZERO}
@@ -66,7 +68,8 @@ class SpaceCompiler(Struct, dict=True):
         """The system of the scene from its first state."""
         with Precision(BITS):
             for name in self.values:
-                self.letters[name] = self.tape.number(self.worth(Symbol(name)))
+                with suppress(NotYet):  # of givens without a number
+                    self.letters[name] = self.tape.number(self.worth(Symbol(name)))
             coordinates = Coordinates(self.moment, self.beginning.moment, self.worth)
             numbers = list(coordinates.all())
             for item in numbers:
@@ -76,7 +79,7 @@ class SpaceCompiler(Struct, dict=True):
             for letter, value in coordinates.rotations():
                 self.letters[letter] = self.tape.formula(value, self.letters)
             self.letters.update(self._solved(self.laws, {}))
-            variables = tuple(self._variable(item) for item in numbers if item.letter not in self.still)
+            variables = tuple(map(self._variable, self._followed(numbers)))
             self._agree_at_first()
             outputs = self._outputs()
             refuse_unread(self.scene)
@@ -91,22 +94,17 @@ class SpaceCompiler(Struct, dict=True):
         return ZERO if vanishes(number) else number
 
     def _enter_inertias(self) -> None:
-        """The entries of tensors that have letters, each after those by which it is told."""
+        """The entries of tensors that have letters, as far as the scene tells them; each after those by which it is told."""
         steps = {step.left.name: step.right for step in self.scene.tensors.steps if isinstance(step.left, Symbol)}
-        pending = [name for name in steps if name not in self.letters]
-        while pending:
-            name = pending.pop()
-            before = [other for other in steps[name].symbols() & steps.keys() if other not in self.letters]
-            for other in steps[name].symbols() - steps.keys() - self.letters.keys():
-                self._refuse_untold(other)
-            if before:
-                pending += [name, *before]
-            elif name not in self.letters:
-                self.letters[name] = self.tape.formula(steps[name], self.letters)
+        while told := [name for name in steps if steps[name].symbols() <= self.letters.keys()]:
+            for name in told:
+                self.letters[name] = self.tape.formula(steps.pop(name), self.letters)
 
-    def _refuse_untold(self, name: str) -> None:
-        """Refuse a letter that has no number, or a moment of inertia of which the scene tells nothing."""
-        key = key_of(name)
+    def _refuse_untold(self, names: Collection[str]) -> None:
+        """Refuse what the laws would have to tell: by a letter without a number, or by a moment of inertia that is not told."""
+        name, key = self.unnumbered, key_of(self.unnumbered)
+        if not name:
+            raise NotYet(f"the laws do not tell the {named_in_text(min(names), self.registry)}")
         if key.kind != "inertia":
             raise refusal(Unwritable("", name), self.registry)
         help = f"give `{key.owner}` its `inertia: {{principal: [I1, I2, I3]}}`"
@@ -118,23 +116,42 @@ class SpaceCompiler(Struct, dict=True):
         for refused in laws.unwritten.values():
             raise refused
         self._enter_inertias()
-        formulas = [(law.left - law.right).substitute(idle) for law in equations]
-        unknown = {name for formula in formulas for name in formula.symbols()} - self.letters.keys()
-        for name in sorted(unknown):
-            if key_of(name).kind == "inertia" or not is_key(name):
-                self._refuse_untold(name)
+        written = ((law, (law.left - law.right).substitute(idle)) for law in equations)
+        told = [(law, formula) for law, formula in written if self._numbered(formula)]
+        unknown = {name for _, formula in told for name in formula.symbols()} - self.letters.keys()
         try:
-            rows = [self.linear.row(formula, unknown) for formula in formulas]
+            rows = [self.linear.row(formula, unknown) for _, formula in told]
             late = {name: 1 for name in unknown if is_acceleration(name)}
             return self.linear.solve(rows, late)
         except Contradictory as error:
-            law = equations[error.equation]
-            raise NotYet(f"the data contradict each other: “{law.label}” can not hold") from None
+            label = told[error.equation][0].label
+            raise NotYet(f"the data contradict each other: “{label}” can not hold") from None
+
+    def _numbered(self, formula: Formula) -> bool:
+        """Whether a law speaks of nothing that is constant and has no number: such a law tells nothing."""
+        names = sorted(formula.symbols() - self.letters.keys())
+        lacking = next((name for name in names if key_of(name).kind == "inertia" or not is_key(name)), "")
+        self.unnumbered = self.unnumbered or lacking
+        return not lacking
+
+    def _followed(self, numbers: Sequence[Coordinate]) -> list[Coordinate]:
+        """The numbers that change; but for ways that no law tells for want of a mass, and on which nothing else rests."""
+        idle = {item.letter for item in numbers if not item.rate.symbols() <= self.letters.keys()}
+        idle |= {item.letter for item in numbers if item.rate.symbols() & idle}
+        kept = [item for item in numbers if item.letter not in idle | self.still]
+        rates = [self.tape.formula(item.rate, self.letters) for item in kept]
+        ways = {letter for letter in idle if key_of(letter).kind in ("velocity", "displacement")}
+        if not self.unnumbered or idle - ways or idle & self.tape.letters_under(*rates) or not kept:
+            return [item for item in numbers if item.letter not in self.still]
+        for letter in idle:
+            del self.letters[letter]
+        return kept
 
     def _variable(self, item: Coordinate) -> Variable:
         """A number of the state with its rate on the tape; refuses one that no law tells."""
-        for name in sorted(item.rate.symbols() - self.letters.keys()):
-            raise NotYet(f"the laws do not tell the {named_in_text(name, self.registry)}")
+        untold = item.rate.symbols() - self.letters.keys()
+        if untold:
+            self._refuse_untold(untold)
         return Variable(item.name, item.letter, item.start, self.tape.formula(item.rate, self.letters), 0, item.vector)
 
     def _agree_at_first(self) -> None:
