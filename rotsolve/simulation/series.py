@@ -231,13 +231,17 @@ def angle_series(operation: Operation, place: int, lists: Lists, arithmetic: Ari
 
 
 def size_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
-    """|x| as long as x keeps its sign."""
+    """|x| as long as x keeps its sign; where it begins at zero, that which it comes to."""
     own, argument = lists[place], lists[operation.values[0]]
+
+    def step(order: int) -> None:
+        first = next((term for term in argument if term != 0), 0)
+        own.append(argument[order] if first > 0 else -argument[order])
 
     def start() -> None:
         own.append(abs(argument[0]))
 
-    return start, lambda order: own.append(argument[order] if argument[0] > 0 else -argument[order])
+    return start, step
 
 
 OPERATIONS: Mapping[str, Callable[..., Made]] = {

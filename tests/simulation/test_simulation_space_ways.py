@@ -162,3 +162,80 @@ def test_every_problem_in_space_is_followed_or_refused() -> None:
         followed += 1
         assert run.drift.energy is None or run.drift.energy < 1e-12, path.name
     assert followed > 25
+
+
+NODS = """title: Lump that nods
+up: z
+given: {{g: 9.8 m/s^2, A: 6e-4 kg m^2, B: 5.5e-4 kg m^2, C: 8e-5 kg m^2, l: 5 cm}}
+bodies: {{top: {{mass: 0.2 kg, inertia: {{about: tip, principal: {principal}}}, axis: {axis}, points: {{tip: {tip}}}}}}}
+connections: {{floor: {{ball: top.tip}}}}
+states:
+  start: {{top.tilt: 20 deg, top.precession_angle: 30 deg, top.spin_angle: 50 deg,
+           top.spin: 40 rad/s, top.precession: 1 rad/s, top.nutation: 2 rad/s}}
+find: {{K: top.kinetic_energy}}
+"""
+
+
+@pytest.mark.parametrize("moments", ["ABC", "AAC"])
+def test_it_is_the_same_whichever_own_axis_is_the_axis(moments: str) -> None:
+    """A body without symmetry goes by its own axes, a symmetric one by axes that do not spin with it."""
+    a, b, c = moments
+    runs = [
+        simulate(NODS.format(principal=f"[{a}, {b}, {c}]", axis="z", tip="[0, 0, -l]"), 0.5),
+        simulate(NODS.format(principal=f"[{b}, {c}, {a}]", axis="y", tip="[0, -l, 0]"), 0.5),
+        simulate(NODS.format(principal=f"[{c}, {a}, {b}]", axis="x", tip="[-l, 0, 0]"), 0.5),
+    ]
+    words = ("tilt", "precession", "spin", "nutation", "angular_momentum.x", "position.y", "kinetic_energy")
+    names = [f"top.{word}" for word in words]
+    one, *others = [run.at(0.45) for run in runs]
+    for found in others:
+        assert all(abs(one[name][0] - found[name][0]) <= one[name][1] + found[name][1] for name in names)
+    for turned, axes in zip(others, ("zxy", "yzx"), strict=True):
+        pairs = [(f"top.{here}_axis.x", f"top.{there}_axis.x") for here, there in zip("xyz", axes, strict=True)]
+        assert all(abs(one[here][0] - turned[there][0]) <= one[here][1] + turned[there][1] for here, there in pairs)
+
+
+def test_what_is_clamped_together_moves_as_one_body() -> None:
+    rod, box = "{shape: rod, mass: 1 kg, length: 1 m", "{shape: cuboid, mass: 1 kg, sides: [0.1 m, 0.2 m, 0.3 m]"
+    frame = "title: Hammer\nup: z\nbodies: {{{}}}\nconnections: {{{}}}\nstates: {{s: {{arm.angular_velocity: [0, 1 rad/s, 2 rad/s]}}}}\n"
+    frame += "find: {{K: arm.kinetic_energy}}\n"
+    bodies = f"arm: {rod}, points: {{Q: [0.5 m, 0, 0]}}}}, head: {box}}}"
+    two = simulate(frame.format(bodies, "pin: {ball: arm.start}, joint: {clamp: [arm.Q, head]}"), 1).at(1.0)
+    parts = (
+        f"arm: {{parts: {{r: {rod}, at: [0, 0, 0]}}, b: {box}, at: [0.5 m, 0, 0]}}}}, points: {{S: [-0.5 m, 0, 0]}}}}"
+    )
+    one = simulate(frame.format(parts, "pin: {ball: arm.S}"), 1).at(1.0)
+    for axis in "xyz":
+        (value, bound), (other, wide) = one[f"arm.x_axis.{axis}"], two[f"arm.x_axis.{axis}"]
+        assert abs(value - other) <= bound + wide
+    energies = one["arm.kinetic_energy"][0], two["arm.kinetic_energy"][0] + two["head.kinetic_energy"][0]
+    assert abs(energies[0] - energies[1]) < 1e-13 and abs(two["head.position.z"][0]) > 0.01
+
+
+HUNG = """title: Disc on a hinge
+up: z
+gravity: none
+given: {{c: 0.5 N m s, k: 0.7 N m}}
+bodies: {{disc: {{shape: disc, mass: 1 kg, radius: 1 m}}}}
+connections: {{pin: {{hinge: disc.center, along: z}}}}
+actions: {{brake: {{couple: {couple}, on: disc, direction: z}}}}
+states: {{start: {{disc.angle: 0.3 rad, disc.angular_velocity: {rate}}}}}
+find: {{K: disc.kinetic_energy}}
+"""
+
+
+def test_a_couple_may_vary_with_the_angle_and_the_rate_about_a_hinge() -> None:
+    """J = ½ kg m²: ω₀ e^(−c t/J), and φ₀ cos(t √(k/J))."""
+    value, bound = simulate(HUNG.format(couple="-c*disc.angular_velocity", rate="3 rad/s"), 2).at(1.5)[
+        "disc.angular_velocity"
+    ]
+    assert abs(value - 3 * math.exp(-1.5)) <= bound + 1e-15
+    value, bound = simulate(HUNG.format(couple="-k*disc.angle/(1 rad)", rate="0 rad/s"), 2).at(1.5)["disc.angle"]
+    assert abs(value - 0.3 * math.cos(1.5 * math.sqrt(1.4))) <= bound + 1e-15
+
+
+def test_bars_that_begin_at_nothing_have_the_sign_that_follows() -> None:
+    """∫ |sin 3 t| dt = (1 − cos 3 t)/3 at first."""
+    scene = HUNG.format(couple="(1 N m)*abs(sin(3*time*1 rad/s))", rate="0 rad/s")
+    value, bound = simulate(scene, 1).at(0.7)["disc.angular_velocity"]
+    assert abs(value - 2 * (1 - math.cos(2.1)) / 3) <= bound + 1e-15

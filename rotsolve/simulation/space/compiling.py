@@ -17,7 +17,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.tape import BITS, ZERO, Exact, Unwritable
 from rotsolve.core.drive import TRAVELLING
 from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import ACCELERATIONS, TIME, is_key, key_of
+from rotsolve.core.symbols import ACCELERATIONS, TIME, is_key, key_of, paths_in
 from rotsolve.language.noted import read_all
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet, path_text
@@ -116,7 +116,9 @@ class SpaceCompiler(Struct, dict=True):
         for refused in laws.unwritten.values():
             raise refused
         self._enter_inertias()
-        written = ((law, (law.left - law.right).substitute(idle)) for law in equations)
+        written = [(law, (law.left - law.right).substitute(idle)) for law in equations]
+        for _, formula in written:
+            self._enter_paths(formula)
         told = [(law, formula) for law, formula in written if self._numbered(formula)]
         unknown = {name for _, formula in told for name in formula.symbols()} - self.letters.keys()
         try:
@@ -126,6 +128,18 @@ class SpaceCompiler(Struct, dict=True):
         except Contradictory as error:
             label = told[error.equation][0].label
             raise NotYet(f"the data contradict each other: “{label}” can not hold") from None
+
+    def _enter_paths(self, formula: Formula) -> None:
+        """What a force or couple varies with: the angle and the rate of a body about its hinge."""
+        for letter, owner, quantity in paths_in(formula):
+            joint = self.moment.held.main(owner) if owner in self.moment.held.bodies else None
+            told: dict[str, Formula] = {}
+            if joint is not None and joint.turning:
+                word, rate, _ = self.moment.about_hinge(owner, joint)
+                told = {"angle": self.moment.hinge_angle(owner, joint), word: rate}
+            if quantity not in told:
+                raise NotYet(f"what varies with `{owner}.{quantity}` is not followed in space yet")
+            self.letters[letter] = self.tape.formula(told[quantity], self.letters)
 
     def _numbered(self, formula: Formula) -> bool:
         """Whether a law speaks of nothing that is constant and has no number: such a law tells nothing."""
