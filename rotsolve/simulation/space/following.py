@@ -69,10 +69,11 @@ def unfollowed(joint: Joint, held: JointedBodies) -> str:
     """What of a joint is not followed, in words; '' of others."""
     if joint.sliding or joint.flat:
         return "what slides is"
-    if joint.rolls and len(held.of_body(joint.body.owner)) > 1:
-        return "what rolls and is held or carried is"
-    if joint.rolls and joint.carrier.owner in held.bodies:
+    carrier, name = joint.carrier.owner, joint.body.owner
+    if joint.rolls and (len(held.of_body(name)) > 1 or held.bodies[name].moved):
+        return "what rolls and is held, carried or led is"
+    if joint.rolls and carrier in held.bodies:
         return "what rolls on a body is"
-    if held.wheel(joint.carrier.owner) if joint.carrier.owner in held.bodies else False:
-        return "what a wheel on an axle carries is"
+    if carrier in held.bodies and (held.wheel(carrier) or any(other.rolls for other in held.of_body(carrier))):
+        return "what a wheel carries is"
     return ""

@@ -9,11 +9,10 @@ from rotsolve.algebra.tape import HALF, ONE
 from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import EXTREMES, Condition, Path, State
+from rotsolve.language.problem import EXTREMES, Condition, State
 from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.series import rough_value
 from rotsolve.simulation.space.compiling import SpaceSystem
-from rotsolve.simulation.space.course import CourseMoment
 from rotsolve.simulation.space.outputs import Tilting
 from rotsolve.simulation.watches import BREAKS, REACHED, Watch, changing
 from rotsolve.space.attitude import IN_SPACE
@@ -49,18 +48,16 @@ def coming(state: State, system: SpaceSystem) -> Iterator[Watch]:
 
 
 def gap_in_space(line: Condition, system: SpaceSystem) -> int | None:
-    """The place of what is zero where a line holds; where a tilt or an angle is largest or smallest, of what falls through zero."""
+    """The place of what is zero where a line holds; where a tilt is largest or smallest, of what falls through zero."""
     path, tape = line.path, system.tape
     if path is None or path.component or path.point or line.axes or line.relative:
         return None
-    if line.value is None:
-        rate = changing_at(path, system.moment) if line.word in EXTREMES else None
-        return None if rate is None else tape.formula(rate if line.word == "largest" else negate(rate), system.letters)
-    if path.quantity == "time":
+    if path.quantity == "time" and line.value is not None:
         return tape.formula(Symbol(TIME) - line.value, system.letters)
     if path.quantity == "tilt" and system.moment.held.axis(path.owner) is not None:
-        height = Tilting(system.moment, path.owner).height
-        return tape.formula(heading(line.value).cos() - height, system.letters)
+        return tape.formula(gap_of_tilt(line, Tilting(system.moment, path.owner)), system.letters)
+    if line.value is None:
+        return None
     place = system.outputs.get(f"{path.owner}.{path.quantity}")
     if place is None:
         return None
@@ -69,10 +66,8 @@ def gap_in_space(line: Condition, system: SpaceSystem) -> int | None:
     return tape.function("sin", tape.scaled(beyond, HALF)) if turned else beyond
 
 
-def changing_at(path: Path, moment: CourseMoment) -> Formula | None:
-    """What has the sign of the rate of a tilt, or of an angle about a hinge."""
-    if path.quantity == "tilt" and moment.held.axis(path.owner) is not None:
-        return Tilting(moment, path.owner).sinking
-    joint = moment.held.main(path.owner)
-    hinged = path.quantity == "angle" and joint is not None and joint.turning
-    return moment.about_hinge(path.owner, joint)[1] if hinged and joint is not None else None
+def gap_of_tilt(line: Condition, tilting: Tilting) -> Formula:
+    """cos θ₀ − cos θ; sin θ times the rate at which it comes to its largest or smallest."""
+    if line.value is not None:
+        return heading(line.value).cos() - tilting.height
+    return tilting.sinking if line.word == "largest" else negate(tilting.sinking)
