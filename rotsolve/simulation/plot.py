@@ -36,7 +36,7 @@ def plot_run(run: Run, path: str) -> None:
     colours = dict(zip(dict.fromkeys(name.partition(".")[0] for name in names), cycle(COLOURS), strict=False))
     for axis, (unit, held) in zip(axes, panels.items(), strict=True):
         for name in held:
-            style = STYLES.get(component_of(name), "-")
+            style = STYLES.get(axis_in_name(name), "-")
             values = [row[name][0] if name in row else float("nan") for row in found]
             colour = colours[name.partition(".")[0]]
             axis.plot(times, values, style, color=colour, linewidth=1.6, label=curve_label(name))
@@ -47,7 +47,7 @@ def plot_run(run: Run, path: str) -> None:
     figure.savefig(path, dpi=150)
 
 
-def component_of(name: str) -> str:
+def axis_in_name(name: str) -> str:
     """The axis of a component, `x` of `box.angular_velocity.x in body axes`; '' of what has none."""
     component = name.rpartition(".")[2].partition(" ")[0]
     return component if component in STYLES else ""
@@ -55,7 +55,7 @@ def component_of(name: str) -> str:
 
 def curve_label(name: str) -> str:
     """Whose curve it is: `block`, `lower x`."""
-    return " ".join(filter(None, (name.partition(".")[0], component_of(name))))
+    return " ".join(filter(None, (name.partition(".")[0], axis_in_name(name))))
 
 
 def panels_of(names: tuple[str, ...]) -> dict[str, list[str]]:

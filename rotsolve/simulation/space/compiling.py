@@ -198,11 +198,11 @@ class SpaceCompiler(Struct, dict=True):
             if value.symbols() <= self.letters.keys()
         }
         numbers = {name: self.tape.constant(place) for name, place in places.items()}
-        moving = {whole_vector(name) for name, number in numbers.items() if number is None or not vanishes(number)}
+        moving = {vector_in_name(name) for name, number in numbers.items() if number is None or not vanishes(number)}
         return {
             name: place
             for name, place in places.items()
-            if whole_vector(name) in moving or whole_vector(name).rpartition(".")[2] not in TRAVELLING
+            if vector_in_name(name) in moving or vector_in_name(name).rpartition(".")[2] not in TRAVELLING
         }
 
     def _open_rates(self) -> list[str]:
@@ -211,7 +211,7 @@ class SpaceCompiler(Struct, dict=True):
         return [name for name in sorted(names) if key_of(name).kind in OPEN]
 
 
-def whole_vector(name: str) -> str:
+def vector_in_name(name: str) -> str:
     """The vector of which something is a component: `box.position` of `box.position.x`."""
     return name.rpartition(".")[0]
 

@@ -60,9 +60,9 @@ class Outputs(Struct):
             if not moment.held.pointlike(name):
                 yield from self.vector(Path(name, "angular_momentum"))
             yield f"{name}.kinetic_energy", add(*kinetic_energies(self.laws, name))
-        yield from by_axes(f"{name}.position", self.way(name))
+        yield from parts_of_vector(f"{name}.position", self.way(name))
         if moment.held.main(name) is None:
-            yield from by_axes(f"{name}.velocity", moment.of_centre(name, "velocity"))
+            yield from parts_of_vector(f"{name}.velocity", moment.of_centre(name, "velocity"))
 
     def of_turning(self, name: str) -> Iterator[Told]:
         moment, joint = self.moment, self.moment.held.main(name)
@@ -76,10 +76,10 @@ class Outputs(Struct):
         if own.rate == NOTHING:
             return
         if joint is None or not joint.turning:
-            yield from by_axes(f"{name}.angular_velocity", own.rate, IN_BODY)
+            yield from parts_of_vector(f"{name}.angular_velocity", own.rate, IN_BODY)
             yield from self.of_nodding(name)
         for axis, *column in zip(OWN_AXES, *own.rows, strict=True):
-            yield from by_axes(f"{name}.{axis}", (column[0], column[1], column[2]))
+            yield from parts_of_vector(f"{name}.{axis}", (column[0], column[1], column[2]))
 
     def of_nodding(self, name: str) -> Iterator[Told]:
         """Tilt, precession, nutation and spin of a body of which the scene speaks so."""
@@ -102,7 +102,7 @@ class Outputs(Struct):
             found, axes = SpaceReader(self.laws, {}, self.problem).vector(path, Term(path))
         except NotYet:
             return
-        yield from by_axes(f"{path.owner}.{path.quantity}", axes.to(IN_SPACE, found))
+        yield from parts_of_vector(f"{path.owner}.{path.quantity}", axes.to(IN_SPACE, found))
 
 
 class Tilting:
@@ -129,7 +129,7 @@ class Tilting:
         yield f"{self.name}.axial_rate", self.along
 
 
-def by_axes(name: str, vector: Triple, axes: str = "") -> Iterator[Told]:
+def parts_of_vector(name: str, vector: Triple, axes: str = "") -> Iterator[Told]:
     """The three components of a vector, none of one that is nothing."""
     if vector != NOTHING:
         for axis, part in zip(AXES, vector, strict=True):
