@@ -29,8 +29,8 @@ class Motion(NamedTuple):
     start: Callable[[Mathematics], list[Any]]
     rates: Callable[[Mathematics], Rates]
     read: Callable[[State, Any], list[Any]]  # (y, π) → the asked quantities, as the scene counts them
-    lagrangian: Callable[[Any, Any, Any], Any]  # (sympy, places, speeds) → L, for sympy.physics.mechanics
-    mujoco: MujocoModel
+    lagrangian: Callable[[Any, Any, Any], Any] | None = None  # (sympy, places, speeds) → L, for sympy.physics.mechanics
+    mujoco: MujocoModel | None = None
     pymunk: PymunkModel | None = None
     sticking: Sticking | None = None
 

@@ -15,6 +15,7 @@ def mujoco(problem: Problem, setting: str) -> list[float]:
     motion = motion_of(problem)
     model, data = mujoco_start(problem, setting)
     kind = motion.mujoco
+    assert kind is not None, problem.name
     if (drive := kind.control) is not None:
 
         def control(model: mj.MjModel, data: mj.MjData) -> None:
@@ -32,6 +33,7 @@ def mujoco_start(problem: Problem, setting: str) -> tuple[Any, Any]:
 
     motion = motion_of(problem)
     kind, start = motion.mujoco, motion.start(FLOATS)
+    assert kind is not None, problem.name
     model = mj.MjModel.from_xml_string(kind.xml.format(step=setting))
     data, half = mj.MjData(model), len(start) // 2
     data.qpos[:], data.qvel[:] = kind.enter(start[:half]), kind.enter(start[half:])

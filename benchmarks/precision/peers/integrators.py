@@ -74,6 +74,7 @@ def derived_rates(motion: Motion) -> Any:
 
     places = dynamicsymbols(f"q:{len(motion.start(FLOATS)) // 2}")
     speeds = [place.diff(dynamicsymbols._t) for place in places]
+    assert motion.lagrangian is not None
     method = LagrangesMethod(motion.lagrangian(sp, places, speeds), places)
     method.form_lagranges_equations()
     letters = sp.symbols(f"y:{2 * len(places)}")

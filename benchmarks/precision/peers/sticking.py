@@ -69,6 +69,7 @@ def sympy(problem: Problem, setting: str) -> list[float]:
     fixed, turning = ReferenceFrame("N"), ReferenceFrame("B")
     turning.orient_axis(fixed, fixed.z, angle)
     couple = friction.couple(sp, time, speed, sense)
+    assert motion.lagrangian is not None, problem.name
     method = LagrangesMethod(
         motion.lagrangian(sp, [angle], [speed]), [angle], forcelist=[(turning, couple * fixed.z)], frame=fixed
     )

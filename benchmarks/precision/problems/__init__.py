@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .driven_pulley import DRIVEN_PULLEY
+from .in_space import BOOK, HEAVY_TOP, MIDDLE
 from .period import PERIOD_60, PERIOD_170, PERIOD_179
 from .pulleys import MASS_RATIO, NEARLY_EQUAL
 from .rod import LONG, ROD, UPRIGHT
@@ -12,6 +13,7 @@ PROBLEMS = {
     problem.name: problem
     for problem in (
         *(ROD, UPRIGHT, TWO_RODS, DRIVEN_PULLEY, LONG),
+        *(BOOK, MIDDLE, HEAVY_TOP),
         *(PERIOD_60, PERIOD_170, PERIOD_179, NEARLY_EQUAL, MASS_RATIO),
     )
 }

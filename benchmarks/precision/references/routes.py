@@ -12,7 +12,7 @@ from mpmath import mp
 from ..peers.linear import newton
 from ..problem import Problem
 from ..problems.pulleys import HEAVY, LIGHT
-from . import extrapolation, series, slips
+from . import bodies, extrapolation, series, slips
 from .maths import maths, motion_of
 
 Route = Callable[[Problem], list[Any]]
@@ -127,6 +127,9 @@ ROUTES: dict[str, tuple[Route, Route]] = {
     "rod-1e-8-from-upright": (rod_by_elliptic_functions, extrapolated),
     "two-hinged-rods": (extrapolated, two_rods_by_hamilton),
     "driven-pulley": (slips.in_closed_form, slips.by_extrapolation),
+    "free-asymmetric-book": (extrapolated, bodies.book_by_its_momentum),
+    "book-1e-10-off-its-middle-axis": (extrapolated, bodies.book_by_its_momentum),
+    "heavy-top": (extrapolated, bodies.top_by_elliptic_functions),
     "rod-for-2000-s": (rod_by_elliptic_functions, rod_within_a_period),
     "period-from-60-degrees": (period_by_means, period_by_integral),
     "period-from-170-degrees": (period_by_means, period_by_integral),

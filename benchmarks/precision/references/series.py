@@ -40,11 +40,11 @@ def summed(given: list[arb], step: arb) -> arb:
     return value.mid()
 
 
-def integrate(field: Field, start: Callable[[], list[arb]], until: int, digits: int) -> list[arb]:
-    """y at a time, to about so many digits; `start` is called at the precision of the work."""
+def integrate(field: Field, start: Callable[[], list[arb]], until: int, digits: int, guard: int = 30) -> list[arb]:
+    """y at a time, to about so many digits, worked out with more on `guard`; `start` is called at the precision of the work."""
     order = round(1.3 * digits)
     precision, cap = ctx.dps, ctx.cap
-    ctx.dps, ctx.cap = digits + 30, order + 1
+    ctx.dps, ctx.cap = digits + guard, order + 1
     try:
         state, left = start(), arb(until)
         while left > 0:
