@@ -27,7 +27,7 @@ MOST_PLACES = 12  # within one phase
 RUNNING = (TIME, POSITION)  # how the forces vary in phases that are looked at
 
 
-class Way(Struct, frozen=True):
+class Running(Struct, frozen=True):
     """What runs in a phase, the time or a coordinate, and its values at both ends in order."""
 
     letter: str
@@ -43,12 +43,12 @@ def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]
             continue
         beside = Beside(search.apart().settled, search.signs)
         needs = [need for need in passage.midst.requirements if not (need.kind.grips or need.kind.placed)]
-        way = way_of(passage, interval, search, beside) if needs else None
-        if way is not None:
-            yield interval.end, tuple(least for need in needs for least in least_of(need, way, beside))
+        running = running_in(passage, interval, search, beside) if needs else None
+        if running is not None:
+            yield interval.end, tuple(least for need in needs for least in least_of(need, running, beside))
 
 
-def way_of(passage: Passage, interval: Interval, search: Search, beside: Beside) -> Way | None:
+def running_in(passage: Passage, interval: Interval, search: Search, beside: Beside) -> Running | None:
     """What runs in a phase; None where nothing tells its ends."""
     ends: tuple[Formula | None, Formula | None] = (None, None)
     letter = ""
@@ -63,7 +63,7 @@ def way_of(passage: Passage, interval: Interval, search: Search, beside: Beside)
     if start is None or end is None:
         return None
     try:
-        return Way(letter, start, end) if beside.side(end - start) > 0 else Way(letter, end, start)
+        return Running(letter, start, end) if beside.side(end - start) > 0 else Running(letter, end, start)
     except NotYet:
         return None
 
@@ -73,20 +73,20 @@ def in_numbers(value: Formula | None, beside: Beside) -> Formula | None:
     return None if value is None else value.substitute(dict(beside.signs.values))
 
 
-def least_of(need: Requirement, way: Way, beside: Beside) -> Iterator[Requirement]:
+def least_of(need: Requirement, running: Running, beside: Beside) -> Iterator[Requirement]:
     """A requirement at each place within a phase at which it has least to spare; none where the laws do not tell that."""
     margin = beside.settle(need.left - need.right)
-    if margin is None or way.letter not in margin.symbols():
+    if margin is None or running.letter not in margin.symbols():
         return
-    running = simplify(margin.substitute({way.letter: Symbol(TIME)}))  # Beside looks at functions of time
+    in_time = simplify(margin.substitute({running.letter: Symbol(TIME)}))  # Beside looks at functions of time
     try:
-        for least in least_values(running, way, beside):
+        for least in least_values(in_time, running, beside):
             yield Requirement(need.owner, ON_THE_WAY, least, ZERO, need.kept, f"{need.otherwise} on the way to")
     except NotYet:
         return
 
 
-def least_values(margin: Formula, way: Way, beside: Beside) -> Iterator[Formula]:
+def least_values(margin: Formula, running: Running, beside: Beside) -> Iterator[Formula]:
     """The values of a running margin where it is least within a phase; none where letters alone tell that it is positive there."""
     slope = simplify(differentiate(margin, TIME))
     if margin.symbols() - set(beside.values) - {TIME} or TIME not in slope.symbols():
@@ -96,23 +96,25 @@ def least_values(margin: Formula, way: Way, beside: Beside) -> Iterator[Formula]
     period = period_of(slope, TIME)
     if all(beside.signs.by_letters(simplify(bend.substitute({TIME: place}))) == -1 for place in places) and not period:
         return  # largest there
-    for mark in within(slope, places, period, way, beside):
+    for mark in zeros_between(slope, places, period, running, beside):
         least = simplify(margin.substitute({TIME: mark}))
         if beside.signs.by_letters(least) != 1 and beside.side(bend.substitute({TIME: mark})) == 1:
             yield least
 
 
-def within(slope: Formula, places: list[Formula], period: Formula | None, way: Way, beside: Beside) -> list[Formula]:
+def zeros_between(
+    slope: Formula, places: list[Formula], period: Formula | None, running: Running, beside: Beside
+) -> list[Formula]:
     """The zeros of a slope between the ends of a way: those of places without letters whole periods apart too."""
-    told = [*places, way.low, way.high, *([period] if period is not None else [])]
+    told = [*places, running.low, running.high, *([period] if period is not None else [])]
     if period is None or any(value.symbols() for value in told):
-        return beside.zeros(slope, way.low, way.high)
+        return beside.zeros(slope, running.low, running.high)
     found: list[Formula] = []
     for place in places:
-        first, last = (beside.number((end - place) / period) for end in (way.low, way.high))
+        first, last = (beside.number((end - place) / period) for end in (running.low, running.high))
         repeats = range(ceil(first), floor(last) + 1)
         if len(repeats) > MOST_PLACES:
             raise NotYet("it is least at too many places")
         found += [simplify(place + number * period) for number in repeats]
-    inner = [mark for mark in found if beside.side(mark - way.low) == 1 == beside.side(way.high - mark)]
+    inner = [mark for mark in found if beside.side(mark - running.low) == 1 == beside.side(running.high - mark)]
     return list(dict.fromkeys(inner))
