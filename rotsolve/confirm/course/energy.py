@@ -105,7 +105,7 @@ def spares(at: Node) -> dict[tuple[str, str], float]:
 
 
 def room_at(key: tuple[str, str], at: Node) -> float:
-    """One of them; what rounding takes off is nothing."""
+    """How far one of these is from giving way; what rounding takes off is nothing."""
     return spares(at).get(key, math.inf) + 1e-9 * max(map(abs, at.moment.reactions.values()), default=0.0)
 
 
