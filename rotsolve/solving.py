@@ -349,5 +349,5 @@ def check_law(search: Search, law: str) -> None:
     problem = search.scene.configuration.problem
     if used - {""} and law not in used:
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
-        message = f"{FAMILIES[law].words} does not settle anything that is asked here"
+        message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here"
         raise unsolvable(problem, message, None, f"it takes {others}")

@@ -11,7 +11,7 @@ from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_s
 from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
 
-LAWS = ("newton", "energy", "angular-momentum")
+LAWS = ("newton", "energy", "angular-momentum", "lagrange")
 STAGES = ("facts", "equations", "plan", "confirm")
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rotsolve.core.letters import Given
 
 Words = tuple["str | Formula", ...]
+NEXT = "\n"  # a part of the remark of a law behind which another sentence begins
 
 
 def in_a_row(letters: Iterable[Formula]) -> Words:
@@ -29,6 +30,17 @@ def in_a_row(letters: Iterable[Formula]) -> Words:
     for letter in letters:
         words += [", ", letter] if words else [letter]
     return tuple(words)
+
+
+def sentences(words: Words) -> tuple[Words, ...]:
+    """The sentences of a remark."""
+    found: list[Words] = [()]
+    for part in words:
+        if part == NEXT:
+            found.append(())
+        else:
+            found[-1] = (*found[-1], part)
+    return tuple(found)
 
 
 class Equality(Struct, frozen=True):

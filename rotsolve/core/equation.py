@@ -13,17 +13,26 @@ from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.core.derivation import Words
 from rotsolve.core.writing import spoken
 
-NEWTON, ENERGY, ANGULAR_MOMENTUM = "newton", "energy", "angular-momentum"
+NEWTON, ENERGY, ANGULAR_MOMENTUM, LAGRANGE = "newton", "energy", "angular-momentum", "lagrange"
 KINEMATICS = "kinematics"  # motion in time: used with every law, but not where only one moment is looked at
 SECOND_CHOICE = 5  # laws of this cost restate others: they serve only a law that is asked for, or a confirmation
 
 
 class Family(Struct, frozen=True):
-    """What `--law` may name: laws by which a problem can be solved alone. `words` is how it is said, `gives` the verb that follows."""
+    """What `--law` may name: laws by which a problem can be solved alone. `words` is how it is said, `gives` the verb that follows.
+
+    Laws that are written `only_asked` for restate the others: no scene is solved or confirmed by them unless `--law` names them.
+    """
 
     name: str
     words: str
     gives: str = "gives"
+    only_asked: bool = False
+
+    @property
+    def does(self) -> str:
+        """The verb in front of another one: does, do."""
+        return "does" if self.gives.endswith("s") else "do"
 
 
 FAMILIES = {  # an equation without a family serves them all
@@ -32,6 +41,7 @@ FAMILIES = {  # an equation without a family serves them all
         Family(NEWTON, "Newton's laws", "give"),
         Family(ENERGY, "energy"),
         Family(ANGULAR_MOMENTUM, "angular momentum"),
+        Family(LAGRANGE, "Lagrange's equations", "give", only_asked=True),
     )
 }
 
@@ -147,6 +157,12 @@ ANGLES_TURNED = Law("angles turned", "angular momentum summed over the time", AN
 RATE = Law("rate of angular momentum", "angular momentum about {point}: its rate is the torque", ANGULAR_MOMENTUM, 5)
 UNPRESSED = Law("unpressed", "{owner} can not pull, and nothing presses", cost=2)
 RESTITUTION = Law("restitution", "coefficient of restitution")
+
+# Lagrange's equations
+
+LAGRANGE_EQUATION = Law("Lagrange's equation", "Lagrange's equation, {coordinate}", LAGRANGE, 5)
+ENERGY_FUNCTION = Law("energy of the Lagrangian", "time does not occur in L: T + V is conserved", LAGRANGE, 5)
+CYCLIC = Law("momentum of a cyclic coordinate", "conserved, since cyclic: momentum of {coordinate}", LAGRANGE, 5)
 
 # motion
 

@@ -121,5 +121,5 @@ def checks(search: Search, letters: Letters, balls: KnownBalls) -> tuple[Check, 
 def alone(search: Search) -> Iterator[Check]:
     """Which answers took more than the law that was asked for."""
     if search.helped:
-        law = FAMILIES[search.families[0]].words
-        yield Check((f"{law} alone does not give ", *listed(search.helped), ": Newton's laws were used as well"))
+        law = FAMILIES[search.families[0]]
+        yield Check((f"{law.words} alone {law.does} not give ", *listed(search.helped), ": Newton's laws were used as well"))

@@ -12,8 +12,8 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Answer, Check, Derivation, Equality, LawLine, Move, Section, Trial, Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, LawLine, Move, Section, Trial, Words, sentences
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import TIME, key_of
 from rotsolve.core.vectors.heading import heading
@@ -131,7 +131,7 @@ def compared_formula(answered: Answered, results: Results) -> Formula:
     return results.letters.printed(asked.formula if asked.of_givens else Symbol(asked.letter))
 
 
-SENTENCES = (ENERGY, ANGULAR_MOMENTUM)  # the remarks of these laws are sentences of their own
+SENTENCES = (ENERGY, ANGULAR_MOMENTUM, LAGRANGE)  # the remarks of these laws are sentences of their own
 
 
 class DerivationComposer:
@@ -167,7 +167,7 @@ class DerivationComposer:
             sections=tuple(sections),
             answers=self.results.answers(),
             checks=checks,
-            equations_written=len(self.scene.equations),
+            equations_written=len(self.search.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
             trials=trials,
         )
@@ -245,7 +245,8 @@ class DerivationComposer:
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
         """Why what is conserved is conserved, as sentences."""
         laws = [law for law in map(self.pool.__getitem__, draft.laws) if law.family in SENTENCES and law.remark]
-        return tuple(map(self.letters.words, dict.fromkeys(law.remark for law in laws)))
+        remarks = dict.fromkeys(line for law in laws for line in sentences(law.remark))
+        return tuple(map(self.letters.words, remarks))
 
     # head
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import Formula, Integral, Symbol
-from rotsolve.algebra.notation.letters import INDEXED, PRIME
+from rotsolve.algebra.notation.letters import DOT, INDEXED, PRIME
 from rotsolve.core.derivation import Words
-from rotsolve.core.symbols import TIME, is_key
+from rotsolve.core.symbols import DOTTED, TIME, is_key, key_of
 from rotsolve.derivation.drafts import Diagrams, Draft
 from rotsolve.language.problem import Body, Find
 from rotsolve.search.search import Search
@@ -72,7 +74,15 @@ class Letters:
             found |= dict.fromkeys(self.diagrams.givens(draft))
         for answered in (*self.search.answered, *(side for chosen in self.search.chosen for side in chosen.sides)):
             found |= dict.fromkeys(sorted(answered.asked.formula.symbols()))
+        for draft in self.drafts:
+            found |= dict.fromkeys(self._in_remarks(draft))
         return tuple(found)
+
+    def _in_remarks(self, draft: Draft) -> Iterator[str]:
+        """Letters of what is said beside the laws of a section."""
+        laws = (self.search.planner.pool[index] for index in draft.laws)
+        for part in (part for law in laws for part in law.remark if isinstance(part, Formula)):
+            yield from sorted(part.symbols())
 
     def _in_equations(self, draft: Draft) -> Iterator[str]:
         """Letters of the laws and steps of a section."""
@@ -97,7 +107,8 @@ class Letters:
         others = [key for key in self._occurring if key not in chosen]
         chosen |= self._running(others, taken | set(chosen.values()), chosen.get(TIME, TIME))
         indices = own_indices(self.problem.bodies)
-        return self.search.scene.registry.letters(self._occurring, taken - set(chosen.values()), chosen, indices)
+        names = self.search.scene.registry.letters(self._occurring, taken - set(chosen.values()), chosen, indices)
+        return names | dotted(self._occurring, names)
 
     def _of_answers(self) -> dict[str, str]:
         """The names that the scene gives to what it asks for; a component that was asked before keeps that name."""
@@ -145,6 +156,13 @@ class Letters:
             if isinstance(node, Integral):
                 found.setdefault(node.variable, set()).update(node.integrand.symbols())
         return found
+
+
+def dotted(used: Iterable[str], names: Mapping[str, str]) -> dict[str, str]:
+    """The names of rates of coordinates: those of the coordinates with a dot."""
+    keys = [(name, key_of(name)) for name in used]
+    own = [(name, replace(key, kind=key.kind.removeprefix(DOTTED))) for name, key in keys if key.kind.startswith(DOTTED)]
+    return {name: names[key.name] + DOT for name, key in own if key.name in names}
 
 
 def own_indices(bodies: Iterable[Body]) -> dict[str, str]:

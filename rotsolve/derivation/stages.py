@@ -49,7 +49,7 @@ def equations_text(search: Search, letters: Letters) -> str:
     used = {index for answered in search.answered for index in answered.used}
     names = all_names(search, letters)
     lines = []
-    for index, equation in enumerate(search.scene.equations):
+    for index, equation in enumerate(search.equations):
         mark = "*" if index in used else " "
         place = f"[{spoken(equation.section)}] " if equation.section else ""
         lines.append(f"{mark} {place}{equation.label}: {in_text(equation, names)}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import FAMILIES, Equation
 from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
@@ -57,6 +57,7 @@ class SceneEquations(Struct, dict=True):
     registry: Registry = field(default_factory=Registry)
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
     told: list[tuple[str, Condition]] = field(default_factory=list)  # the quantities that lines of states fix, by key
+    restated: dict[str, list[Equation]] = field(default_factory=dict)  # those that `--law` has asked for, by family
     _instants: dict[tuple[str, bool, bool], Instant] = field(default_factory=dict)
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
     _moments: dict[object, list[Equation]] | None = None  # what is said of single states, by the modes there
@@ -193,6 +194,24 @@ class SceneEquations(Struct, dict=True):
             if not dearer and equation.left != equation.right and not self._empty(equation):
                 written[key] = equation
         return list(written.values())
+
+    def with_asked(self, families: Collection[str]) -> list[Equation]:
+        """All equations, with those of families that are written only where they are asked for."""
+        asked = [name for name in families if name in FAMILIES and FAMILIES[name].only_asked]
+        return [*self.equations, *(equation for name in asked for equation in self.asked_for(name))]
+
+    def asked_for(self, family: str) -> list[Equation]:
+        """The equations of such a family, written once."""
+        if family not in self.restated:
+            written = (one for one in self._restating() if one.family == family and not self._empty(one))
+            self.restated[family] = list(written)
+        return self.restated[family]
+
+    def _restating(self) -> Iterator[Equation]:
+        """Lagrange's equations, at each state, in the midst of phases, and what they keep over phases."""
+        from rotsolve.equations.lagrangian import by_lagrange
+
+        return by_lagrange(self)
 
     def _empty(self, equation: Equation) -> bool:
         """Whether an equation holds whatever happens (0 = 0 once rest is put in)."""

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
@@ -30,10 +30,13 @@ from rotsolve.core.equation import (
     CONSERVATION,
     COORDINATE,
     CUT_TORQUES,
+    CYCLIC,
     DERIVATIVE,
+    ENERGY_FUNCTION,
     GIVEN_MOTION,
     IN_TIME,
     INERTIA,
+    LAGRANGE_EQUATION,
     MOMENTUM,
     PERIOD,
     POWER,
@@ -67,6 +70,9 @@ from rotsolve.core.equation import (
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Encounter, Passage
 
+if TYPE_CHECKING:
+    from rotsolve.core.lagrangian import Lagrangian
+
 STATE = "state"  # AtMoment: each state
 GROUP = "group"  # OfGroup: tied bodies at a state
 PHASE = "phase"  # OverPhase
@@ -80,6 +86,8 @@ NEAR = "near"  # AtMoment: these bodies displaced from it
 SWINGING = "swinging"  # OfGroup: these bodies, at rest and displaced
 FOLLOWED = "followed"  # AtMoment: a moment of a simulation, for its forces and accelerations
 SPEEDS = "speeds"  # AtMoment: a moment of a simulation, for its speeds
+MOTION = "motion"  # OfMotion: tied bodies at a moment, as energies, where `--law lagrange` asks for it
+KEPT = "kept"  # BetweenMoments: the same over a phase
 
 
 class AtMoment(Struct, frozen=True):
@@ -121,6 +129,25 @@ class ThroughEvent(Struct, frozen=True):
     section: str
 
 
+class OfMotion(Struct, frozen=True):
+    """How tied bodies can move, in letters of places and rates, and what puts in for these what they are at the moment that is looked at."""
+
+    motion: Lagrangian
+    now: Callable[[Formula], Formula]
+    section: str
+    bodies: tuple[str, ...]
+
+
+class BetweenMoments(Struct, frozen=True):
+    """The same at the first and the last moment of a phase."""
+
+    motion: Lagrangian
+    first: Callable[[Formula], Formula]
+    last: Callable[[Formula], Formula]
+    section: str
+    bodies: tuple[str, ...]
+
+
 class Principle(Struct, frozen=True):
     """One row: the laws that a function writes, and for what: `scopes` are of one kind of record."""
 
@@ -137,7 +164,9 @@ def loaded(name: str) -> Callable[[Any], Iterator[Equation]]:
     return found
 
 
-def equations_for(scope: str, at: AtMoment | OfGroup | OverPhase | ThroughEvent) -> Iterator[Equation]:
+def equations_for(
+    scope: str, at: AtMoment | OfGroup | OverPhase | ThroughEvent | OfMotion | BetweenMoments
+) -> Iterator[Equation]:
     """All that the laws write for one part of a scene."""
     for row in LAWS:
         if scope in row.scopes:
@@ -187,4 +216,7 @@ LAWS = (
     Principle((UNPRESSED,), (EVENT,), "momentum:nothing_pressed"),
     Principle((RESTITUTION,), (EVENT,), "momentum:restitution"),
     Principle((RULE,), (EVENT,), "rules:rules_through_event"),
+    Principle((LAGRANGE_EQUATION,), (MOTION,), "lagrange:equations_of_motion"),
+    Principle((CYCLIC,), (KEPT,), "lagrange:conserved_momenta"),
+    Principle((ENERGY_FUNCTION,), (KEPT,), "lagrange:conserved_energy"),
 )

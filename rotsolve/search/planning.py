@@ -22,8 +22,9 @@ OF_ONE_MOMENT = ("acceleration", "angular_acceleration", *FORCES)
 
 
 def families_for(law: str | None) -> tuple[str, ...]:
-    """The equation families that a law may use; all for none."""
-    return (*FAMILIES, KINEMATICS) if law is None else (law, KINEMATICS)
+    """The equation families that a law may use; for none all but those that are written only where they are asked for."""
+    laws = [law] if law is not None else [one.name for one in FAMILIES.values() if not one.only_asked]
+    return (*laws, KINEMATICS)
 
 
 def forces_in(plan: Plan) -> int:

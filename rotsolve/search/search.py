@@ -49,7 +49,7 @@ STONES = {
 class Ground:
     """What all searches of a scene share: its equations as the planner sees them, its givens and their signs, the letters that run."""
 
-    def __init__(self, scene: SceneEquations) -> None:
+    def __init__(self, scene: SceneEquations, families: Collection[str]) -> None:
         configuration = scene.configuration
         problem = configuration.problem
         self.scene = scene
@@ -58,7 +58,8 @@ class Ground:
         self.signs = SignOracle(
             problem.values, configuration.positive, configuration.signs.limits, trials=problem.trials
         )
-        self.planner = Planner(scene.equations, [given.name for given in problem.givens if given.asked])
+        self.equations = scene.with_asked(families)
+        self.planner = Planner(self.equations, [given.name for given in problem.givens if given.asked])
         running = {"time"} | places_and_speeds(scene.passages.values())
         self.known = {given.name for given in problem.givens if not given.asked} | running
         self.running = frozenset(running | {swing.coordinate.name for swing in scene.swings.values()})
@@ -99,9 +100,9 @@ class Search(Struct, dict=True):
     extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        ground = self.ground = self.ground or Ground(self.scene)
+        ground = self.ground = self.ground or Ground(self.scene, self.families)
         self.givens, self.signs, self.values = ground.givens, ground.signs, ground.signs.values
-        self.planner = ground.planner.afresh()
+        self.planner, self.equations = ground.planner.afresh(), ground.equations
         self.stepwise = Stepwise(self.planner)
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}

@@ -49,6 +49,8 @@ _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_en
 _CHANGE = rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)"  # delta_theta, delta_K1; compiled late: rare
 _RUNNING = re.compile(r"([A-Za-z0-9_]+)\(([A-Za-z0-9_]+)\)")  # omega(t)
 PRIME = "'"  # marks a variable of integration beside its end: omega'
+DOT = "˙"  # behind the letter of a coordinate: its rate, x˙ is ẋ
+_OVER = "\u0307"  # the dot above a letter
 _TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
 
 
@@ -97,13 +99,14 @@ def greek(head: str) -> str:
 
 
 class Letter(Struct, frozen=True):
-    """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime, and the letter it is a function of."""
+    """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime or a dot, and the letter it is a function of."""
 
     head: str
     index: str = ""
     word: str = ""
     change: bool = False
     prime: bool = False
+    dotted: bool = False
     of: str = ""
 
 
@@ -117,6 +120,9 @@ def parts(name: str) -> Letter | None:
     if name.endswith(PRIME):
         inner = parts(name.removesuffix(PRIME))
         return None if inner is None else replace(inner, prime=True)
+    if name.endswith(DOT):
+        inner = parts(name.removesuffix(DOT))
+        return None if inner is None else replace(inner, dotted=True)
     if match := INDEXED.fullmatch(name):
         return Letter(match[1], match[2])
     if match := _WORDED.fullmatch(name):
@@ -131,7 +137,8 @@ def name_to_text(name: str) -> str:
         return name
     low = not letter.index and letter.word in _LETTERS
     below = subscripted(letter.word) if low else f"_{letter.word}" if letter.word else ""
-    text = f"{'Δ' * letter.change}{greek(letter.head)}{subscripted(letter.index)}{below}{'′' * letter.prime}"
+    head = greek(letter.head) + _OVER * letter.dotted
+    text = f"{'Δ' * letter.change}{head}{subscripted(letter.index)}{below}{'′' * letter.prime}"
     return f"{text}({name_to_text(letter.of)})" if letter.of else text
 
 
@@ -154,6 +161,7 @@ def name_to_latex(name: str) -> str:
     if letter is None:
         return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
     below = ",".join(filter(None, (letter.index, _latex_subscript(letter.word) if letter.word else "")))
-    text = rf"\Delta {_latex_head(letter.head)}" if letter.change else _latex_head(letter.head)
+    head = rf"\dot{{{_latex_head(letter.head)}}}" if letter.dotted else _latex_head(letter.head)
+    text = rf"\Delta {head}" if letter.change else head
     text += (f"_{{{below}}}" if below else "") + PRIME * letter.prime
     return f"{text}({name_to_latex(letter.of)})" if letter.of else text

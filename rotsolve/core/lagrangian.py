@@ -1,0 +1,119 @@
+"""Lagrangian: how tied bodies can move, as energies: T of the rates of independent coordinates and of places, and the power of forces.
+
+A place p that ties tell by the coordinates q grows at ṗ = Σ (∂p/∂q) q̇, so that ∂p/∂q is the derivative of that rate by q̇: no tie between
+places has to be solved, and Q = ∂(power)/∂q̇ is the virtual work of the forces per q (Goldstein, Poole & Safko, Classical Mechanics, §1.4).
+What is driven has no coordinate: its rate stands in T, and time itself where it is a function of that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+from msgspec import Struct
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.calculus.integral import antiderivative
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, divide, multiply, negate, total
+from rotsolve.core.writing import flat
+
+
+class Coordinate(Struct, frozen=True):
+    """An independent coordinate: its letter q, q̇ as a page writes it, the letter of its rate in T, what it is and which way it grows in words.
+
+    The rate may be another than q̇: a clockwise ω of an angle that grows counterclockwise, v of an angle on a circle.
+    """
+
+    letter: Symbol
+    dotted: Symbol
+    rate: str
+    words: str
+    positive: str = ""
+
+
+class Lagrangian(Struct, frozen=True, dict=True):
+    """The terms of T; the powers of forces that have a potential, of weights, which are integrated, and of what is `sprung`, whose energies are
+    told in `energies`; and those of all others that are `given`.
+
+    `growth` are the rates of places by their letters, those of the coordinates among them; `changes` those of rates.
+    """
+
+    coordinates: tuple[Coordinate, ...]
+    kinetic: tuple[Formula, ...]
+    weights: tuple[Formula, ...]
+    given: tuple[Formula, ...]
+    growth: Mapping[str, Formula]
+    changes: Mapping[str, Formula]
+    sprung: tuple[Formula, ...] = ()
+    energies: tuple[Formula, ...] = ()
+    order: tuple[str, ...] = ()  # of letters, in which a page writes factors
+    positive: frozenset[str] = frozenset()
+
+    def tidy(self, value: Formula) -> Formula:
+        """A formula in textbook form."""
+        return simplify(value, order=self.order, positive=self.positive)
+
+    def momentum(self, q: Coordinate) -> list[Formula]:
+        """∂T/∂q̇ by the coordinate's rate, of each term of T."""
+        return [differentiate(part, q.rate) for part in self.kinetic]
+
+    def inertial(self, q: Coordinate) -> Iterator[Formula]:
+        """d/dt(∂T/∂q̇) − ∂T/∂q by the coordinate's rate, of each term of T."""
+        for part, momentum in zip(self.kinetic, self.momentum(q), strict=True):
+            yield add(self.in_time(momentum), negate(self.slope(part, q)))
+
+    def in_time(self, value: Formula) -> Formula:
+        """d/dt of a function of places and rates, by the chain rule."""
+        pace = {**self.changes, **self.growth}
+        names = sorted(value.symbols() & pace.keys())
+        return total([multiply(differentiate(value, name), pace[name]) for name in names])
+
+    def slope(self, value: Formula, q: Coordinate) -> Formula:
+        """∂/∂q of a function of places, by the coordinate's rate, through all of them that grow with q."""
+        names = sorted(value.symbols() & self.growth.keys())
+        along = ((name, simplify(differentiate(self.growth[name], q.rate))) for name in names)
+        return total([multiply(differentiate(value, name), rate) for name, rate in along if rate != ZERO])
+
+    def efforts(self, q: Coordinate) -> list[Formula]:
+        """The generalized force by the coordinate's rate, force by force: −∂V/∂q too."""
+        return [differentiate(power, q.rate) for power in (*self.weights, *self.sprung, *self.given)]
+
+    def pace(self, q: Coordinate) -> Formula:
+        """The coordinate's rate per q̇, which is constant."""
+        return simplify(divide(Symbol(q.rate), self.growth[q.letter.name]))
+
+    def cyclic(self, q: Coordinate) -> bool:
+        """Whether ∂L/∂q and all else that pushes along q are nothing, wherever the bodies are."""
+        slopes = (self.slope(part, q) for part in self.kinetic)
+        return is_zero(total([*slopes, *self.efforts(q)]))
+
+    @cached_property
+    def energy(self) -> tuple[Formula, ...] | None:
+        """The terms of T + V, which stays the same; None where something gives energy or drives, or V is not found."""
+        rates = {q.rate for q in self.coordinates}
+        led = any(self.changes.keys() & part.symbols() - rates for part in self.kinetic)
+        if led or self.potential is None or any(not is_zero(power) for power in self.given):
+            return None
+        return (*self.kinetic, *self.potential)
+
+    @cached_property
+    def potential(self) -> tuple[Formula, ...] | None:
+        """The terms of V by the places; None where that of a weight is not found."""
+        found = [self.integrated(power) for power in self.weights]
+        known = [energy for energy in found if energy is not None]
+        return (*flat(known), *self.energies) if len(known) == len(found) else None
+
+    def integrated(self, power: Formula) -> Formula | None:
+        """V of a force whose power is −dV/dt: Σ ∫ (∂V/∂q) dq, coordinate after coordinate; None where it is not found so."""
+        energy: Formula = ZERO
+        for q in self.coordinates:
+            rest = simplify(negate(add(differentiate(power, q.rate), self.slope(energy, q))))
+            if rest == ZERO:
+                continue
+            primitive = antiderivative(simplify(multiply(rest, self.pace(q))), q.letter.name)
+            if primitive is None:
+                return None
+            energy = self.tidy(add(energy, primitive))
+        gaps = (add(differentiate(power, q.rate), self.slope(energy, q)) for q in self.coordinates)
+        return energy if all(map(is_zero, gaps)) else None
