@@ -350,4 +350,4 @@ def check_law(search: Search, law: str) -> None:
     if used - {""} and law not in used:
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
         message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here"
-        raise unsolvable(problem, message, None, f"it takes {others}")
+        raise unsolvable(problem, message, None, f"it takes {others or 'none of the laws: leave `--law` out'}")

@@ -161,7 +161,7 @@ RESTITUTION = Law("restitution", "coefficient of restitution")
 # Lagrange's equations
 
 LAGRANGE_EQUATION = Law("Lagrange's equation", "Lagrange's equation, {coordinate}", LAGRANGE, 5)
-ENERGY_FUNCTION = Law("energy of the Lagrangian", "time does not occur in L: T + V is conserved", LAGRANGE, 5)
+ENERGY_FUNCTION = Law("energy of the Lagrangian", "{words}", LAGRANGE, 5)
 CYCLIC = Law("momentum of a cyclic coordinate", "conserved, since cyclic: momentum of {coordinate}", LAGRANGE, 5)
 
 # motion

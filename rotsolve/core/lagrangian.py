@@ -20,16 +20,22 @@ from rotsolve.core.writing import flat
 
 
 class Coordinate(Struct, frozen=True):
-    """An independent coordinate: its letter q, q̇ as a page writes it, the letter of its rate in T, what it is and which way it grows in words.
+    """An independent coordinate: its letter q, the letter of its rate in T, what it is and which way it grows in words.
 
     The rate may be another than q̇: a clockwise ω of an angle that grows counterclockwise, v of an angle on a circle.
     """
 
     letter: Symbol
-    dotted: Symbol
     rate: str
     words: str
     positive: str = ""
+
+
+class Printed(Struct, frozen=True):
+    """The letters of a page: of places by those of the scene, and of q̇ by those of q."""
+
+    places: Mapping[str, Symbol]
+    dotted: Mapping[str, Symbol]
 
 
 class Lagrangian(Struct, frozen=True, dict=True):
@@ -45,6 +51,7 @@ class Lagrangian(Struct, frozen=True, dict=True):
     given: tuple[Formula, ...]
     growth: Mapping[str, Formula]
     changes: Mapping[str, Formula]
+    printed: Printed
     sprung: tuple[Formula, ...] = ()
     energies: tuple[Formula, ...] = ()
     order: tuple[str, ...] = ()  # of letters, in which a page writes factors
@@ -90,12 +97,10 @@ class Lagrangian(Struct, frozen=True, dict=True):
 
     @cached_property
     def energy(self) -> tuple[Formula, ...] | None:
-        """The terms of T + V, which stays the same; None where something gives energy or drives, or V is not found."""
+        """The terms of T + V, which grows by the work of what has no potential; None where V is not found, or T speaks of what is driven."""
         rates = {q.rate for q in self.coordinates}
         led = any(self.changes.keys() & part.symbols() - rates for part in self.kinetic)
-        if led or self.potential is None or any(not is_zero(power) for power in self.given):
-            return None
-        return (*self.kinetic, *self.potential)
+        return None if led or self.potential is None else (*self.kinetic, *self.potential)
 
     @cached_property
     def potential(self) -> tuple[Formula, ...] | None:

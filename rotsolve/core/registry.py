@@ -8,7 +8,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.symbols import PHASE, SPOKEN, TIME, SymbolKey, phase_midst
+from rotsolve.core.symbols import COURSE, PHASE, SPOKEN, TIME, SymbolKey, phase_midst
 
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
 
@@ -116,7 +116,7 @@ def _numbered(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str
 
 def _join(*parts: str) -> str:
     """A letter with owners and times as its index: words joined, no marks."""
-    for mark, word in SPOKEN.items():
+    for mark, word in (*SPOKEN.items(), (COURSE, "")):
         parts = tuple(part.replace(mark, word) for part in parts)
     return "_".join("_".join(part.split()) for part in parts if part)
 

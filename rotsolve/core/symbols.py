@@ -21,7 +21,7 @@ REST = "="  # marks the equilibrium about which a state's bodies swing
 NEAR = "≈"  # marks a moment of their swings
 COURSE = "…"  # marks a moment of a motion that is followed in time: all places and speeds are letters
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
-COORDINATE = "coordinate"  # the kind of a coordinate for which no place of the scene has a letter
+COORDINATE = "coordinate "  # in front of the kind of a place that a page writes as a coordinate
 DOTTED = "dotted "  # in front of the kind of a coordinate: its rate, printed as that letter with a dot
 PHASE = " to "  # within the name of a phase
 

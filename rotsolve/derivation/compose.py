@@ -148,6 +148,7 @@ class DerivationComposer:
         self.letters = Letters(search, self.drafts, self.diagrams)
         self.numbers = self._numbers()
         self.results = Results(search, self.letters, at)
+        self.told: set[Words] = set()  # sentences about a whole scene, which are told once
 
     def derivation(
         self, checks: tuple[Check, ...], before: tuple[Section, ...] = (), trials: tuple[Trial, ...] = ()
@@ -246,12 +247,14 @@ class DerivationComposer:
         """Why what is conserved is conserved, as sentences."""
         laws = [law for law in map(self.pool.__getitem__, draft.laws) if law.family in SENTENCES and law.remark]
         remarks = dict.fromkeys(line for law in laws for line in sentences(law.remark))
-        return tuple(map(self.letters.words, remarks))
+        fresh = [line for line in remarks if line not in self.told]
+        self.told.update(line for law in laws if len(lines := sentences(law.remark)) > 1 for line in lines)
+        return tuple(map(self.letters.words, fresh))
 
     # head
 
     def _conventions(self) -> tuple[Words, ...]:
-        angles = any(key_of(name).kind == "angle" for name in self.scene.registry.quantities)
+        angles = any(key_of(name).kind.endswith("angle") for name in self.scene.registry.quantities)
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
         said += self.scene.conventions()
         configuration = self.scene.configuration

@@ -6,7 +6,7 @@ the scene says of a moment is put in behind the derivatives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 
 from msgspec import Struct
@@ -15,11 +15,12 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, divide, multiply
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, divide, multiply, total
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Role
 from rotsolve.core.letters import letter_order
-from rotsolve.core.lagrangian import Coordinate, Lagrangian
+from rotsolve.core.lagrangian import Coordinate, Lagrangian, Printed
 from rotsolve.core.passage import Passage
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
@@ -50,7 +51,8 @@ def by_lagrange(scene: SceneEquations) -> Iterator[Equation]:
             yield from at_moment(scene, scene.instant(interval.start, generic=True), interval.name)
         for motions in motions_of(scene, interval.start):
             ends = motions.at_ends(scene.passages[interval.name])
-            yield from equations_for(KEPT, BetweenMoments(motions.motion, *ends, interval.name, motions.names))
+            works = motions.works(scene.passages[interval.name])
+            yield from equations_for(KEPT, BetweenMoments(motions.motion, *ends, interval.name, motions.names, works))
     for swing in scene.swings.values():
         near = [motions for motions in motions_of(scene, swing.near.state) if set(motions.names) & swing.group]
         for motions in near:
@@ -160,11 +162,12 @@ class Motions(Struct, frozen=True, dict=True):
         powers = [(role, simplify(power.substitute(self.ties))) for role, power in self._powers()]
         return Lagrangian(
             tuple(letters),
-            tuple(term.substitute(self.ties) for term in kinetic(self.bodies)),
+            tuple(term for body in self.bodies for term in self._kinetic(body)),
             tuple(power for role, power in powers if role.weighs and power != ZERO),
             tuple(power for role, power in powers if not role.stores and power != ZERO),
             growth,
             {rate.name: change for body in self.bodies for rate, change in self._changes(body)},
+            self._printed(growth, [q.letter.name for q in letters]),
             tuple(power for role, power in powers if role.stores and not role.weighs and power != ZERO),
             tuple(item.energy for item in potentials),
             self.order,
@@ -205,24 +208,38 @@ class Motions(Struct, frozen=True, dict=True):
         pairs = zip(*(rates_of_body(word, self.course, body.name) for word in MOVING), strict=True)
         yield from ((rate, change) for rate, change in pairs if isinstance(rate, Symbol))
 
+    def _kinetic(self, body: BodyFacts) -> Iterator[Formula]:
+        """½ m v² in one, and the other terms of T."""
+        assert self.ties is not None
+        terms = [term.substitute(self.ties) for term in kinetic([body])]
+        if body.motion.kind == "plane" and len(terms) > 1:
+            first, second, *terms = terms
+            both = total([first, second])
+            yield min((both, simplify(both, order=self.order)), key=length)
+        yield from terms
+
     def _letter(self, rate: str, growth: Mapping[str, Formula]) -> Coordinate:
         """The coordinate of a rate: the angle of the body where one grows with it alone, else a letter of its own."""
         key = key_of(rate)
         letter = next((name for name, pace in growth.items() if self._tells(name, key.owner, pace, rate)), None)
-        quantities = self.scene.registry.quantities
         if letter is not None:
-            quantities.setdefault(letter, self.course.registry.quantities[letter])
-            own = key_of(letter)
-            words = f"angle of {spoken(own.owner)}"
-        else:
-            kind = QUANTITIES["rotation" if key.turns else "displacement"]
-            plain = "phi" if key.turns else key.component or "x"
-            what = f"{COORDINATE} {kind.word}"
-            quantity = SceneQuantity(what, key.owner, COURSE, key.component, plain, kind.dimension)
-            quantities.setdefault(quantity.key, quantity)
-            own, words = key_of(quantity.key), f"{'angle turned by' if key.turns else 'way of'} {spoken(key.owner)}"
-        dotted = replace(own, kind=DOTTED + own.kind)
-        return Coordinate(Symbol(own.name), Symbol(dotted.name), rate, words, self._positive(own))
+            return Coordinate(Symbol(letter), rate, f"angle of {spoken(key_of(letter).owner)}", TURNS[0])
+        kind = QUANTITIES["rotation" if key.turns else "displacement"]
+        plain = "phi" if key.turns else key.component or "x"
+        own = SceneQuantity(kind.word, key.owner, COURSE, key.component, plain, kind.dimension)
+        self.course.registry.quantities.setdefault(own.key, own)
+        words = f"{'angle turned by' if key.turns else 'way of'} {spoken(key.owner)}"
+        return Coordinate(own.symbol, rate, words, self._positive(key))
+
+    def _printed(self, places: Iterable[str], coordinates: Iterable[str]) -> Printed:
+        """The letters of places and of the rates of coordinates on a page."""
+        known, found = self.course.registry.quantities, dict[str, Symbol]()
+        for name in places:
+            own = replace(known[name], kind=COORDINATE + known[name].kind, when=COURSE)
+            self.scene.registry.quantities.setdefault(own.key, own)
+            found[name] = own.symbol
+        keys = {name: key_of(found[name].name) for name in coordinates}
+        return Printed(found, {name: Symbol(replace(key, kind=DOTTED + key.kind).name) for name, key in keys.items()})
 
     def _tells(self, place: str, owner: str, pace: Formula, rate: str) -> bool:
         """Whether a place grows with a rate of its body alone."""
@@ -232,13 +249,15 @@ class Motions(Struct, frozen=True, dict=True):
         turns = key_of(rate).turns
         return (circle if not turns else own == owner) and pace.symbols() & set(self.rates) == {rate}
 
-    def _positive(self, key: SymbolKey) -> str:
-        """Which way a coordinate grows, in words."""
-        if key.kind == "angle":
-            return TURNS[0]
-        if key.kind == f"{COORDINATE} rotation":
-            return self.course.turn_words(key.owner)[0]
-        return {"x": "right", "y": "up"}.get(key.component) or self.course.line_words(key.owner)[0]
+    def _positive(self, rate: SymbolKey) -> str:
+        """Which way the coordinate of a rate grows, in words."""
+        if rate.turns:
+            return self.course.turn_words(rate.owner)[0]
+        return {"x": "right", "y": "up"}.get(rate.component) or self.course.line_words(rate.owner)[0]
+
+    def works(self, over: Passage) -> tuple[Formula, ...]:
+        """The works of what has no potential over a phase."""
+        return tuple(work.amount for work in over.works if set(self.names) & set(work.bodies))
 
     # the moment that is looked at
 
@@ -248,8 +267,8 @@ class Motions(Struct, frozen=True, dict=True):
         ways: dict[str, Formula] = {}
         for q in self.motion.coordinates:
             key = key_of(q.letter.name)
-            if key.kind.startswith(COORDINATE):
-                kind = "turn" if key.kind.endswith("rotation") else "line"
+            if key.when == COURSE:
+                kind = "turn" if key.kind == "rotation" else "line"
                 ways[q.letter.name] = changes.get((key.owner, kind, key.component), q.letter)
         first, last = (self.scene.instant(facts.state) for facts in (over.start, over.end))
         return self.putting_in(first, dict.fromkeys(ways, ZERO)), self.putting_in(last, ways)

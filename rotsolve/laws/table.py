@@ -139,13 +139,14 @@ class OfMotion(Struct, frozen=True):
 
 
 class BetweenMoments(Struct, frozen=True):
-    """The same at the first and the last moment of a phase."""
+    """The same at the first and the last moment of a phase, with the works of what has no potential."""
 
     motion: Lagrangian
     first: Callable[[Formula], Formula]
     last: Callable[[Formula], Formula]
     section: str
     bodies: tuple[str, ...]
+    works: tuple[Formula, ...] = ()
 
 
 class Principle(Struct, frozen=True):
@@ -218,5 +219,5 @@ LAWS = (
     Principle((RULE,), (EVENT,), "rules:rules_through_event"),
     Principle((LAGRANGE_EQUATION,), (MOTION,), "lagrange:equations_of_motion"),
     Principle((CYCLIC,), (KEPT,), "lagrange:conserved_momenta"),
-    Principle((ENERGY_FUNCTION,), (KEPT,), "lagrange:conserved_energy"),
+    Principle((ENERGY_FUNCTION,), (KEPT,), "lagrange:energy_over"),
 )
