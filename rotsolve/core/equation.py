@@ -162,6 +162,9 @@ RESTITUTION = Law("restitution", "coefficient of restitution")
 
 LAGRANGE_EQUATION = Law("Lagrange's equation", "Lagrange's equation, {coordinate}", LAGRANGE, 5)
 ENERGY_FUNCTION = Law("energy of the Lagrangian", "{words}", LAGRANGE, 5)
+TURNING_TILTS = Law(
+    "turning tilts", "energy and conserved momenta between two tilts without nutation, {body}", LAGRANGE, 5
+)
 CYCLIC = Law("momentum of a cyclic coordinate", "conserved, since cyclic: momentum of {coordinate}", LAGRANGE, 5)
 
 # motion

@@ -7,15 +7,19 @@ What is driven has no coordinate: its rate stands in T, and time itself where it
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.integral import antiderivative
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, divide, multiply, negate, total
+from rotsolve.core.letters import Given, letter_order
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import COORDINATE, COURSE, DOTTED, key_of
 from rotsolve.core.writing import flat
 
 
@@ -36,6 +40,25 @@ class Printed(Struct, frozen=True):
 
     places: Mapping[str, Symbol]
     dotted: Mapping[str, Symbol]
+
+
+def letters_of_page(places: Iterable[str], coordinates: Iterable[str], known: Registry, page: Registry) -> Printed:
+    """Letters of a page for places whose quantities are known, and for the rates of those that are coordinates."""
+    found = dict[str, Symbol]()
+    for name in places:
+        quantity = known.quantities[name]
+        own = replace(quantity, kind=COORDINATE + quantity.kind, when=COURSE)
+        found[name] = page.quantities.setdefault(own.key, own).symbol
+    keys = {name: key_of(found[name].name) for name in coordinates}
+    return Printed(found, {name: Symbol(replace(key, kind=DOTTED + key.kind).name) for name, key in keys.items()})
+
+
+def order_on_page(givens: Iterable[Given], registries: Sequence[Registry]) -> tuple[str, ...]:
+    """All letters, dotted ones too, in the order in which a textbook writes them in a product."""
+    quantities = {key: item for registry in registries for key, item in registry.quantities.items()}
+    rates = {**quantities, **{DOTTED + key: item for key, item in quantities.items()}}
+    named = [(given.name, given.dimension) for given in givens]
+    return letter_order([*named, *((key, item.dimension) for key, item in rates.items())])
 
 
 class Lagrangian(Struct, frozen=True, dict=True):

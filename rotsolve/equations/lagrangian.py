@@ -6,7 +6,7 @@ the scene says of a moment is put in behind the derivatives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 
 from msgspec import Struct
@@ -19,12 +19,12 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, divide, multiply, total
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Role
-from rotsolve.core.letters import letter_order
-from rotsolve.core.lagrangian import Coordinate, Lagrangian, Printed
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.lagrangian import Coordinate, Lagrangian, letters_of_page, order_on_page
 from rotsolve.core.passage import Passage
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
-from rotsolve.core.symbols import COORDINATE, COURSE, DOTTED, GENERIC, TIME, SymbolKey, key_of
+from rotsolve.core.symbols import COURSE, GENERIC, TIME, SymbolKey, key_of
 from rotsolve.core.vectors.heading import TURNS
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
@@ -76,6 +76,8 @@ def motions_of(scene: SceneEquations, state: str) -> Iterator[Motions]:
     for group in groups_of(scene.configuration, facts, state):
         bodies = [body for body in facts.bodies if body.name in group]
         if any(body.changing or body.sliding for body in bodies):
+            message = f"what changes or slides on {spoken(bodies[0].name)} is no rigid body, as Lagrange's equations take it here"
+            scene.not_restated.append(Unsolvable(message))
             continue
         found = Motions(scene, course, facts, tuple(bodies), scene.instant(state))
         if found.ties is not None and found.motion.coordinates:
@@ -167,7 +169,7 @@ class Motions(Struct, frozen=True, dict=True):
             tuple(power for role, power in powers if not role.stores and power != ZERO),
             growth,
             {rate.name: change for body in self.bodies for rate, change in self._changes(body)},
-            self._printed(growth, [q.letter.name for q in letters]),
+            letters_of_page(growth, [q.letter.name for q in letters], self.course.registry, self.scene.registry),
             tuple(power for role, power in powers if role.stores and not role.weighs and power != ZERO),
             tuple(item.energy for item in potentials),
             self.order,
@@ -177,10 +179,8 @@ class Motions(Struct, frozen=True, dict=True):
     @property
     def order(self) -> tuple[str, ...]:
         """All letters in the order in which a textbook writes them in a product."""
-        named = [(given.name, given.dimension) for given in self.scene.configuration.problem.givens]
-        quantities = {**self.course.registry.quantities, **self.scene.registry.quantities}
-        rates = {**quantities, **{DOTTED + key: item for key, item in quantities.items()}}
-        return letter_order([*named, *((key, item.dimension) for key, item in rates.items())])
+        givens = self.scene.configuration.problem.givens
+        return order_on_page(givens, (self.course.registry, self.scene.registry))
 
     def _powers(self) -> Iterator[tuple[Role, Formula]]:
         """The power of each force and couple that some motion could have, with what it is to its body."""
@@ -230,16 +230,6 @@ class Motions(Struct, frozen=True, dict=True):
         self.course.registry.quantities.setdefault(own.key, own)
         words = f"{'angle turned by' if key.turns else 'way of'} {spoken(key.owner)}"
         return Coordinate(own.symbol, rate, words, self._positive(key))
-
-    def _printed(self, places: Iterable[str], coordinates: Iterable[str]) -> Printed:
-        """The letters of places and of the rates of coordinates on a page."""
-        known, found = self.course.registry.quantities, dict[str, Symbol]()
-        for name in places:
-            own = replace(known[name], kind=COORDINATE + known[name].kind, when=COURSE)
-            self.scene.registry.quantities.setdefault(own.key, own)
-            found[name] = own.symbol
-        keys = {name: key_of(found[name].name) for name in coordinates}
-        return Printed(found, {name: Symbol(replace(key, kind=DOTTED + key.kind).name) for name, key in keys.items()})
 
     def _tells(self, place: str, owner: str, pace: Formula, rate: str) -> bool:
         """Whether a place grows with a rate of its body alone."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from msgspec.structs import replace
@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, Symbol, add, negate
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import RATE_IN_AXES, RULE, Equation
+from rotsolve.core.equation import LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
@@ -34,6 +34,7 @@ from rotsolve.space.stability import limit_of, steady_limit
 
 SIZE_OF_CHANGE = "size of change of"
 CHANGES = ("change of", "lost")
+ROTATING = (RATE_IN_AXES, LAGRANGE_EQUATION)  # what tells a steady precession
 
 
 class SpaceEquations(SceneEquations, dict=True):
@@ -139,10 +140,11 @@ class SpaceEquations(SceneEquations, dict=True):
             )
         own, kind = dynamics.moment.ask("precession", path.owner), QUANTITIES["precession"]
         root = self.registry.ask(SceneQuantity("precession", path.owner, state, term.modifier, "Omega", kind.dimension))
-        laws = [law for law in dynamics.equations() if law.law == RATE_IN_AXES and own.symbols() & law.symbols()]
+        written = (*dynamics.equations(), *(law for found in self.restated.values() for law in found))
+        laws = [law for law in written if law.law in ROTATING and law.section == state and own.symbols() & law.symbols()]
         if not isinstance(own, Symbol) or not laws:
             raise NotYet(f"`{path.owner}` has one `precession` only", path.span, f"leave out `{term.modifier}`")
-        return Meaning(root, kind.dimension, laws=(laws[0].renamed({own.name: root}),)), state
+        return Meaning(root, kind.dimension, laws=tuple(law.renamed({own.name: root}) for law in first_of_each(laws))), state
 
     def steady_limit(self, owner: str, state: str) -> Equation | None:
         """Where the steady precession of a body is just possible; None where it has none with two roots."""
@@ -199,6 +201,12 @@ class SpaceEquations(SceneEquations, dict=True):
         whole = tuple(part.formula for part, _ in parts)
         return replace(meaning, formula=length_of(triple(whole)), label="size of the change"), state
 
+    def _restating(self) -> Iterator[Equation]:
+        """Lagrange's equations at each state, and what they keep over phases."""
+        from rotsolve.space.lagrangian import by_lagrange_in_space
+
+        return by_lagrange_in_space(self)
+
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state."""
         for dynamics in self.dynamics.values():
@@ -208,6 +216,14 @@ class SpaceEquations(SceneEquations, dict=True):
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
             yield from through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
         yield from self.tensors.steps
+
+
+def first_of_each(laws: Iterable[Equation]) -> list[Equation]:
+    """The first equation by each law."""
+    found: dict[Law, Equation] = {}
+    for one in laws:
+        found.setdefault(one.law, one)
+    return list(found.values())
 
 
 def axial_rules(dynamics: SpaceLaws) -> Iterator[Equation]:
