@@ -7,7 +7,7 @@ What is driven has no coordinate: its rate stands in T, and time itself where it
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from msgspec import Struct
@@ -17,10 +17,14 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.integral import antiderivative
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, divide, multiply, negate, total
+from rotsolve.algebra.units.dimension import FORCE, TORQUE
 from rotsolve.core.letters import Given, letter_order
-from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import COORDINATE, COURSE, DOTTED, key_of
+from rotsolve.core.registry import Registry, SceneQuantity
+from rotsolve.core.symbols import COORDINATE, COURSE, DOTTED, key_of, real
 from rotsolve.core.writing import flat
+
+DOTS = ("", DOTTED, DOTTED + DOTTED)
+EFFORTS = (FORCE, TORQUE)
 
 
 class Coordinate(Struct, frozen=True):
@@ -35,37 +39,58 @@ class Coordinate(Struct, frozen=True):
     positive: str = ""
 
 
-class Printed(Struct, frozen=True):
-    """The letters of a page: of places by those of the scene, and of q̇ by those of q."""
-
-    places: Mapping[str, Symbol]
-    dotted: Mapping[str, Symbol]
-
-
-def letters_of_page(places: Iterable[str], coordinates: Iterable[str], known: Registry, page: Registry) -> Printed:
-    """Letters of a page for places whose quantities are known, and for the rates of those that are coordinates."""
-    found = dict[str, Symbol]()
-    for name in places:
-        quantity = known.quantities[name]
-        own = replace(quantity, kind=COORDINATE + quantity.kind, when=COURSE)
-        found[name] = page.quantities.setdefault(own.key, own).symbol
-    keys = {name: key_of(found[name].name) for name in coordinates}
-    return Printed(found, {name: Symbol(replace(key, kind=DOTTED + key.kind).name) for name, key in keys.items()})
+def dotted(letter: Formula) -> Formula:
+    """The letter of the rate of a coordinate."""
+    assert isinstance(letter, Symbol)
+    key = key_of(letter.name)
+    return Symbol(replace(key, kind=DOTTED + key.kind).name)
 
 
 def order_on_page(givens: Iterable[Given], registries: Sequence[Registry]) -> tuple[str, ...]:
     """All letters, dotted ones too, in the order in which a textbook writes them in a product."""
     quantities = {key: item for registry in registries for key, item in registry.quantities.items()}
-    rates = {**quantities, **{DOTTED + key: item for key, item in quantities.items()}}
     named = [(given.name, given.dimension) for given in givens]
-    return letter_order([*named, *((key, item.dimension) for key, item in rates.items())])
+    named += [(dots + key, item.dimension) for dots in DOTS for key, item in quantities.items()]
+    return letter_order(named)
+
+
+def pace_of_coordinate(q: Coordinate, growth: Mapping[str, Formula]) -> Formula:
+    """A coordinate's rate per q̇, by how its letter grows."""
+    return simplify(divide(Symbol(q.rate), growth[q.letter.name]))
+
+
+class PageLetters(Struct, frozen=True):
+    """The letters of the page on which a scene is written: those that are `known` at the moment of letters are of one kind each there; what
+    `real` tells of forces are the scene's own."""
+
+    known: Registry
+    page: Registry
+    real: Callable[[SceneQuantity], Formula]
+
+    def letters(
+        self, coordinates: Sequence[Coordinate], growth: Mapping[str, Formula], changes: Mapping[str, Formula]
+    ) -> dict[str, Formula]:
+        """What a page writes for places, for the rates of coordinates and the rates of these, and for what is driven."""
+        found = {name: self._letter(item) for name, item in self.known.quantities.items() if COURSE in item.when}
+        for q in coordinates:
+            letter, pace = found[q.letter.name], pace_of_coordinate(q, growth)
+            found[q.rate] = found[real(q.rate)] = multiply(pace, dotted(letter))
+            found |= {name: multiply(pace, dotted(dotted(letter))) for name in changes[q.rate].symbols()}
+        return found
+
+    def _letter(self, quantity: SceneQuantity) -> Formula:
+        if quantity.dimension in EFFORTS:
+            return self.real(quantity)
+        own = replace(quantity, kind=COORDINATE + quantity.kind, when=COURSE)
+        return self.page.quantities.setdefault(own.key, own).symbol
 
 
 class Lagrangian(Struct, frozen=True, dict=True):
-    """The terms of T; the powers of forces that have a potential, of weights, which are integrated, and of what is `sprung`, whose energies are
-    told in `energies`; and those of all others that are `given`.
+    """The terms of T; the powers of forces that have a potential, of `weights`, which are integrated, and of what is `sprung`, whose
+    energies are told; and those of all others that are `given`.
 
-    `growth` are the rates of places by their letters, those of the coordinates among them; `changes` those of rates.
+    `growth` are the rates of places by their letters, those of the coordinates among them; `changes` those of rates. `page` has
+    what a page writes for all these letters: q, q̇ and q̈.
     """
 
     coordinates: tuple[Coordinate, ...]
@@ -74,7 +99,7 @@ class Lagrangian(Struct, frozen=True, dict=True):
     given: tuple[Formula, ...]
     growth: Mapping[str, Formula]
     changes: Mapping[str, Formula]
-    printed: Printed
+    page: Mapping[str, Formula]
     sprung: tuple[Formula, ...] = ()
     energies: tuple[Formula, ...] = ()
     order: tuple[str, ...] = ()  # of letters, in which a page writes factors
@@ -111,7 +136,7 @@ class Lagrangian(Struct, frozen=True, dict=True):
 
     def pace(self, q: Coordinate) -> Formula:
         """The coordinate's rate per q̇, which is constant."""
-        return simplify(divide(Symbol(q.rate), self.growth[q.letter.name]))
+        return pace_of_coordinate(q, self.growth)
 
     def cyclic(self, q: Coordinate) -> bool:
         """Whether ∂L/∂q and all else that pushes along q are nothing, wherever the bodies are."""
@@ -120,7 +145,7 @@ class Lagrangian(Struct, frozen=True, dict=True):
 
     @cached_property
     def energy(self) -> tuple[Formula, ...] | None:
-        """The terms of T + V, which grows by the work of what has no potential; None where V is not found, or T speaks of what is driven."""
+        """The terms of T + V, which the work of what has no potential changes; None where V is not found, or T speaks of what is driven."""
         rates = {q.rate for q in self.coordinates}
         led = any(self.changes.keys() & part.symbols() - rates for part in self.kinetic)
         return None if led or self.potential is None else (*self.kinetic, *self.potential)

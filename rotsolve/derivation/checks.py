@@ -122,4 +122,6 @@ def alone(search: Search) -> Iterator[Check]:
     """Which answers took more than the law that was asked for."""
     if search.helped:
         law = FAMILIES[search.families[0]]
-        yield Check((f"{law.words} alone {law.does} not give ", *listed(search.helped), ": Newton's laws were used as well"))
+        yield Check(
+            (f"{law.words} alone {law.does} not give ", *listed(search.helped), ": Newton's laws were used as well")
+        )

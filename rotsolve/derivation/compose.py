@@ -12,10 +12,21 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Answer, Check, Derivation, Equality, LawLine, Move, Section, Trial, Words, sentences
+from rotsolve.core.derivation import (
+    Answer,
+    Check,
+    Derivation,
+    Equality,
+    LawLine,
+    Move,
+    Section,
+    Trial,
+    Words,
+    sentences,
+)
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.symbols import TIME, key_of
+from rotsolve.core.symbols import COORDINATE, TIME, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of, title
@@ -254,7 +265,10 @@ class DerivationComposer:
     # head
 
     def _conventions(self) -> tuple[Words, ...]:
-        angles = any(key_of(name).kind.endswith("angle") for name in self.scene.registry.quantities)
+        kinds = {key_of(name).kind for name in self.letters.names if not self.problem.space}
+        angles = COORDINATE + "angle" in kinds or any(
+            key_of(name).kind == "angle" for name in self.scene.registry.quantities
+        )
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
         said += self.scene.conventions()
         configuration = self.scene.configuration

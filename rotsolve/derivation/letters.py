@@ -108,7 +108,7 @@ class Letters:
         chosen |= self._running(others, taken | set(chosen.values()), chosen.get(TIME, TIME))
         indices = own_indices(self.problem.bodies)
         names = self.search.scene.registry.letters(self._occurring, taken - set(chosen.values()), chosen, indices)
-        return names | dotted(self._occurring, names)
+        return names | names_with_dots(self._occurring, names)
 
     def _of_answers(self) -> dict[str, str]:
         """The names that the scene gives to what it asks for; a component that was asked before keeps that name."""
@@ -158,11 +158,15 @@ class Letters:
         return found
 
 
-def dotted(used: Iterable[str], names: Mapping[str, str]) -> dict[str, str]:
-    """The names of rates of coordinates: those of the coordinates with a dot."""
-    keys = [(name, key_of(name)) for name in used]
-    own = [(name, replace(key, kind=key.kind.removeprefix(DOTTED))) for name, key in keys if key.kind.startswith(DOTTED)]
-    return {name: names[key.name] + DOT for name, key in own if key.name in names}
+def names_with_dots(used: Iterable[str], names: Mapping[str, str]) -> dict[str, str]:
+    """The names of rates of coordinates, and of the rates of these: those of the coordinates with a dot or two."""
+    found = {}
+    for name in used:
+        key = key_of(name)
+        own = replace(key, kind=key.kind.removeprefix(DOTTED).removeprefix(DOTTED))
+        if own != key and own.name in names:
+            found[name] = names[own.name] + DOT * key.kind.count(DOTTED)
+    return found
 
 
 def own_indices(bodies: Iterable[Body]) -> dict[str, str]:

@@ -20,7 +20,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, divide, multiply, to
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Role
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.lagrangian import Coordinate, Lagrangian, letters_of_page, order_on_page
+from rotsolve.core.lagrangian import Coordinate, Lagrangian, PageLetters, order_on_page
 from rotsolve.core.passage import Passage
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
@@ -162,14 +162,16 @@ class Motions(Struct, frozen=True, dict=True):
         letters = [self._letter(rate, growth) for rate in self.rates if rate not in (*self.ties, *self.driven)]
         growth |= {q.letter.name: Symbol(q.rate) for q in letters if q.letter.name not in growth}
         powers = [(role, simplify(power.substitute(self.ties))) for role, power in self._powers()]
+        changes = {rate.name: change for body in self.bodies for rate, change in self._changes(body)}
+        page = PageLetters(self.course.registry, self.scene.registry, lambda quantity: self._at(quantity, self.first))
         return Lagrangian(
             tuple(letters),
             tuple(term for body in self.bodies for term in self._kinetic(body)),
             tuple(power for role, power in powers if role.weighs and power != ZERO),
             tuple(power for role, power in powers if not role.stores and power != ZERO),
             growth,
-            {rate.name: change for body in self.bodies for rate, change in self._changes(body)},
-            letters_of_page(growth, [q.letter.name for q in letters], self.course.registry, self.scene.registry),
+            changes,
+            page.letters(letters, growth, changes),
             tuple(power for role, power in powers if role.stores and not role.weighs and power != ZERO),
             tuple(item.energy for item in potentials),
             self.order,

@@ -1,7 +1,7 @@
 """Lagrange's equations: d/dt(∂L/∂q̇) − ∂L/∂q = Q of each coordinate with which tied bodies can move, and the momenta that are conserved.
 
-L = T − V, Q of what has no potential (Goldstein, Poole & Safko, Classical Mechanics, §1.4, §2.6). Ideal supports, strings and rolling contacts
-give no power in any motion that they allow, so that their forces do not occur.
+L = T − V, Q of what has no potential (Goldstein, Poole & Safko, Classical Mechanics, §1.4, §2.6). Ideal supports, strings and rolling
+contacts give no power in any motion that they allow, so that their forces do not occur.
 """
 
 from __future__ import annotations
@@ -9,12 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import CYCLIC, ENERGY_FUNCTION, LAGRANGE_EQUATION, Equation
-from rotsolve.core.lagrangian import Coordinate, Lagrangian
+from rotsolve.core.lagrangian import Coordinate, Lagrangian, dotted
 from rotsolve.core.writing import flat, is_negative, moved, positive_first
 from rotsolve.laws.table import BetweenMoments, OfMotion
+
+LONG = 150  # nodes of an equation beyond which it is not written out beside its law
 
 
 def equations_of_motion(at: OfMotion) -> Iterator[Equation]:
@@ -59,9 +62,8 @@ def lagrangian_words(motion: Lagrangian) -> Words:
     lines: list[Words] = [coordinate_words(q, motion) for q in motion.coordinates]
     lines.append(("T = ", positive_first(as_printed(term, motion) for term in motion.kinetic)))
     if motion.potential:
-        lines.append(("V = ", tidied(motion.potential, motion)))
-    lines += [equation_words(q, motion) for q in motion.coordinates]
-    lines += [momentum_words(q, motion) for q in motion.coordinates if motion.cyclic(q)]
+        lines.append(("V = ", sum_on_page(motion.potential, motion)))
+    lines += [momentum_words(q, motion) if motion.cyclic(q) else equation_words(q, motion) for q in motion.coordinates]
     return tuple(part for line in lines for part in (NEXT, *line))[1:]
 
 
@@ -71,30 +73,34 @@ def coordinate_words(q: Coordinate, motion: Lagrangian) -> Words:
 
 
 def equation_words(q: Coordinate, motion: Lagrangian) -> Words:
-    """d/dt(∂L/∂ẋ) − ∂L/∂x = Q with L = T − V; by T alone where there is no V, and where it is not found, with all of Q."""
+    """d/dt(∂L/∂ẋ) − ∂L/∂x = (m + M) ẍ − m g = Q with L = T − V; by T alone where there is no V, with all of Q where it is not found."""
     stored = bool(motion.potential)
-    efforts = motion.efforts(q)[len(motion.weights) + len(motion.sprung) if stored else 0 :]
-    effort = tidied((multiply(term, motion.pace(q)) for term in efforts), motion)
-    letter, dotted = as_printed(q.letter, motion), motion.printed.dotted[q.letter.name]
-    of = "L" if stored else "T"
-    words: Words = (f"d/dt(∂{of}/∂", dotted, f") − ∂{of}/∂", letter, " = ", effort)
+    efforts = [multiply(term, motion.pace(q)) for term in motion.efforts(q)]
+    own = len(motion.weights) + len(motion.sprung) if stored else 0
+    inertial = [multiply(term, motion.pace(q)) for term in motion.inertial(q)]
+    whole = sum_on_page((*inertial, *map(negate, efforts[:own])), motion)
+    letter, of = as_printed(q.letter, motion), "L" if stored else "T"
+    words: Words = (f"d/dt(∂{of}/∂", dotted(letter), f") − ∂{of}/∂", letter, " = ", whole)
+    words = (
+        (*words, " = ", sum_on_page(efforts[own:], motion))
+        if length(whole) < LONG
+        else (*words[:-1], sum_on_page(efforts[own:], motion))
+    )
     return (*words, ", L = T − V") if stored else words
 
 
 def momentum_words(q: Coordinate, motion: Lagrangian) -> Words:
     """Of a cyclic coordinate: its momentum is conserved."""
-    momentum = tidied((multiply(term, motion.pace(q)) for term in motion.momentum(q)), motion)
-    letter, dotted = as_printed(q.letter, motion), motion.printed.dotted[q.letter.name]
-    return letter, " is cyclic: ∂T/∂", dotted, " = ", momentum, " is conserved"
+    momentum = sum_on_page((multiply(term, motion.pace(q)) for term in motion.momentum(q)), motion)
+    letter = as_printed(q.letter, motion)
+    return letter, " is cyclic: ∂T/∂", dotted(letter), " = ", momentum, " is conserved"
 
 
-def tidied(terms: Iterable[Formula], motion: Lagrangian) -> Formula:
+def sum_on_page(terms: Iterable[Formula], motion: Lagrangian) -> Formula:
     """A sum of terms, each in textbook form."""
     return positive_first(motion.tidy(as_printed(term, motion)) for term in terms)
 
 
 def as_printed(value: Formula, motion: Lagrangian) -> Formula:
     """A formula in the letters of pages: by q̇ instead of the rates of the scene."""
-    dotted = motion.printed.dotted
-    rates = {q.rate: multiply(motion.pace(q), dotted[q.letter.name]) for q in motion.coordinates}
-    return value.substitute({**motion.printed.places, **rates})
+    return value.substitute(dict(motion.page))

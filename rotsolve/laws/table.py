@@ -130,7 +130,7 @@ class ThroughEvent(Struct, frozen=True):
 
 
 class OfMotion(Struct, frozen=True):
-    """How tied bodies can move, in letters of places and rates, and what puts in for these what they are at the moment that is looked at."""
+    """How tied bodies can move, in letters of places and rates, and what puts in for these what they are at a moment."""
 
     motion: Lagrangian
     now: Callable[[Formula], Formula]

@@ -114,8 +114,10 @@ def law_that_gives(find: Find, search: Search) -> str:
     if search.families == families_for(None):
         return ""
     for law in families_for(None):
-        if law in FAMILIES and law not in search.families and has_answer(
-            find, search.another(families_for(law), spare=True, confirming=True)
+        if (
+            law in FAMILIES
+            and law not in search.families
+            and has_answer(find, search.another(families_for(law), spare=True, confirming=True))
         ):
             return f"{FAMILIES[law].words} gives it: say `--law {law}`, or leave `--law` out"
     whole = has_answer(find, search.another(families_for(None), confirming=True))

@@ -1,7 +1,7 @@
 """Lagrangian of bodies in space: Euler angles of what nods, angles on hinges and axles, ways on slides, places of what is free.
 
-T and the powers come from a moment at which all angles, ways and rates are letters, those of what is led along among them; what the scene says
-of a moment is put in behind the derivatives (Goldstein, Poole & Safko, Classical Mechanics, §5.7; Landau & Lifshitz, Mechanics, §35).
+T and the powers come from a moment at which all angles, ways and rates are letters, those of what is led along among them; what the
+scene says of a moment is put in behind the derivatives (Goldstein, Poole & Safko, Classical Mechanics, §5.7; Landau & Lifshitz, Mechanics, §35).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Symbol, add, mult
 from rotsolve.core.derivation import NEXT
 from rotsolve.core.equation import TURNING_TILTS, Equation
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.lagrangian import Coordinate, Lagrangian, letters_of_page, order_on_page
+from rotsolve.core.lagrangian import Coordinate, Lagrangian, PageLetters, order_on_page
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
@@ -43,7 +43,7 @@ from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import NODE, Attitude, Nodding, as_drawn, in_euler_angles, nodding, permutation
 from rotsolve.space.energies import kinetic_energies
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.moment import SECOND, SpaceMoment
+from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import turning_tilts
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.scene import SpaceEquations
@@ -84,7 +84,9 @@ class LetteredMoment(SpaceMoment):
         """Of a body that is told by ω along its own axes no coordinates have these rates."""
         if not self.held.pointlike(name):
             help = f"tell how it stands and turns by `{name}.tilt` and its rates"
-            raise Unsolvable(f"`{name}` is told by its angular velocity, whose parts are no rates of coordinates", help=help)
+            raise Unsolvable(
+                f"`{name}` is told by its angular velocity, whose parts are no rates of coordinates", help=help
+            )
         return super()._anyhow(name)
 
     def hinge_angle(self, name: str, joint: Joint) -> Formula | None:
@@ -128,7 +130,7 @@ def by_lagrange_in_space(scene: SpaceEquations) -> Iterator[Equation]:
         for motions in motions_in_space(scene, laws):
             now = motions.putting_in(laws)
             for equation in equations_for(MOTION, OfMotion(motions.motion, now, state, motions.names)):
-                yield without_sine_of_tilt(equation, motions.names, laws)
+                yield of_what_nods(equation, motions.names, laws)
     for interval in scene.configuration.timeline.intervals:
         before, after = scene.dynamics[interval.start], scene.dynamics[interval.end]
         for motions in motions_in_space(scene, before) if interval.event is None else ():
@@ -140,13 +142,15 @@ def by_lagrange_in_space(scene: SpaceEquations) -> Iterator[Equation]:
                         yield TURNING_TILTS.equation(found.left, found.right, interval.name, (name,))
 
 
-def without_sine_of_tilt(equation: Equation, names: Sequence[str], laws: SpaceLaws) -> Equation:
-    """An equation of what nods divided by sin θ, where that is a factor of all of it and not 0."""
-    for name in names:
-        if laws.moment.nods(name):
-            left, right, remark = laws.without_sine(name, equation.left, equation.right)
-            if remark:
-                return replace(equation, left=left, right=right, remark=(*equation.remark, NEXT, *remark))
+def of_what_nods(equation: Equation, names: Sequence[str], laws: SpaceLaws) -> Equation:
+    """An equation of what nods divided by sin θ, where that is a factor of it and not 0; of a fast spin without what is small then."""
+    for name in (name for name in names if laws.moment.nods(name)):
+        left, right, remark = laws.without_sine(name, equation.left, equation.right)
+        said, relation = ((NEXT, *remark) if remark else ()), equation.relation
+        if laws.fast:
+            left, fast = laws.of_fast_spin(name, left)
+            said, relation = (*said, *((NEXT, *fast) if fast else ())), "≈" if fast else relation
+        equation = replace(equation, left=left, right=right, remark=(*equation.remark, *said), relation=relation)
     return equation
 
 
@@ -163,7 +167,7 @@ def motions_in_space(scene: SpaceEquations, laws: SpaceLaws) -> Iterator[Motions
             groups.remove(own)
         groups.append((*(own or ()), name))
     for group in groups:
-        found = MotionsInSpace(scene, course, group)
+        found = MotionsInSpace(scene, course, group, moment)
         try:
             if found.motion.coordinates:
                 yield found
@@ -172,11 +176,12 @@ def motions_in_space(scene: SpaceEquations, laws: SpaceLaws) -> Iterator[Motions
 
 
 class MotionsInSpace(Struct, frozen=True, dict=True):
-    """Bodies that carry each other, at a moment at which all places and rates are letters."""
+    """Bodies that carry each other, at a moment at which places and rates are letters; `first` is that from which on they move so."""
 
     scene: SpaceEquations
     laws: SpaceLaws
     names: tuple[str, ...]
+    first: SpaceMoment
 
     @property
     def moment(self) -> LetteredMoment:
@@ -212,7 +217,9 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
             yield Freedom(rate, change, moment.letter("angle", name), words, bool(joint.drive))
         if joint.sliding and joint.pitch is None:
             rate, change = (sliding_rate(joint, moment, word) for word in MOVING)
-            yield Freedom(rate, change, moment.slid_by(name, joint), f"way of {spoken(name)} along {spoken(joint.owner)}")
+            yield Freedom(
+                rate, change, moment.slid_by(name, joint), f"way of {spoken(name)} along {spoken(joint.owner)}"
+            )
 
     def _of_led(self, name: str) -> Iterator[Freedom]:
         """The parts of the rates of what is led along, along its own axes: of these there are no places."""
@@ -234,14 +241,16 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
         ]
         powers = [(owner, simplify(power)) for name in self.names for owner, power in self._powers(name)]
         upright = not any(self.moment.held.bodies[name].moved for name in self.names)
+        changes = {rate: item.change for item in self.free for rate in item.rate.symbols()}
+        page = PageLetters(self.moment.registry, self.scene.registry, lambda item: self._same(item, self.first))
         return Lagrangian(
             tuple(coordinates),
             kinetic,
             tuple(power for weighs, power in powers if weighs and upright and power != ZERO),
             tuple(power for weighs, power in powers if not (weighs and upright) and power != ZERO),
             {**growth, TIME: ONE},
-            {rate: item.change for item in self.free for rate in item.rate.symbols()},
-            letters_of_page(growth, [q.letter.name for q in coordinates], self.moment.registry, self.scene.registry),
+            changes,
+            page.letters(coordinates, growth, changes),
             order=self.order,
             positive=frozenset(self.moment.positive),
         )
@@ -288,12 +297,15 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
             for item, (rate, change, place) in zip(found, self._at(name, real), strict=True):
                 pairs = (item.rate, rate), (item.change, change), (item.place, place)
                 values |= {letter.name: value for letter, value in pairs if isinstance(letter, Symbol)}
-        for key, quantity in self.moment.registry.quantities.items():
-            if key not in values:
-                same = replace(quantity, when=quantity.when.replace(self.moment.when, real.when))
-                real.registry.quantities.setdefault(same.key, same)
-                values[key] = real.registry.known.get(same.key, same.symbol)
+        others = {key: item for key, item in self.moment.registry.quantities.items() if key not in values}
+        values |= {key: self._same(item, real) for key, item in others.items()}
         return lambda value: simplify(value.substitute(values), order=self.order, positive=real.positive)
+
+    def _same(self, quantity: SceneQuantity, real: SpaceMoment) -> Formula:
+        """What another quantity of the letters' moment, such as a force, is at a moment."""
+        same = replace(quantity, when=quantity.when.replace(self.moment.when, real.when))
+        real.registry.quantities.setdefault(same.key, same)
+        return real.registry.known.get(same.key, same.symbol)
 
     def _at(self, name: str, real: SpaceMoment) -> Iterator[tuple[Formula, Formula, Formula]]:
         """The rates of a body's coordinates at a moment, how these change, and the places, in their order."""

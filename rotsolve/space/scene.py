@@ -141,10 +141,14 @@ class SpaceEquations(SceneEquations, dict=True):
         own, kind = dynamics.moment.ask("precession", path.owner), QUANTITIES["precession"]
         root = self.registry.ask(SceneQuantity("precession", path.owner, state, term.modifier, "Omega", kind.dimension))
         written = (*dynamics.equations(), *(law for found in self.restated.values() for law in found))
-        laws = [law for law in written if law.law in ROTATING and law.section == state and own.symbols() & law.symbols()]
+        laws = [
+            law for law in written if law.law in ROTATING and law.section == state and own.symbols() & law.symbols()
+        ]
         if not isinstance(own, Symbol) or not laws:
             raise NotYet(f"`{path.owner}` has one `precession` only", path.span, f"leave out `{term.modifier}`")
-        return Meaning(root, kind.dimension, laws=tuple(law.renamed({own.name: root}) for law in first_of_each(laws))), state
+        return Meaning(
+            root, kind.dimension, laws=tuple(law.renamed({own.name: root}) for law in first_of_each(laws))
+        ), state
 
     def steady_limit(self, owner: str, state: str) -> Equation | None:
         """Where the steady precession of a body is just possible; None where it has none with two roots."""

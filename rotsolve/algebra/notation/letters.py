@@ -49,8 +49,8 @@ _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_en
 _CHANGE = rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)"  # delta_theta, delta_K1; compiled late: rare
 _RUNNING = re.compile(r"([A-Za-z0-9_]+)\(([A-Za-z0-9_]+)\)")  # omega(t)
 PRIME = "'"  # marks a variable of integration beside its end: omega'
-DOT = "˙"  # behind the letter of a coordinate: its rate, x˙ is ẋ
-_OVER = "\u0307"  # the dot above a letter
+DOT = "˙"  # behind the letter of a coordinate: its rate, x˙ is ẋ, and x˙˙ ẍ
+_OVER = ("", "\u0307", "\u0308")  # the dots above a letter
 _TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
 
 
@@ -99,14 +99,14 @@ def greek(head: str) -> str:
 
 
 class Letter(Struct, frozen=True):
-    """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime or a dot, and the letter it is a function of."""
+    """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime, dots, and the letter it is a function of."""
 
     head: str
     index: str = ""
     word: str = ""
     change: bool = False
     prime: bool = False
-    dotted: bool = False
+    dots: int = 0
     of: str = ""
 
 
@@ -122,7 +122,7 @@ def parts(name: str) -> Letter | None:
         return None if inner is None else replace(inner, prime=True)
     if name.endswith(DOT):
         inner = parts(name.removesuffix(DOT))
-        return None if inner is None else replace(inner, dotted=True)
+        return None if inner is None else replace(inner, dots=inner.dots + 1)
     if match := INDEXED.fullmatch(name):
         return Letter(match[1], match[2])
     if match := _WORDED.fullmatch(name):
@@ -137,7 +137,7 @@ def name_to_text(name: str) -> str:
         return name
     low = not letter.index and letter.word in _LETTERS
     below = subscripted(letter.word) if low else f"_{letter.word}" if letter.word else ""
-    head = greek(letter.head) + _OVER * letter.dotted
+    head = greek(letter.head) + _OVER[letter.dots]
     text = f"{'Δ' * letter.change}{head}{subscripted(letter.index)}{below}{'′' * letter.prime}"
     return f"{text}({name_to_text(letter.of)})" if letter.of else text
 
@@ -161,7 +161,8 @@ def name_to_latex(name: str) -> str:
     if letter is None:
         return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
     below = ",".join(filter(None, (letter.index, _latex_subscript(letter.word) if letter.word else "")))
-    head = rf"\dot{{{_latex_head(letter.head)}}}" if letter.dotted else _latex_head(letter.head)
+    plain = _latex_head(letter.head)
+    head = rf"\{'d' * letter.dots}ot{{{plain}}}" if letter.dots else plain
     text = rf"\Delta {head}" if letter.change else head
     text += (f"_{{{below}}}" if below else "") + PRIME * letter.prime
     return f"{text}({name_to_latex(letter.of)})" if letter.of else text

@@ -32,8 +32,8 @@ def letter_to_mathml(name: str) -> str:
         return f"<mtext>{escape(name)}</mtext>"
     below = ",".join(filter(None, (found.index, found.word.replace("_", ","))))
     result = identifier(found.head)
-    if found.dotted:
-        result = f"<mover>{result}<mo>˙</mo></mover>"
+    if found.dots:
+        result = f"<mover>{result}<mo>{'˙¨'[found.dots - 1]}</mo></mover>"
     if below:
         result = f"<msub>{result}{subscript(below)}</msub>"
     if found.prime:
