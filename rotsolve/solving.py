@@ -350,4 +350,5 @@ def check_law(search: Search, law: str) -> None:
     if used - {""} and law not in used:
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
         message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here"
-        raise unsolvable(problem, message, None, f"it takes {others or 'none of the laws: leave `--law` out'}")
+        why = "".join(f"; {reason}" for reason in search.scene.not_restated[:1])
+        raise unsolvable(problem, message, None, f"it takes {others or 'none of the laws: leave `--law` out'}{why}")

@@ -8,6 +8,7 @@ What is driven has no coordinate: its rate stands in T, and time itself where it
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import cached_property
 
 from msgspec import Struct
@@ -16,11 +17,11 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.integral import antiderivative
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, divide, multiply, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, divide, multiply, negate, total
 from rotsolve.algebra.units.dimension import FORCE, TORQUE
 from rotsolve.core.letters import Given, letter_order
 from rotsolve.core.registry import Registry, SceneQuantity
-from rotsolve.core.symbols import COORDINATE, COURSE, DOTTED, key_of, real
+from rotsolve.core.symbols import COORDINATE, COURSE, DOTTED, TIME, key_of, real
 from rotsolve.core.writing import flat
 
 DOTS = ("", DOTTED, DOTTED + DOTTED)
@@ -143,12 +144,34 @@ class Lagrangian(Struct, frozen=True, dict=True):
         slopes = (self.slope(part, q) for part in self.kinetic)
         return is_zero(total([*slopes, *self.efforts(q)]))
 
+    @property
+    def closed(self) -> bool:
+        """Whether all that moves in T is a rate, or a place of which it is told how it grows."""
+        moving = {
+            name
+            for part in self.kinetic
+            for name in part.symbols()
+            if COURSE in key_of(name).when or key_of(name).running
+        }
+        return moving <= {*self.growth, *self.changes}
+
+    @cached_property
+    def natural(self) -> bool:
+        """Whether T is a square form of the rates of coordinates: nothing is led, so that Σ q̇ ∂T/∂q̇ = 2 T and T + V is the energy."""
+        doubled = (multiply(Symbol(q.rate), term) for q in self.coordinates for term in self.momentum(q))
+        return is_zero(add(total(list(doubled)), multiply(Number(Fraction(-2)), total(self.kinetic))))
+
     @cached_property
     def energy(self) -> tuple[Formula, ...] | None:
-        """The terms of T + V, which the work of what has no potential changes; None where V is not found, or T speaks of what is driven."""
+        """The terms of Σ q̇ ∂T/∂q̇ − T + V, which is T + V where nothing is led; None where time occurs in it, or V is not found."""
         rates = {q.rate for q in self.coordinates}
-        led = any(self.changes.keys() & part.symbols() - rates for part in self.kinetic)
-        return None if led or self.potential is None else (*self.kinetic, *self.potential)
+        led = any((self.changes.keys() | {TIME}) & part.symbols() - rates for part in self.kinetic)
+        if led or self.potential is None:
+            return None
+        if self.natural:
+            return (*self.kinetic, *self.potential)
+        doubled = (multiply(Symbol(q.rate), term) for q in self.coordinates for term in self.momentum(q))
+        return (*doubled, *map(negate, self.kinetic), *self.potential)
 
     @cached_property
     def potential(self) -> tuple[Formula, ...] | None:

@@ -6,7 +6,7 @@ the scene says of a moment is put in behind the derivatives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 
 from msgspec import Struct
@@ -19,7 +19,6 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, divide, multiply, total
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Role
-from rotsolve.core.faults import Unsolvable
 from rotsolve.core.lagrangian import Coordinate, Lagrangian, PageLetters, order_on_page
 from rotsolve.core.passage import Passage
 from rotsolve.core.quantity import QUANTITIES
@@ -42,45 +41,49 @@ TURNING = ("angular_velocity", "angular_acceleration", "angle", "rotation")
 def by_lagrange(scene: SceneEquations) -> Iterator[Equation]:
     """Lagrange's equations at each state, in the midst of phases in which forces vary, and of swings; and what is conserved over phases."""
     configuration = scene.configuration
+    known = {state.name: list(motions_of(scene, state.name, scene.modes)) for state in configuration.timeline.states}
     for state in configuration.timeline.states:
-        yield from at_moment(scene, scene.instant(state.name), scene.section(state.name))
+        yield from at_moment(known[state.name], scene.instant(state.name), scene.section(state.name))
     for interval in configuration.timeline.intervals:
         if interval.name not in scene.passages:
             continue
         if configuration.mentions.runs or scene.varies(interval):
-            yield from at_moment(scene, scene.instant(interval.start, generic=True), interval.name)
-        for motions in motions_of(scene, interval.start):
+            yield from at_moment(known[interval.start], scene.instant(interval.start, generic=True), interval.name)
+        for motions in (one for one in known[interval.start] if not one.drift):
             ends = motions.at_ends(scene.passages[interval.name])
             works = motions.works(scene.passages[interval.name])
             yield from equations_for(KEPT, BetweenMoments(motions.motion, *ends, interval.name, motions.names, works))
     for swing in scene.swings.values():
-        near = [motions for motions in motions_of(scene, swing.near.state) if set(motions.names) & swing.group]
-        for motions in near:
-            rest = [(swing.rest, swing.balanced)] if swing.found else []
-            for instant, section in (*rest, (swing.near, swing.section)):
-                now = motions.putting_in(instant)
-                yield from equations_for(MOTION, OfMotion(motions.motion, now, section, motions.names))
+        near = [one for one in motions_of(scene, swing.near.state, {}) if set(one.names) & swing.group]
+        if swing.found:
+            yield from at_moment(near, swing.rest, swing.balanced)
+        yield from at_moment(near, swing.near, swing.section)
 
 
-def at_moment(scene: SceneEquations, instant: Instant, section: str) -> Iterator[Equation]:
+def at_moment(moving: Iterable[Motions], instant: Instant, section: str) -> Iterator[Equation]:
     """Lagrange's equations of all that moves at a moment."""
-    for motions in motions_of(scene, instant.state):
+    for motions in moving:
         now = motions.putting_in(instant)
+        if not all(is_zero(now(gap)) for gap in motions.drift):
+            named = ", ".join(f"`{name}`" for name in motions.names)
+            motions.scene.not_restated.append(f"what ties {named} is told for one moment alone")
+            continue
         yield from equations_for(MOTION, OfMotion(motions.motion, now, section, motions.names))
 
 
-def motions_of(scene: SceneEquations, state: str) -> Iterator[Motions]:
-    """How each group of tied bodies can move from a state on; those of which energy does not tell are left out."""
-    course = Instant(scene.configuration, Registry(), state, True, scene.modes, virtual=True, mark=COURSE)
+def motions_of(scene: SceneEquations, state: str, modes: Mapping[str, str]) -> Iterator[Motions]:
+    """How each group of tied bodies can move from a state on; why nothing is written of others is noted."""
+    course = Instant(scene.configuration, Registry(), state, True, modes, virtual=True, mark=COURSE)
     facts = free_bodies(course)
     for group in groups_of(scene.configuration, facts, state):
         bodies = [body for body in facts.bodies if body.name in group]
-        if any(body.changing or body.sliding for body in bodies):
-            message = f"what changes or slides on {spoken(bodies[0].name)} is no rigid body, as Lagrange's equations take it here"
-            scene.not_restated.append(Unsolvable(message))
-            continue
         found = Motions(scene, course, facts, tuple(bodies), scene.instant(state))
-        if found.ties is not None and found.motion.coordinates:
+        named = ", ".join(f"`{name}`" for name in found.names)
+        if any(body.changing or body.sliding for body in bodies):
+            scene.not_restated.append(f"the inertia of {named} changes on the way, or something slides on it")
+        elif found.ties is None or not found.motion.closed:
+            scene.not_restated.append(f"what is said of the motion of {named} does not tie places")
+        elif found.motion.coordinates:
             yield found
 
 
@@ -145,6 +148,18 @@ class Motions(Struct, frozen=True, dict=True):
                 return None
             found = {other: simplify(told.substitute({name: value})) for other, told in found.items()} | {name: value}
         return found
+
+    @cached_property
+    def drift(self) -> tuple[Formula, ...]:
+        """What the rules for accelerations differ by from what those for rates become in time: nothing where they hold on the way too."""
+        assert self.ties is not None
+        whole, found = replace(self.motion, growth=dict(self._places())), []
+        for rule in self.facts.rules:
+            if set(self.names) & set(rule.bodies) and rule.acceleration is not None:
+                grown = whole.in_time(simplify(rule.velocity[0] - rule.velocity[1]))
+                gap = grown - (rule.acceleration[0] - rule.acceleration[1])
+                found.append(simplify(gap.substitute(self.ties)))
+        return tuple(gap for gap in found if gap != ZERO)
 
     def _leaving(self, gap: Formula) -> list[str]:
         """The rates of a tie that it may tell, the least wanted as a coordinate first."""
@@ -223,7 +238,7 @@ class Motions(Struct, frozen=True, dict=True):
     def _letter(self, rate: str, growth: Mapping[str, Formula]) -> Coordinate:
         """The coordinate of a rate: the angle of the body where one grows with it alone, else a letter of its own."""
         key = key_of(rate)
-        letter = next((name for name, pace in growth.items() if self._tells(name, key.owner, pace, rate)), None)
+        letter = next((name for name in growth if self._tells(name, key.owner, growth, rate)), None)
         if letter is not None:
             return Coordinate(Symbol(letter), rate, f"angle of {spoken(key_of(letter).owner)}", TURNS[0])
         kind = QUANTITIES["rotation" if key.turns else "displacement"]
@@ -233,13 +248,15 @@ class Motions(Struct, frozen=True, dict=True):
         words = f"{'angle turned by' if key.turns else 'way of'} {spoken(key.owner)}"
         return Coordinate(own.symbol, rate, words, self._positive(key))
 
-    def _tells(self, place: str, owner: str, pace: Formula, rate: str) -> bool:
-        """Whether a place grows with a rate of its body alone."""
+    def _tells(self, place: str, owner: str, places: Mapping[str, Formula], rate: str) -> bool:
+        """Whether a place grows in proportion to a rate of its body."""
+        pace = places[place]
         own = key_of(place).owner
         body = next(body for body in self.bodies if body.name == owner)
         circle = body.motion.bend is not None and place in body.motion.bend.outward.formula().symbols()
         turns = key_of(rate).turns
-        return (circle if not turns else own == owner) and pace.symbols() & set(self.rates) == {rate}
+        alone = pace.symbols() & set(self.rates) == {rate} and not simplify(pace / Symbol(rate)).symbols() & set(places)
+        return (circle if not turns else own == owner) and alone
 
     def _positive(self, rate: SymbolKey) -> str:
         """Which way the coordinate of a rate grows, in words."""

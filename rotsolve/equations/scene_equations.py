@@ -14,7 +14,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import FAMILIES, Equation
 from rotsolve.core.facts import Facts, Rule
-from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
@@ -58,7 +58,7 @@ class SceneEquations(Struct, dict=True):
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
     told: list[tuple[str, Condition]] = field(default_factory=list)  # the quantities that lines of states fix, by key
     restated: dict[str, list[Equation]] = field(default_factory=dict)  # those that `--law` has asked for, by family
-    not_restated: list[Unsolvable] = field(default_factory=list)  # why that was not done for some bodies
+    not_restated: list[str] = field(default_factory=list)  # why that was not done for some bodies
     _instants: dict[tuple[str, bool, bool], Instant] = field(default_factory=dict)
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
     _moments: dict[object, list[Equation]] | None = None  # what is said of single states, by the modes there

@@ -45,14 +45,18 @@ def conserved_momenta(between: BetweenMoments) -> Iterator[Equation]:
 
 
 def energy_over(between: BetweenMoments) -> Iterator[Equation]:
-    """T₁ + V₁ + W = T₂ + V₂: where L does not hang on time, only what has no potential changes T + V (Goldstein, Poole & Safko, §2.7)."""
-    energy = between.motion.energy
-    if energy is None:
+    """T₁ + V₁ + W = T₂ + V₂: where time does not occur in L, only what has no potential changes T + V.
+
+    Of what is carried round at a constant rate it is Σ q̇ ∂L/∂q̇ − L that stays (Goldstein, Poole & Safko, Classical Mechanics, §2.7).
+    """
+    energy, natural = between.motion.energy, between.motion.natural
+    if energy is None or (between.works and not natural):
         return
     before, after = ([end(term) for term in energy] for end in (between.first, between.last))
     left, right = moved(flat([*before, *between.works]), flat(after))
     if not is_zero(left - right):
-        label = "T₁ + V₁ + W = T₂ + V₂" if between.works else "T₁ + V₁ = T₂ + V₂: time does not occur in L"
+        kept = "T + V" if natural else "Σ q̇ ∂L/∂q̇ − L"
+        label = "T₁ + V₁ + W = T₂ + V₂" if between.works else f"time does not occur in L: {kept} is conserved"
         words = lagrangian_words(between.motion)
         yield ENERGY_FUNCTION.equation(left, right, between.section, between.bodies, words, words=label)
 

@@ -169,10 +169,10 @@ def motions_in_space(scene: SpaceEquations, laws: SpaceLaws) -> Iterator[Motions
     for group in groups:
         found = MotionsInSpace(scene, course, group, moment)
         try:
-            if found.motion.coordinates:
+            if found.motion.coordinates and found.motion.closed:
                 yield found
         except Unsolvable as error:
-            scene.not_restated.append(error)
+            scene.not_restated.append(error.fault.message)
 
 
 class MotionsInSpace(Struct, frozen=True, dict=True):
