@@ -5,7 +5,8 @@ One that waits for another is tried again; where a law asked for does not reach,
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -24,6 +25,7 @@ from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
+Got = TypeVar("Got")
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
 
 
@@ -171,8 +173,27 @@ def answer_with_condition(search: Search, find: Find) -> bool:
 
     if find.where is None and not over_a_letter(find, search):
         return False
-    answer_where(search, find)
+    try:
+        answer_where(search, find)
+    except (NotYet, NoAnswer) as error:
+        if NEWTON in search.families:
+            raise
+        with_newton(search, find.name, lambda: answer_where(search, find), error)
     return True
+
+
+def with_newton(search: Search, name: str, attempt: Callable[[], Got], error: Exception) -> Got:
+    """What an attempt gives with Newton's laws beside the law asked for, which is noted; the first error where that fails too."""
+    laws = search.families
+    search.families = (*laws, NEWTON)
+    try:
+        got = attempt()
+    except (NotYet, NoAnswer):
+        raise error from None
+    finally:
+        search.families = laws
+    search.helped += [name] if name not in search.helped else []
+    return got
 
 
 def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
@@ -189,17 +210,7 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
     except NoAnswer as error:
         if NEWTON in search.families:
             raise
-        laws = search.families
-        search.families = (*laws, NEWTON)
-        try:
-            answered = search.answer(question)
-        except NoAnswer:
-            raise error from None
-        finally:
-            search.families = laws
-        name = whole or find.name
-        search.helped += [name] if name not in search.helped else []
-        return answered
+        return with_newton(search, whole or find.name, lambda: search.answer(question), error)
 
 
 def stands_still(velocity: Vector, search: Search) -> bool:
