@@ -1,7 +1,7 @@
 """Lagrangian of bodies in space: Euler angles of what nods, angles on hinges and axles, ways on slides, places of what is free.
 
 T and the powers come from a moment at which all angles, ways and rates are letters, those of what is led along among them; what the
-scene says of a moment is put in behind the derivatives (Goldstein, Poole & Safko, Classical Mechanics, §5.7; Landau & Lifshitz, Mechanics, §35).
+scene says of a moment is put in behind the derivatives (Goldstein, Poole & Safko, Classical Mechanics, §5.7).
 """
 
 from __future__ import annotations

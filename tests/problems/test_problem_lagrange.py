@@ -76,7 +76,9 @@ def test_its_page_has_printed_letters_alone(problem_file: Path) -> None:
     assert [check for check in solution.checks if check.holds is False] == []
 
 
-@pytest.mark.parametrize("path", ["pulleys/atwood", "rolling/cylinder-on-incline", "space/leaning-top", "space/top-let-go"])
+@pytest.mark.parametrize(
+    "path", ["pulleys/atwood", "rolling/cylinder-on-incline", "space/leaning-top", "space/top-let-go"]
+)
 def test_whole_pages(path: str, regenerate: bool) -> None:
     file = Path(__file__).resolve().parents[2] / "problems" / f"{path}.yaml"
     text, golden = solved(file, LAGRANGE).to("text", width=100), GOLDEN / f"{file.stem}.txt"

@@ -77,7 +77,8 @@ def test_a_body_without_symmetry_has_psi_in_its_energy() -> None:
 
 REFUSED = {  # a scene, and words of its refusal
     "what rolls": (
-        GIVEN + "bodies: {w: {shape: disc, mass: M, radius: l}}\nsurfaces: {table: level}\nconnections: {t: {rolls: [w, table]}}\n"
+        GIVEN
+        + "bodies: {w: {shape: disc, mass: M, radius: l}}\nsurfaces: {table: level}\nconnections: {t: {rolls: [w, table]}}\n"
         "states: {now: {w.tilt: 80 deg, w.precession: 1 rad/s, steady: true}}\nfind: {s: w.spin}\n",
         "nonholonomic",
     ),

@@ -99,7 +99,7 @@ def greek(head: str) -> str:
 
 
 class Letter(Struct, frozen=True):
-    """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime, dots, and the letter it is a function of."""
+    """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime, dots, and what it is a function of."""
 
     head: str
     index: str = ""
