@@ -40,7 +40,7 @@ class Coordinate(Struct, frozen=True):
     positive: str = ""
 
 
-def dotted(letter: Formula) -> Formula:
+def rate_letter(letter: Formula) -> Formula:
     """The letter of the rate of a coordinate."""
     assert isinstance(letter, Symbol)
     key = key_of(letter.name)
@@ -75,8 +75,8 @@ class PageLetters(Struct, frozen=True):
         found = {name: self._letter(item) for name, item in self.known.quantities.items() if COURSE in item.when}
         for q in coordinates:
             letter, pace = found[q.letter.name], pace_of_coordinate(q, growth)
-            found[q.rate] = found[real(q.rate)] = multiply(pace, dotted(letter))
-            found |= {name: multiply(pace, dotted(dotted(letter))) for name in changes[q.rate].symbols()}
+            found[q.rate] = found[real(q.rate)] = multiply(pace, rate_letter(letter))
+            found |= {name: multiply(pace, rate_letter(rate_letter(letter))) for name in changes[q.rate].symbols()}
         return found
 
     def _letter(self, quantity: SceneQuantity) -> Formula:

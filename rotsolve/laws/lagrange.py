@@ -13,7 +13,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import CYCLIC, ENERGY_FUNCTION, LAGRANGE_EQUATION, Equation
-from rotsolve.core.lagrangian import Coordinate, Lagrangian, dotted
+from rotsolve.core.lagrangian import Coordinate, Lagrangian, rate_letter
 from rotsolve.core.writing import flat, is_negative, moved, positive_first
 from rotsolve.laws.table import BetweenMoments, OfMotion
 
@@ -50,7 +50,8 @@ def energy_over(between: BetweenMoments) -> Iterator[Equation]:
     Of what is carried round at a constant rate it is Σ q̇ ∂L/∂q̇ − L that stays (Goldstein, Poole & Safko, Classical Mechanics, §2.7).
     """
     energy, natural = between.motion.energy, between.motion.natural
-    if energy is None or (between.works and not natural):
+    unknown = bool(between.motion.given) and not between.works  # of what has no potential nobody tells the work
+    if energy is None or unknown or (between.works and not natural):
         return
     before, after = ([end(term) for term in energy] for end in (between.first, between.last))
     left, right = moved(flat([*before, *between.works]), flat(after))
@@ -84,7 +85,7 @@ def equation_words(q: Coordinate, motion: Lagrangian) -> Words:
     inertial = [multiply(term, motion.pace(q)) for term in motion.inertial(q)]
     whole = sum_on_page((*inertial, *map(negate, efforts[:own])), motion)
     letter, of = as_printed(q.letter, motion), "L" if stored else "T"
-    words: Words = (f"d/dt(∂{of}/∂", dotted(letter), f") − ∂{of}/∂", letter, " = ", whole)
+    words: Words = (f"d/dt(∂{of}/∂", rate_letter(letter), f") − ∂{of}/∂", letter, " = ", whole)
     words = (
         (*words, " = ", sum_on_page(efforts[own:], motion))
         if length(whole) < LONG
@@ -97,7 +98,7 @@ def momentum_words(q: Coordinate, motion: Lagrangian) -> Words:
     """Of a cyclic coordinate: its momentum is conserved."""
     momentum = sum_on_page((multiply(term, motion.pace(q)) for term in motion.momentum(q)), motion)
     letter = as_printed(q.letter, motion)
-    return letter, " is cyclic: ∂T/∂", dotted(letter), " = ", momentum, " is conserved"
+    return letter, " is cyclic: ∂T/∂", rate_letter(letter), " = ", momentum, " is conserved"
 
 
 def sum_on_page(terms: Iterable[Formula], motion: Lagrangian) -> Formula:

@@ -38,13 +38,14 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.writing import flat, spoken
 from rotsolve.language.bodies import Joint
 from rotsolve.language.problem import State
+from rotsolve.laws.lagrange import lagrangian_words
 from rotsolve.laws.table import KEPT, MOTION, BetweenMoments, OfMotion, equations_for
 from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import NODE, Attitude, Nodding, as_drawn, in_euler_angles, nodding, permutation
 from rotsolve.space.energies import kinetic_energies
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.passing import turning_tilts
+from rotsolve.space.passing import left_alone, turning_tilts
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.scene import SpaceEquations
 from rotsolve.space.sliding import lead, sliding_rate, sliding_way
@@ -126,20 +127,21 @@ class LetteredMoment(SpaceMoment):
 
 def by_lagrange_in_space(scene: SpaceEquations) -> Iterator[Equation]:
     """Lagrange's equations at each state, and what is conserved over phases."""
+    known = {state: list(motions_in_space(scene, laws)) for state, laws in scene.dynamics.items()}
     for state, laws in scene.dynamics.items():
-        for motions in motions_in_space(scene, laws):
+        for motions in known[state]:
             now = motions.putting_in(laws)
             for equation in equations_for(MOTION, OfMotion(motions.motion, now, state, motions.names)):
                 yield of_what_nods(equation, motions.names, laws)
     for interval in scene.configuration.timeline.intervals:
         before, after = scene.dynamics[interval.start], scene.dynamics[interval.end]
-        for motions in motions_in_space(scene, before) if interval.event is None else ():
+        for motions in known[interval.start] if interval.event is None else ():
             ends = motions.putting_in(before), motions.putting_in(after)
             yield from equations_for(KEPT, BetweenMoments(motions.motion, *ends, interval.name, motions.names))
-            if motions.motion.energy is not None:
-                for name in motions.names:
-                    for found in turning_tilts(name, interval, before, after):
-                        yield TURNING_TILTS.equation(found.left, found.right, interval.name, (name,))
+            for name in (name for name in motions.names if left_alone(before, name)):
+                for found in turning_tilts(name, interval, before, after):
+                    words = lagrangian_words(motions.motion)
+                    yield TURNING_TILTS.equation(found.left, found.right, interval.name, (name,), words)
 
 
 def of_what_nods(equation: Equation, names: Sequence[str], laws: SpaceLaws) -> Equation:

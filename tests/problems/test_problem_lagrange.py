@@ -21,12 +21,14 @@ RAW = re.compile(r"[a-z_]\|[a-z_]|…")  # the key of a quantity of the laws, wh
 SAID = FAMILIES[LAGRANGE].words
 
 BLOWS = """bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
-plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box blow-on-a-plate-at-a-corner"""
+plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
+blow-on-a-plate-at-a-corner disc-struck-at-its-rim"""
 INERTIA_CHANGES = """bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
 sand-on-a-turntable wheel-on-a-stool carpet-unrolls skater-pulls-in"""
 REACTIONS = """triangle-on-hinge ladder-inside plank-on-trestles plank-tips released-rod-inside whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
-rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed"""
+rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed
+fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance"""
 FRICTION = """ball-with-back-spin block-slides-onto-a-plank cylinder-between-floor-and-wall spinning-cylinder-set-down
 spinning-wheel-set-down spool-largest-pull"""
 NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
