@@ -144,16 +144,15 @@ class Lagrangian(Struct, frozen=True, dict=True):
         slopes = (self.slope(part, q) for part in self.kinetic)
         return is_zero(total([*slopes, *self.efforts(q)]))
 
+    def grows(self, value: Formula) -> bool:
+        """Whether all that moves in a formula is a rate, or a place of which it is told how it grows."""
+        moving = {name for name in value.symbols() if COURSE in key_of(name).when or key_of(name).running}
+        return moving <= {*self.growth, *self.changes}
+
     @property
     def closed(self) -> bool:
-        """Whether all that moves in T is a rate, or a place of which it is told how it grows."""
-        moving = {
-            name
-            for part in self.kinetic
-            for name in part.symbols()
-            if COURSE in key_of(name).when or key_of(name).running
-        }
-        return moving <= {*self.growth, *self.changes}
+        """Whether T can be differentiated: all that moves in it is known."""
+        return all(map(self.grows, self.kinetic))
 
     @cached_property
     def natural(self) -> bool:
@@ -182,6 +181,8 @@ class Lagrangian(Struct, frozen=True, dict=True):
 
     def integrated(self, power: Formula) -> Formula | None:
         """V of a force whose power is −dV/dt: Σ ∫ (∂V/∂q) dq, coordinate after coordinate; None where it is not found so."""
+        if not self.grows(power):
+            return None
         energy: Formula = ZERO
         for q in self.coordinates:
             rest = simplify(negate(add(differentiate(power, q.rate), self.slope(energy, q))))

@@ -96,6 +96,13 @@ def test_a_place_without_a_rate_is_noticed() -> None:
     assert not motion.closed
 
 
+def test_a_weight_on_a_track_of_unknown_form_has_no_potential() -> None:
+    """Its slope is an angle of which nothing tells how it grows: no constant under an integral."""
+    slope = Symbol("angle|track||…now")
+    motion = Lagrangian((X,), (m * v**2 / 2,), (-(m * g * v * call("sin", slope)),), (), {"x": v}, {"v": a}, {})
+    assert motion.closed and motion.potential is None and motion.energy is None
+
+
 DISC = """title: Block on a disc
 given: {m: 2 kg, M: 5 kg, R: 0.2 m}
 bodies: {disc: {shape: disc, mass: M, radius: R, turns: clockwise}, block: {mass: m, moves: down}}
