@@ -56,7 +56,7 @@ def energy_over(between: BetweenMoments) -> Iterator[Equation]:
     before, after = ([end(term) for term in energy] for end in (between.first, between.last))
     left, right = moved(flat([*before, *between.works]), flat(after))
     if not is_zero(left - right):
-        kept = "T + V" if natural else "Σ q̇ ∂L/∂q̇ − L"
+        kept = "T + V" if natural else "its energy function T₂ − T₀ + V"
         label = "T₁ + V₁ + W = T₂ + V₂" if between.works else f"time does not occur in L: {kept} is conserved"
         words = lagrangian_words(between.motion)
         yield ENERGY_FUNCTION.equation(left, right, between.section, between.bodies, words, words=label)

@@ -65,6 +65,7 @@ MATHEMATICS = {
     "→": r"\to",
     "√": r"\surd",
     "∫": r"\int",
+    "∂": r"\partial",
     "≤": r"\le",
     "≥": r"\ge",
     "≈": r"\approx",

@@ -147,6 +147,7 @@ find: {alpha: upper.angular_acceleration, beta: lower.angular_acceleration}
         and "θ̈_lower" in page
         and "\\ddot{\\theta}" in found.to("latex")
     )
+    assert "\\partial" in found.to("latex") and "?" not in found.to("latex")
     for name in ("alpha", "beta"):
         assert found.answers[name].float == pytest.approx(plain.answers[name].float, rel=1e-12)
 

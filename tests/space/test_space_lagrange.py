@@ -96,3 +96,16 @@ def test_what_is_refused_says_why(case: str) -> None:
     with pytest.raises(Unsolvable) as refusal:
         by_lagrange(text)
     assert words in str(refusal.value) and "it takes Newton's laws" in str(refusal.value)
+
+
+def test_a_couple_whose_work_nobody_tells_leaves_the_energy_open() -> None:
+    """T + V grows by τ φ: it must not be taken to stay."""
+    text = (
+        "gravity: none\ngiven: {m: 2 kg, a: 0.5 m, tau: 3 N m, th: 90 deg}\n"
+        "bodies: {gate: {shape: cuboid, mass: m, sides: [a, a, a]}}\n"
+        "connections: {post: {hinge: gate.center, along: z}}\nactions: {push: {couple: tau, on: gate, direction: z}}\n"
+        "states: {start: {at rest: all, gate.angle: 0}, later: {gate.angle: th}}\n"
+        "find: {w: gate.angular_velocity.z at later, al: gate.angular_acceleration.z at start}\n"
+    )
+    found = by_lagrange(text)
+    assert set(found.refused) == {"w"} and found.answers["al"].float == pytest.approx(36, rel=1e-12)
