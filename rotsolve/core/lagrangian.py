@@ -28,7 +28,7 @@ DOTS = ("", DOTTED, DOTTED + DOTTED)
 EFFORTS = (FORCE, TORQUE)
 
 
-class Coordinate(Struct, frozen=True):
+class GeneralizedCoordinate(Struct, frozen=True):
     """An independent coordinate: its letter q, the letter of its rate in T, what it is and which way it grows in words.
 
     The rate may be another than q̇: a clockwise ω of an angle that grows counterclockwise, v of an angle on a circle.
@@ -55,7 +55,7 @@ def order_on_page(givens: Iterable[Given], registries: Sequence[Registry]) -> tu
     return letter_order(named)
 
 
-def pace_of_coordinate(q: Coordinate, growth: Mapping[str, Formula]) -> Formula:
+def pace_of_coordinate(q: GeneralizedCoordinate, growth: Mapping[str, Formula]) -> Formula:
     """A coordinate's rate per q̇, by how its letter grows."""
     return simplify(divide(Symbol(q.rate), growth[q.letter.name]))
 
@@ -69,7 +69,10 @@ class PageLetters(Struct, frozen=True):
     real: Callable[[SceneQuantity], Formula]
 
     def letters(
-        self, coordinates: Sequence[Coordinate], growth: Mapping[str, Formula], changes: Mapping[str, Formula]
+        self,
+        coordinates: Sequence[GeneralizedCoordinate],
+        growth: Mapping[str, Formula],
+        changes: Mapping[str, Formula],
     ) -> dict[str, Formula]:
         """What a page writes for places, for the rates of coordinates and the rates of these, and for what is driven."""
         found = {name: self._letter(item) for name, item in self.known.quantities.items() if COURSE in item.when}
@@ -94,7 +97,7 @@ class Lagrangian(Struct, frozen=True, dict=True):
     what a page writes for all these letters: q, q̇ and q̈.
     """
 
-    coordinates: tuple[Coordinate, ...]
+    coordinates: tuple[GeneralizedCoordinate, ...]
     kinetic: tuple[Formula, ...]
     weights: tuple[Formula, ...]
     given: tuple[Formula, ...]
@@ -110,11 +113,11 @@ class Lagrangian(Struct, frozen=True, dict=True):
         """A formula in textbook form."""
         return simplify(value, order=self.order, positive=self.positive)
 
-    def momentum(self, q: Coordinate) -> list[Formula]:
+    def momentum(self, q: GeneralizedCoordinate) -> list[Formula]:
         """∂T/∂q̇ by the coordinate's rate, of each term of T."""
         return [differentiate(part, q.rate) for part in self.kinetic]
 
-    def inertial(self, q: Coordinate) -> Iterator[Formula]:
+    def inertial(self, q: GeneralizedCoordinate) -> Iterator[Formula]:
         """d/dt(∂T/∂q̇) − ∂T/∂q by the coordinate's rate, of each term of T."""
         for part, momentum in zip(self.kinetic, self.momentum(q), strict=True):
             yield add(self.in_time(momentum), negate(self.slope(part, q)))
@@ -125,21 +128,21 @@ class Lagrangian(Struct, frozen=True, dict=True):
         names = sorted(value.symbols() & pace.keys())
         return total([multiply(differentiate(value, name), pace[name]) for name in names])
 
-    def slope(self, value: Formula, q: Coordinate) -> Formula:
+    def slope(self, value: Formula, q: GeneralizedCoordinate) -> Formula:
         """∂/∂q of a function of places, by the coordinate's rate, through all of them that grow with q."""
         names = sorted(value.symbols() & self.growth.keys())
         along = ((name, simplify(differentiate(self.growth[name], q.rate))) for name in names)
         return total([multiply(differentiate(value, name), rate) for name, rate in along if rate != ZERO])
 
-    def efforts(self, q: Coordinate) -> list[Formula]:
+    def efforts(self, q: GeneralizedCoordinate) -> list[Formula]:
         """The generalized force by the coordinate's rate, force by force: −∂V/∂q too."""
         return [differentiate(power, q.rate) for power in (*self.weights, *self.sprung, *self.given)]
 
-    def pace(self, q: Coordinate) -> Formula:
+    def pace(self, q: GeneralizedCoordinate) -> Formula:
         """The coordinate's rate per q̇, which is constant."""
         return pace_of_coordinate(q, self.growth)
 
-    def cyclic(self, q: Coordinate) -> bool:
+    def cyclic(self, q: GeneralizedCoordinate) -> bool:
         """Whether ∂L/∂q and all else that pushes along q are nothing, wherever the bodies are."""
         slopes = (self.slope(part, q) for part in self.kinetic)
         return is_zero(total([*slopes, *self.efforts(q)]))

@@ -19,7 +19,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, divide, multiply, total
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Role
-from rotsolve.core.lagrangian import Coordinate, Lagrangian, PageLetters, order_on_page
+from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian, PageLetters, order_on_page
 from rotsolve.core.passage import Passage
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
@@ -235,18 +235,18 @@ class Motions(Struct, frozen=True, dict=True):
             yield min((both, simplify(both, order=self.order)), key=length)
         yield from terms
 
-    def _letter(self, rate: str, growth: Mapping[str, Formula]) -> Coordinate:
+    def _letter(self, rate: str, growth: Mapping[str, Formula]) -> GeneralizedCoordinate:
         """The coordinate of a rate: the angle of the body where one grows with it alone, else a letter of its own."""
         key = key_of(rate)
         letter = next((name for name in growth if self._tells(name, key.owner, growth, rate)), None)
         if letter is not None:
-            return Coordinate(Symbol(letter), rate, f"angle of {spoken(key_of(letter).owner)}", TURNS[0])
+            return GeneralizedCoordinate(Symbol(letter), rate, f"angle of {spoken(key_of(letter).owner)}", TURNS[0])
         kind = QUANTITIES["rotation" if key.turns else "displacement"]
         plain = "phi" if key.turns else key.component or "x"
         own = SceneQuantity(kind.word, key.owner, COURSE, key.component, plain, kind.dimension)
         self.course.registry.quantities.setdefault(own.key, own)
         words = f"{'angle turned by' if key.turns else 'way of'} {spoken(key.owner)}"
-        return Coordinate(own.symbol, rate, words, self._positive(key))
+        return GeneralizedCoordinate(own.symbol, rate, words, self._positive(key))
 
     def _tells(self, place: str, owner: str, places: Mapping[str, Formula], rate: str) -> bool:
         """Whether a place grows in proportion to a rate of its body."""

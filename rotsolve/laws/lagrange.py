@@ -13,7 +13,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import CYCLIC, ENERGY_FUNCTION, LAGRANGE_EQUATION, Equation
-from rotsolve.core.lagrangian import Coordinate, Lagrangian, rate_letter
+from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian, rate_letter
 from rotsolve.core.writing import flat, is_negative, moved, positive_first
 from rotsolve.laws.table import BetweenMoments, OfMotion
 
@@ -72,12 +72,12 @@ def lagrangian_words(motion: Lagrangian) -> Words:
     return tuple(part for line in lines for part in (NEXT, *line))[1:]
 
 
-def coordinate_words(q: Coordinate, motion: Lagrangian) -> Words:
+def coordinate_words(q: GeneralizedCoordinate, motion: Lagrangian) -> Words:
     """x: way of block, down."""
     return as_printed(q.letter, motion), f": {q.words}" + (f", {q.positive}" if q.positive else "")
 
 
-def equation_words(q: Coordinate, motion: Lagrangian) -> Words:
+def equation_words(q: GeneralizedCoordinate, motion: Lagrangian) -> Words:
     """d/dt(∂L/∂ẋ) − ∂L/∂x = (m + M) ẍ − m g = Q with L = T − V; by T alone where there is no V, with all of Q where it is not found."""
     stored = bool(motion.potential)
     efforts = [multiply(term, motion.pace(q)) for term in motion.efforts(q)]
@@ -94,7 +94,7 @@ def equation_words(q: Coordinate, motion: Lagrangian) -> Words:
     return (*words, ", L = T − V") if stored else words
 
 
-def momentum_words(q: Coordinate, motion: Lagrangian) -> Words:
+def momentum_words(q: GeneralizedCoordinate, motion: Lagrangian) -> Words:
     """Of a cyclic coordinate: its momentum is conserved."""
     momentum = sum_on_page((multiply(term, motion.pace(q)) for term in motion.momentum(q)), motion)
     letter = as_printed(q.letter, motion)

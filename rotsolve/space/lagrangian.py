@@ -18,7 +18,7 @@ from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Symbol, add, mult
 from rotsolve.core.derivation import NEXT
 from rotsolve.core.equation import TURNING_TILTS, Equation
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.lagrangian import Coordinate, Lagrangian, PageLetters, order_on_page
+from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian, PageLetters, order_on_page
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
@@ -237,7 +237,7 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
         growth = {item.place.name: item.rate for item in self.free if isinstance(item.place, Symbol)}
         own = [item for item in self.free if not item.driven and item.rate.symbols() <= spoken_of]
         coordinates = [
-            Coordinate(item.place, item.rate.name, item.words)
+            GeneralizedCoordinate(item.place, item.rate.name, item.words)
             for item in own
             if isinstance(item.rate, Symbol) and isinstance(item.place, Symbol)
         ]

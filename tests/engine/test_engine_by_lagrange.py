@@ -15,11 +15,11 @@ from rotsolve import Unsolvable, solve
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, Formula, Symbol, call, total
 from rotsolve.algebra.sympy_bridge import to_sympy
-from rotsolve.core.lagrangian import Coordinate, Lagrangian
+from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian
 
 x, v, a, q, w, b, m, M, L, g, Omega = map(Symbol, ("x", "v", "a", "q", "w", "b", "m", "M", "L", "g", "Omega"))
 SIN, COS = call("sin", q), call("cos", q)
-X, Q = Coordinate(x, "v", "way"), Coordinate(q, "w", "angle")
+X, Q = GeneralizedCoordinate(x, "v", "way"), GeneralizedCoordinate(q, "w", "angle")
 RISE = L * SIN * w  # of a bob at −L cos q
 
 
