@@ -91,8 +91,7 @@ def own(body: Body, value: Value) -> Mass:
         raise NotConfirmed(f"the mass of `{body.name}` has no number")
     mass = value(body.mass)
     if body.holes and body.shape is not None:
-        area = value(body.shape.measure())
-        mass *= area / (area - sum(value(shape_of(hole.body).measure()) for hole in body.holes))
+        mass /= 1.0 - sum(share_cut_out(hole, body, value) for hole in body.holes)
     x, y = (value(part) for part in shape_of(body).centroid())
     return Mass(mass, mass * x, mass * y, own_inertia(body, mass, value) + mass * (x * x + y * y))
 
@@ -111,11 +110,22 @@ def hollow(hole: Part, body: Body, value: Value) -> Mass:
     spot, turn = frame(hole, value)
     if hole.body.mass is not None or body.mass is None:
         return spread(hole.body, value).moved(spot, turn)
-    areas = [value(shape_of(item).measure()) for item in (body, *(other.body for other in body.holes))]
-    mass = value(body.mass) * value(shape_of(hole.body).measure()) / (areas[0] - sum(areas[1:]))
+    shares = [share_cut_out(other, body, value) for other in body.holes]
+    mass = value(body.mass) * share_cut_out(hole, body, value) / (1.0 - sum(shares))
     x, y = (value(part) for part in shape_of(hole.body).centroid())
     moment = mass * value(shape_of(hole.body).moment(ONE))
     return Mass(mass, mass * x, mass * y, moment + mass * (x * x + y * y)).moved(spot, turn)
+
+
+def share_cut_out(hole: Part, body: Body, value: Value) -> float:
+    """The part of a body without holes that one takes away: of what is as deep as the body by the areas, of others by what they fill."""
+    cut, whole = shape_of(hole.body), shape_of(body)
+    sizes = [getattr(shape, "length", None) for shape in (cut, whole)]
+    box: tuple[Formula, ...] = getattr(whole, "sides", ())
+    if whole.flat or (whole.seen and (cut.flat or (cut.seen and sizes[0] == sizes[1]))):
+        return value(cut.measure()) / value(whole.measure())
+    room = value(cut.measure()) * value(box[2]) if cut.flat and len(box) == 3 else value(cut.content())
+    return room / value(whole.content())
 
 
 def frame(part: Part, value: Value) -> tuple[Spot, float]:

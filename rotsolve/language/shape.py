@@ -47,6 +47,9 @@ class Shape(Element, frozen=True):
     backed: ClassVar[bool] = False  # whether its back is level as it is drawn, so that something can lie on it
     walled: ClassVar[bool] = False  # whether it is given by two radii
     closing: ClassVar[tuple[str, ...]] = ()  # the keys of which one says how its sides close
+    seen: ClassVar[bool] = (
+        False  # whether its measure is what is seen along its axis, and its content that times its length
+    )
     noun: ClassVar[str] = ""  # what it is called beside its moment of inertia, if not by its word
 
     def moment(self, mass: Formula) -> Formula:
@@ -102,12 +105,16 @@ class Shape(Element, frozen=True):
         """Height of a point above the picture, z of the body's axes."""
         return ZERO
 
+    def depth(self) -> Formula | None:
+        """How deep a hole along z through all of it is; None where it is not as deep everywhere, or nothing tells."""
+        return None
+
     def centroid(self) -> Place:
         """Centre of mass in the body's axes."""
         return (ZERO, ZERO)
 
     def measure(self) -> Formula:
-        """Length, area or volume; of a cylinder the area that is seen, to which that of its holes is compared."""
+        """Length, area or volume; of a cylinder what is seen along its axis."""
         raise NotImplementedError(f"a {self.word} has no extent")
 
     def content(self) -> Formula:

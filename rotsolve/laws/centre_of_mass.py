@@ -137,7 +137,11 @@ def piece_masses(spread: Spread) -> tuple[list[Formula], tuple[Equation, ...]]:
     materials = {simplify(piece.mass / piece.measure) for piece in shared if piece.measure is not None}
     if len(materials) > 1:  # several plates with holes, each of its own material
         return [piece.mass for piece in spread.pieces], ()
-    name, word = DENSITY[shared[0].shape.spread] if shared[0].shape.flat else ("sigma", "area that is seen")
+    name, word = (
+        DENSITY[shared[0].shape.spread]
+        if shared[0].measure == shared[0].shape.content()
+        else ("sigma", "area that is seen")
+    )
     rest = spread.tidy(total([piece.measure for piece in shared if piece.measure is not None]))
     (sigma,) = materials
     defined = []

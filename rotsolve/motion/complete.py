@@ -7,13 +7,14 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, total
 from rotsolve.algebra.units.dimension import DIMENSIONS
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import has_quantities, paths_in
 from rotsolve.elements.connections import guide
 from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
+from rotsolve.elements.shapes.material import amounts, bored
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
@@ -23,7 +24,7 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.mounts import on_mounts
 from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import centre_of_mass, locate, pieces, place, tidy
+from rotsolve.motion.rigid import apart, centre_of_mass, locate, pieces, tidy
 
 
 def check_values(configuration: Configuration) -> None:
@@ -96,7 +97,7 @@ def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body
     shape = _shape(body.shape, body, letters) if body.shape is not None else None
     mass = body.mass
     parts = body.parts and tuple([_part(part, letters) for part in body.parts])
-    holes = body.holes and tuple([_hole(hole, shape) for hole in body.holes])
+    holes = body.holes and tuple([_spanned(bored(hole, shape), letters) for hole in body.holes])
     if shape is not None:
         shape = shape.following(letters.positive)
     if body.tensor is not None or (
@@ -107,9 +108,9 @@ def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body
         shape = Graded(letters.positive, shape, body.density)
         mass = shape.measure()
     elif body.density is not None and shape is not None:
-        whole = shape.measure()
-        rest = whole - total([shape_of(hole.body).measure() for hole in body.holes])
-        mass = body.density * (shape.content() if not body.holes else simplify(shape.content() * rest / whole))
+        whole, *cut = amounts(replace(body, shape=shape, holes=holes)) if holes else (ONE,)
+        left = (whole - total(cut)) / whole
+        mass = body.density * (shape.content() if not holes else simplify(shape.content() * left))
     elif mass is None and not body.parts:
         mass = letters.make("m", body.name, "mass")
     radius, inertia = body.radius, body.inertia
@@ -141,21 +142,17 @@ def _central(body: Body) -> Body:
 
 
 def _part(part: Part, letters: MadeLetters) -> Part:
-    shape = part.body.shape
-    straight = shape is not None and shape.slender and shape.reach() is None
-    if shape is not None and straight and part.start is not None and part.end is not None:
-        gap = place(part.end) - place(part.start)
-        size: dict[str, Any] = {"length": simplify(sqrt(gap.dot(gap)), positive=letters.positive)}
-        part = replace(part, body=replace(part.body, shape=replace(shape, **size)))
+    part = _spanned(part, letters)
     return replace(part, body=complete_body(part.body, letters, False))
 
 
-def _hole(hole: Part, shape: Shape | None) -> Part:
-    """A hole is as long as what it is bored through, where nobody says otherwise."""
-    cut, length = hole.body.shape, getattr(shape, "length", None)
-    if cut is None or length is None or "length" not in cut.declared or getattr(cut, "length", None):
-        return hole
-    return replace(hole, body=replace(hole.body, shape=replace(cut, **{"length": length})))
+def _spanned(part: Part, letters: MadeLetters) -> Part:
+    """A rod as long as its ends are apart, where nobody says otherwise."""
+    shape = part.body.shape
+    if shape is None or not shape.slender or shape.reach() is not None or part.start is None or part.end is None:
+        return part
+    size: dict[str, Any] = {"length": apart(part.start, part.end, letters.positive)}
+    return replace(part, body=replace(part.body, shape=replace(shape, **size)))
 
 
 def _shape(shape: Shape, body: Body, letters: MadeLetters) -> Shape:

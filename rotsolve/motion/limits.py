@@ -14,6 +14,7 @@ from rotsolve.core.limits import Limit
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.tensor import ONE_AXIS, displaced
 from rotsolve.elements.shapes import Shape
+from rotsolve.elements.shapes.material import amounts
 from rotsolve.language.bodies import Part
 from rotsolve.language.problem import Body, Problem, references
 from rotsolve.motion.configuration import Configuration
@@ -78,9 +79,9 @@ def body_limits(body: Body) -> Iterator[Limit]:
             names = f"the holes `{one.body.name}` and `{other.body.name}` of `{body.name}`"
             gap = far_out([a - b for a, b in zip(hole_centre(one), hole_centre(other), strict=True)])
             yield Limit(gap - radii[0] - radii[1], f"{names} overlap")
-    sizes = [size_told(part.shape) for part in (body, *(hole.body for hole in body.holes))] if body.holes else []
-    if sizes and sizes[0] is not None:
-        left = total([sizes[0], *(negate(size) for size in sizes[1:] if size is not None)])
+    sizes = sizes_told(body) if body.holes else ()
+    if sizes:
+        left = total([sizes[0], *map(negate, sizes[1:])])
         yield Limit(left, f"the holes leave nothing of `{body.name}`", strict=True)
 
 
@@ -139,12 +140,12 @@ def round_rim(shape: Shape | None) -> Formula | None:
     return shape.outer if shape is not None and shape.round else None
 
 
-def size_told(shape: Shape | None) -> Formula | None:
-    """The length or area of a shape, where it has one."""
+def sizes_told(body: Body) -> tuple[Formula, ...]:
+    """The length, area or volume of a body and of what is cut out of it; none where a size is not told."""
     try:
-        return None if shape is None else shape.measure()
+        return () if body.shape is None else amounts(body)
     except (NotImplementedError, TypeError, IndexError):
-        return None  # a size is left out
+        return ()  # a size is left out
 
 
 def state_limits(configuration: Configuration) -> Iterator[Limit]:

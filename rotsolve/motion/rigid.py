@@ -40,6 +40,7 @@ from rotsolve.core.vectors.triple import (
     aligning,
     in_turn,
     scaled_by,
+    square_of,
     tidied,
     unit_along,
     vector_sum,
@@ -48,6 +49,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.shapes import Shape, rim_radius, rims, round_part, shape_of
+from rotsolve.elements.shapes.material import amounts
 from rotsolve.language.problem import Body, Part, PointRef
 
 MINUS = Number(Fraction(-1))
@@ -169,7 +171,8 @@ def _own_piece(body: Body) -> RigidPiece | None:
     mass = body.mass if body.mass is not None else ZERO
     measure = None
     if body.holes and body.shape is not None:
-        mass, measure = mass / _rest(body) * shape.measure(), shape.measure()
+        (measure, *_), rest = amounts(body), _rest(body)
+        mass = mass / rest * measure
     at, height = place(shape.centroid()), shape.rise()
     if body.tensor is not None:  # about its own point; who needs it about another asks `space/inertia`
         return RigidPiece(body.name, mass, body.tensor.zz, at, shape, height, body.tensor)
@@ -181,7 +184,8 @@ def _own_piece(body: Body) -> RigidPiece | None:
 
 def _rest(body: Body) -> Formula:
     """What its holes leave of a body's length, area or volume."""
-    return shape_of(body).measure() - total([shape_of(hole.body).measure() for hole in body.holes])
+    whole, *cut = amounts(body)
+    return whole - total(cut)
 
 
 def _cut(hole: Part, body: Body) -> tuple[RigidPiece, ...]:
@@ -189,9 +193,9 @@ def _cut(hole: Part, body: Body) -> tuple[RigidPiece, ...]:
     if hole.body.mass is not None or body.mass is None:
         return _placed(hole, MINUS)
     shape, cut = shape_of(body), shape_of(hole.body)
-    mass = body.mass / _rest(body) * cut.measure()
-    filled = replace(hole, body=Body(hole.body.name, cut, mass=mass))
-    pieces = tuple(replace(piece, measure=MINUS * cut.measure()) for piece in _placed(filled, MINUS))
+    size = amounts(body)[1 + body.holes.index(hole)]
+    filled = replace(hole, body=Body(hole.body.name, cut, mass=body.mass / _rest(body) * size))
+    pieces = tuple(replace(piece, measure=MINUS * size) for piece in _placed(filled, MINUS))
     if cut.flat and not shape.flat:  # how deep it is nobody says
         return tuple(replace(piece, tensor=None) for piece in pieces)
     return pieces
@@ -234,6 +238,12 @@ def part_spot(part: Part) -> Spot:
 def with_height(at: tuple[Formula, ...]) -> Spot:
     """A place with its height, 0 where it has none."""
     return (at[0], at[1], at[2] if len(at) > 2 else ZERO)
+
+
+def apart(start: tuple[Formula, ...], end: tuple[Formula, ...], positive: frozenset[str] = frozenset()) -> Formula:
+    """√(Δx² + Δy² + Δz²) of two places."""
+    gap = tidied(way_between(with_height(start), with_height(end)))
+    return simplify(sqrt(square_of(gap)), positive=positive)
 
 
 def part_frame(part: Part) -> tuple[Heading, Vector]:

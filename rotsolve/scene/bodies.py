@@ -252,9 +252,35 @@ def read_part(scope: Scope, name: str, key: Text, node: Node) -> Part:
         in_plane_only(scope, entries["angle"][0], "angle")
     fields = {word: read_value(scope, PART[word], entries[word][1], word, name) for word in written}
     body = build_body(scope, name, key, entries, shape or Particle, tuple(PART))
-    if ("start" in entries) != ("end" in entries):
+    part = Part(body, **fields)
+    check_ends(scope, name, key, entries, part)
+    return part
+
+
+def check_ends(scope: Scope, name: str, key: Text, entries: Entries, part: Part) -> None:
+    """A rod that has `start` and `end` is placed, turned and as long as they tell; nothing else can have them."""
+    ends = [word for word in ("start", "end") if word in entries]
+    if not ends:
+        return
+    shape = part.body.shape
+    if shape is None or not shape.slender:
+        help = "place the centre of any other part by `at`"
+        scope.fault(entries[ends[0]][0], f"`start` and `end` are those of a rod, and `{name}` is none", help, "form")
+    elif len(ends) == 1:
         scope.fault(key, f"part `{name}` needs both `start` and `end`", "or place its centre by `at`", "missing")
-    return Part(body, **fields)
+    elif part.start is not None and part.end is not None:
+        from rotsolve.motion.rigid import apart
+
+        for word in (word for word in ("at", "angle", "turned") if word in entries):
+            message = f"`start` and `end` place the rod `{name}` already"
+            scope.fault(entries[word][0], message, f"leave out `{word}`", "form")
+        gap = apart(part.start, part.end)
+        if scope.side(gap) == 0:
+            scope.fault(entries["end"][0], f"the rod `{name}` begins where it ends", kind="limits")
+        length = shape.reach()
+        if length is not None and scope.side(length - gap) != 0:
+            help = "leave out `length`: it is how far `start` and `end` are apart"
+            scope.fault(entries["length"][0], f"the rod `{name}` is not as long as its ends are apart", help, "limits")
 
 
 def read_points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:

@@ -7,7 +7,8 @@ import math
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.elements.shapes import Shape
+from rotsolve.core.faults import Unsolvable
+from rotsolve.elements.shapes.material import amounts
 from rotsolve.language.problem import Body, Part
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import Scope
@@ -51,13 +52,13 @@ class Outline(Struct, frozen=True):
 
 def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
     """Holes lie within a body, beside each other, and take away less than all of it."""
-    whole, *cut = (rough_measure(scope, part.shape) for part in (body, *(hole.body for hole in body.holes)))
+    whole, *cut = rough_sizes(scope, body) or (None,)
     if whole is not None and sum(size or 0.0 for size in cut) >= whole:
         scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
         return
     written = scope.entries(node, f"the parts of `{name}`") if isinstance(node, Map) else {}
     edge = outline(scope, Part(body, (ZERO, ZERO)))
-    holes = [(hole.body.name, outline(scope, hole)) for hole in body.holes]
+    holes = [(hole.body.name, None if hole.turned else outline(scope, hole)) for hole in body.holes]
     for index, (word, hole) in enumerate(holes):
         place = written[word][1] if word in written else node
         if hole is None:
@@ -91,9 +92,9 @@ def outline(scope: Scope, part: Part) -> Outline | None:
     return None if radius is None or inner is None else Outline(spot, radius, inner)
 
 
-def rough_measure(scope: Scope, shape: Shape | None) -> float | None:
-    """The area or length of a shape as a rough number."""
+def rough_sizes(scope: Scope, body: Body) -> list[float | None]:
+    """The length, area or volume of a body and of its holes as rough numbers; none where a size is left out."""
     try:
-        return None if shape is None else rough(shape.measure(), scope.numbers)
-    except (NotImplementedError, TypeError, IndexError):
-        return None  # a size is left out
+        return [rough(size, scope.numbers) for size in amounts(body)] if body.shape is not None else []
+    except (NotImplementedError, TypeError, IndexError, Unsolvable):
+        return []  # what can't be is refused when the scene is whole

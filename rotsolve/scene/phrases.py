@@ -259,6 +259,12 @@ class PhraseReader:
         if not modifier:
             return formula
         if formula == Symbol(f"#{first}") and len(self.phrase.terms) == first + 1:
+            inner = self.phrase.terms[first].modifier
+            if inner:  # one of a quantity that has one already: none is dropped
+                span = self.node.part(place.start, place.end)
+                message = f"`{modifier}` in front of `{inner}` is not solved"
+                help = f"ask for `{inner}` in a line of its own, and speak of that by its name"
+                return self.scope.fault(span, message, help, "find")
             self.phrase.terms[first] = replace(self.phrase.terms[first], modifier=modifier)
             return formula
         if outer:

@@ -24,7 +24,12 @@ HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `top.
 
 def chosen(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
     """The root that the scene asks for by `smallest` or `largest`, or the only real one; None where the ordinary choice may go on."""
+    from rotsolve.space.steady import of_steady, steady_letter
+
     key = key_of(name)
+    sought = steady_letter(name, scene)
+    if sought is not None:
+        return of_steady(sought, roots, scene, numbers)
     if key.kind == "tilt":
         return tilted(roots, numbers)
     if key.kind in TURNED and not key.component and len(roots) > 1:

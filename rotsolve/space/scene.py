@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
+from itertools import chain
 
 from msgspec.structs import replace
 
@@ -15,13 +16,14 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, Term
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear
-from rotsolve.space.arrangement import JointedBodies
+from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import NODE
 from rotsolve.space.coincidences import coincidences
 from rotsolve.space.inertia import Tensors
@@ -133,11 +135,12 @@ class SpaceEquations(SceneEquations, dict=True):
         state = term.at or (self.configuration.timeline.states[0].name)
         dynamics, path = self.dynamics[state], term.path
         if path.quantity != "precession" or not dynamics.moment.state.steady or not dynamics.moment.nods(path.owner):
-            raise NotYet(
-                f"the {term.modifier} `{path.quantity}` is asked of a steady precession",
-                path.span,
-                "say `steady: true` in its state, with its `tilt` and its `spin` or `axial_rate`",
-            )
+            from rotsolve.space.steady import OF_QUANTITY
+
+            steady = dynamics.moment.state.steady and path.quantity in NODAL
+            help = "say `steady: true` in its state, with its `tilt` and its `spin` or `axial_rate`"
+            message = f"the {term.modifier} `{path.quantity}` is asked of a steady precession"
+            raise NotYet(message, path.span, OF_QUANTITY if steady else help)
         own, kind = dynamics.moment.ask("precession", path.owner), QUANTITIES["precession"]
         root = self.registry.ask(SceneQuantity("precession", path.owner, state, term.modifier, "Omega", kind.dimension))
         written = (*dynamics.equations(), *(law for found in self.restated.values() for law in found))
@@ -146,9 +149,25 @@ class SpaceEquations(SceneEquations, dict=True):
         ]
         if not isinstance(own, Symbol) or not laws:
             raise NotYet(f"`{path.owner}` has one `precession` only", path.span, f"leave out `{term.modifier}`")
-        return Meaning(
-            root, kind.dimension, laws=tuple(law.renamed({own.name: root}) for law in first_of_each(laws))
-        ), state
+        beside = (self.beside_extreme(law, own.name, root, term.modifier, state) for law in first_of_each(laws))
+        return Meaning(root, kind.dimension, laws=tuple(chain.from_iterable(beside))), state
+
+    def beside_extreme(self, law: Equation, own: str, root: Formula, word: str, state: str) -> Iterator[Equation]:
+        """A law with a letter of its own for one root, and those of the forces in it, which have letters of their own for that root too."""
+        others = [item for item in self.dynamics[state].equations() if item.law != RATE_IN_AXES]
+        named: dict[str, Formula] = {own: root}
+        taken, waiting = [law], sorted(of_kinds(law.symbols(), ("force",)))
+        while waiting:
+            name = waiting.pop()
+            quantity = self.registry.quantities.get(name)
+            if quantity is None or name in named:
+                continue
+            component = f"{quantity.component} {word}"
+            named[name] = self.registry.ask(replace(quantity, component=component))
+            for item in (item for item in others if name in item.symbols() and item not in taken):
+                taken.append(item)
+                waiting += sorted(of_kinds(item.symbols(), ("force",)))
+        yield from (item.renamed(named) for item in taken)
 
     def steady_limit(self, owner: str, state: str) -> Equation | None:
         """Where the steady precession of a body is just possible; None where it has none with two roots."""

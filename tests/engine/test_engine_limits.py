@@ -257,6 +257,7 @@ ELSEWHERE = {  # limits of numbers that are no letters of a scene, or that lette
     "of the range": "numbers of `vary`",
     "the corners of": "at single values only",
     "is a direction of length 0": "at single values only",
+    "begins where it ends": "at single values only",
     "no body has these moments of inertia": "in space, see tests/space/test_space_refusals",
     "no body has this inertia tensor": "in space, see tests/space/test_space_refusals",
     "an inertia tensor is symmetric": "in space, see tests/space/test_space_refusals",

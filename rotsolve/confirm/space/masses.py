@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import Value
+from rotsolve.confirm.bodies import Value, share_cut_out
 from rotsolve.confirm.space.arrows import (
     ALONG,
     STILL,
@@ -108,10 +108,23 @@ def spread_of(body: Body, value: Value) -> Matter:
         raise NotConfirmed("how identical bodies stand in space")
     total = of_shape(body, value)
     for part in body.parts:
-        total = total.plus(spread_of(part.body, value).placed(*placing_of(part, value)))
+        total = total.plus(spread_of_part(part, value).placed(*placing_of(part, value)))
     for hole in body.holes:
         total = total.plus(cut_out(hole, body, value), -1.0)
     return total
+
+
+def spread_of_part(part: Part, value: Value) -> Matter:
+    """Of a part; a rod is as long as its ends are apart, whatever length it has been given: M d²/12, and M = λ d."""
+    body = part.body
+    if part.start is None or part.end is None or body.shape is None or body.shape.graded:
+        return spread_of(body, value)
+    length = math.dist(three_of(part.start, value), three_of(part.end, value))
+    mass = mass_told(body, value) if body.density is None else value(body.density) * length
+    if body.inertia is not None or body.gyration is not None:
+        return Matter(mass, STILL, second_of(of_one_moment(body, mass, value)))
+    across = mass * length**2 / 12
+    return Matter(mass, STILL, second_of(((0.0, 0.0, 0.0), (0.0, across, 0.0), (0.0, 0.0, across))))
 
 
 def of_shape(body: Body, value: Value) -> Matter:
@@ -120,8 +133,7 @@ def of_shape(body: Body, value: Value) -> Matter:
         return NO_MATTER
     mass = mass_told(body, value)
     if body.holes and body.shape is not None:
-        area = value(body.shape.measure())
-        mass *= area / (area - sum(value(shape_of(hole.body).measure()) for hole in body.holes))
+        mass /= 1.0 - sum(share_cut_out(hole, body, value) for hole in body.holes)
     if not mass:
         return NO_MATTER
     shape = shape_of(body)
@@ -160,12 +172,12 @@ def cut_out(hole: Part, body: Body, value: Value) -> Matter:
     """What is cut out: the material that the hole would hold, where its mass is not given."""
     turn, place = placing_of(hole, value)
     if hole.body.mass is not None or body.mass is None:
-        return spread_of(hole.body, value).placed(turn, place)
+        return spread_of_part(hole, value).placed(turn, place)
     shape, cut = shape_of(body), shape_of(hole.body)
     if cut.flat and not shape.flat:
         raise NotConfirmed("how deep a hole is")
-    sizes = [value(shape.measure()), *(value(shape_of(other.body).measure()) for other in body.holes)]
-    mass = value(body.mass) * value(cut.measure()) / (sizes[0] - sum(sizes[1:]))
+    shares = [share_cut_out(other, body, value) for other in body.holes]
+    mass = value(body.mass) * share_cut_out(hole, body, value) / (1.0 - sum(shares))
     tensor = matrix(cut.tensor(ONE), value, mass)
     x, y = (value(item) for item in cut.centroid())
     return Matter(mass, STILL, second_of(tensor)).placed(ALONG, (x, y, value(cut.rise()))).placed(turn, place)

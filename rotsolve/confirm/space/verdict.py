@@ -125,6 +125,12 @@ def tested(name: str, parts: Mapping[str, float], hearing: Hearing, find: Find) 
     own, size = parts[""], max(abs(parts[""]), 1e-9)
     found = own + hearing.correction(find)
     holds = abs(found - own) <= SAME * size
+    if holds:
+        from rotsolve.confirm.space.rivals import fits_as_asked
+
+        meant = fits_as_asked(hearing, find, own)
+        if not meant:
+            return AnswerConfirmation(name, meant, SEVERAL, (own,), (found,))
     return verdict_of(name, holds, (own,), (found,), hearing)
 
 

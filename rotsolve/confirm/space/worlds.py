@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Sequence
 from msgspec import Struct
 
 from rotsolve.confirm.linear import General, solved_generally
-from rotsolve.confirm.space.arrows import times_arrow
+from rotsolve.confirm.space.arrows import arrow_length, inner_product, times_arrow
 from rotsolve.confirm.space.efforts import Efforts
 from rotsolve.confirm.space.rig import Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
@@ -26,6 +26,7 @@ ANY = (
     (0.618, -0.414),
     (-1.27, 0.732),
 )  # how far along what is open: of the rates, of accelerations and reactions
+ROUNDED = 1e-6  # of the largest I ω²: beside less than that nothing counts as left over
 ROOTS = 8  # how many ways are told apart
 STEPS = 40  # of Newton's iteration
 
@@ -127,13 +128,22 @@ class Moving:
         _, found = self.forced(self.rates(openly))
         return found.left
 
+    def whirl(self, now: Rates) -> float:
+        """The largest I ω²: ω × (I ω) is rounded to a small part of it, though nothing of it may be left."""
+        sizes = [0.0]
+        for name in self.stance.rig.bodies:
+            omega, rows = now.arrow("turning", name), self.stance.rig.solid(name).tensor
+            sizes.append(inner_product(omega, omega) * max(map(arrow_length, rows)))
+        return max(sizes)
+
     def way(self, choices: Iterable[Sequence[float]]) -> Manner:
         """The worlds of some choices of what is open, which differ in nothing that is told."""
         worlds, clash = [], self.broken
         for number, openly in enumerate(choices, 1):
             now = self.rates(openly)
             equations, found = self.forced(now, self.idle)
-            clash = max(clash, max(map(abs, found.left), default=0.0) / found.size)
+            size = max(found.size, ROUNDED * self.whirl(now))
+            clash = max(clash, max(map(abs, found.left), default=0.0) / size)
             for several in range(2 if found.free else 1):
                 values = list(found.values)
                 for place, step in enumerate(found.free):

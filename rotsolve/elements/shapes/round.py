@@ -211,6 +211,7 @@ class Cylinder(Disc, frozen=True):
     about = "uniform solid cylinder seen along its axis"
     spread = "volume"
     flat = False
+    seen = True
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
 
     def tensor(self, mass: Formula) -> InertiaTensor:
@@ -221,6 +222,9 @@ class Cylinder(Disc, frozen=True):
     def slicing(self) -> Slicing:
         """Shells of thickness dr."""
         return shells(ZERO, self.radius or ZERO, self.length or ZERO)
+
+    def depth(self) -> Formula | None:
+        return self.length
 
     def content(self) -> Formula:
         return self.measure() * (self.length or ZERO)
@@ -234,6 +238,7 @@ class CylindricalShell(Ring, frozen=True):
     about = "thin-walled tube seen along its axis; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     flat = False
+    seen = True
     coordinates = ()
     radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
@@ -264,6 +269,9 @@ class CylindricalShell(Ring, frozen=True):
 
     def measure(self) -> Formula:
         return Annulus(self.radii).measure() if self.radii else Ring(self.radius).measure()
+
+    def depth(self) -> Formula | None:
+        return self.length
 
     def content(self) -> Formula:
         return self.measure() * (self.length or ZERO)

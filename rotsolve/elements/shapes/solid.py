@@ -91,6 +91,9 @@ class Cuboid(Shape, frozen=True):
     def outline(self) -> tuple[Place, ...]:
         return corners_of_box(*self.sides[:2])
 
+    def depth(self) -> Formula | None:
+        return self.sides[2]
+
     def measure(self) -> Formula:
         a, b, c = self.sides
         return a * b * c

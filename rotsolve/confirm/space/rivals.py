@@ -1,0 +1,119 @@
+"""Rivals: other numbers of what is put in with which a steady scene moves too, so that an answer that fits need not be the only one.
+
+They are looked for along the whole range of the letter: of an angle once round, of others over some powers of ten on both sides of 0. A
+body that stands upright (sin θ = 0) does not precess: it counts only where no other number fits.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+
+from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.space.hearing import Hearing
+from rotsolve.confirm.space.inquiry import Inquiry
+from rotsolve.confirm.space.worlds import Unfit
+from rotsolve.language.problem import EXTREMES, Find
+
+ROUND = 24  # places at which an angle is looked at
+DECADES, EACH = 2, 4  # powers of ten to both sides of a number, and places in each
+STEPS = 30  # of the search between two places
+SAME = 1e-6
+FITS = 1e-8  # of what is left over between two places
+UPRIGHT = 1e-7
+
+Left = Callable[[float], "list[float]"]
+
+
+def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
+    """Whether an answer that fits is the one that is asked for among all that do; None where nothing tells which is meant."""
+    if len(hearing.places) != 1 or not any(state.steady for state in hearing.problem.states):
+        return True
+    place = hearing.places[0]
+    found = [own, *(root for root in others(hearing, own) if abs(root - own) > SAME * max(abs(own), abs(root)))]
+    if not rate_or_angle(hearing, place) and own > 0:
+        found = [root for root in found if root > 0]
+    tilts = {root: tilt_with(hearing, place, root) for root in found}
+    found = [root for root in found if tilts[root] is None or -UPRIGHT < tilts[root] < math.pi + UPRIGHT]
+    left = [root for root in found if tilts[root] is None or abs(math.sin(tilts[root])) > UPRIGHT] or found
+    if own not in left:
+        return False
+    if len(left) == 1:
+        return True
+    word = find.modifier or next((term.modifier for term in find.terms), "")
+    if word not in EXTREMES:
+        return None
+    return own == (min if word == "smallest" else max)(left)
+
+
+def others(hearing: Hearing, own: float) -> Iterator[float]:
+    """The numbers, beside one, with which the equations of all bodies leave nothing over."""
+    angle, place = is_angle(hearing, hearing.places[0]), hearing.places[0]
+
+    def left(value: float) -> list[float]:
+        with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
+            return hearing.left({0: value - own})
+        return []
+
+    if angle:
+        top = math.pi if not isinstance(place, str) else 2 * math.pi
+        places = [top * (number + 0.37) / ROUND for number in range(ROUND)]
+    else:
+        sizes = [abs(own or 1.0) * 10 ** (number / EACH) for number in range(-DECADES * EACH, DECADES * EACH + 1)]
+        places = [-size * 1.003 for size in reversed(sizes)] + [size * 1.003 for size in sizes]
+    yield from roots_between(left, places)
+
+
+def roots_between(left: Left, places: Sequence[float]) -> Iterator[float]:
+    """Where all that is left over is nothing, between places at which the largest part of it has different signs."""
+    columns = [left(place) for place in places]
+    count = max(map(len, columns), default=0)
+    sizes = [max((abs(c[n]) for c in columns if len(c) == count), default=0.0) for n in range(count)]
+    if not sizes or not max(sizes):
+        return
+    part = max(range(count), key=sizes.__getitem__)
+    for (a, low), (b, high) in zip(zip(places, columns), zip(places[1:], columns[1:]), strict=False):
+        if len(low) != count or len(high) != count or low[part] * high[part] > 0:
+            continue
+        room = max(abs(x) for x in (*low, *high))
+        f, g = low[part], high[part]
+        for _ in range(STEPS):  # false position, by the Illinois rule
+            middle = (a * g - b * f) / (g - f) if g != f else (a + b) / 2
+            here = left(middle)
+            if len(here) != count:
+                break
+            if max(map(abs, here)) <= FITS * room:
+                yield middle
+                break
+            if here[part] * g < 0:
+                a, f = b, g
+            else:
+                f /= 2
+            b, g = middle, here[part]
+
+
+def rate_or_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
+    """Whether what is put in may be negative: no mass, length or their like."""
+    dimension = dimension_put_in(hearing, place)
+    return dimension is None or any(dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
+
+
+def is_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
+    dimension = dimension_put_in(hearing, place)
+    return not isinstance(place, str) or (dimension is not None and dimension.matches(ANGLE))
+
+
+def dimension_put_in(hearing: Hearing, place: tuple[str, str, str] | str):  # type: ignore[no-untyped-def]
+    return next((given.dimension for given in hearing.problem.givens if given.name == place), None)
+
+
+def tilt_with(hearing: Hearing, place: tuple[str, str, str] | str, value: float) -> float | None:
+    """The tilt that a steady state tells by what is put in; None where it tells none by that."""
+    if not isinstance(place, str):
+        return value
+    rig = Inquiry(hearing.problem, {**hearing.known, place: value}, hearing.told).rig
+    lines = [line for state in hearing.problem.states if state.steady for line in state.conditions]
+    tilts = (line.value for line in lines if line.path is not None and line.path.quantity == "tilt")
+    return next((rig.value(tilt) for tilt in tilts if tilt is not None and place in tilt.symbols()), None)

@@ -1,0 +1,112 @@
+"""Steady: which root of what a steady motion is asked for is meant: a tilt, a rate, or a letter of the scene.
+
+Upright (sin θ = 0) a body does not precess, though the laws hold there: such a tilt is taken only where there is no other. Of several
+others a question says by `smallest` or `largest` which it means; where none does, it is refused by name.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import Formula, Symbol, call
+from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import is_key, key_of
+from rotsolve.language.problem import EXTREMES
+from rotsolve.solver.steps import PickedRoot
+
+if TYPE_CHECKING:
+    from rotsolve.equations.scene_equations import SceneEquations
+    from rotsolve.search.numbers import Numbers
+
+SMALL = 1e-9
+UPRIGHT = "upright it does not precess: sin θ ≠ 0"
+SEVERAL = "several steady motions are possible, and nothing tells which is meant"
+OF_LETTER = "write `smallest {name}` or `largest {name}`, one of them in a scene"
+OF_QUANTITY = "give it a letter, `x: unknown`, in the state, and ask for `smallest x` or `largest x`"
+
+
+class Sought(Struct, frozen=True):
+    """A letter that a steady motion is asked for: its name, the word of the question, and the tilts in which it stands."""
+
+    name: str
+    word: str
+    tilts: tuple[Formula, ...]
+    size: bool  # whether it is a mass, a length or their like, which are positive
+    help: str
+
+
+def steady_letter(name: str, scene: SceneEquations) -> Sought | None:
+    """What is asked of a steady motion under a name; None for what is not."""
+    problem, states = scene.configuration.problem, scene.configuration.timeline.states
+    key = key_of(name)
+    if is_key(name):
+        steady = any(state.name == key.when and state.steady for state in states)
+        tilts = (Symbol(name),) if key.kind == "tilt" else ()
+        sought = key.kind in ("tilt", "spin", "axial_rate") and not key.component
+        return Sought(name, "", tilts, False, OF_QUANTITY) if steady and sought else None
+    given = next((given for given in problem.givens if given.name == name and given.asked), None)
+    if given is None or not any(state.steady for state in states):
+        return None
+    lines = [line for state in states if state.steady for line in state.conditions if line.path is not None]
+    tilts = tuple(
+        line.value
+        for line in lines
+        if line.path is not None and line.path.quantity == "tilt" and line.value is not None
+        if name in line.value.symbols()
+    )
+    finds = [find for find in problem.finds if find.formula == Symbol(name) and not find.terms and find.where is None]
+    words = {find.modifier for find in finds}
+    word = words.pop() if len(words) == 1 else ""
+    rate = given.dimension is None or any(given.dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
+    return Sought(name, word, tilts, not rate, OF_LETTER.format(name=name))
+
+
+def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
+    """The root that is meant, with the reason; None where none of them is real."""
+    left = [k for k, root in enumerate(roots) if numbers.of(root) is not None or lacks_numbers(root, numbers)]
+    if sought.size:
+        left = [k for k in left if numbers.side(roots[k]) in (1, None)] or left
+    reasons: list[str] = []
+    if sought.tilts:
+        left = [k for k in left if within(sought, roots[k], numbers)]
+        tilted = [k for k in left if not all(upright(tilt, sought, roots[k], numbers) for tilt in sought.tilts)]
+        reasons += [UPRIGHT] if tilted and len(tilted) < len(left) else []
+        left = tilted or left
+    others: list[int] = []
+    for k in left:
+        if all(numbers.side(roots[k] - roots[other]) != 0 for other in others):
+            others.append(k)
+    if not others:
+        return None
+    if len(others) == 1:
+        return PickedRoot(others[0], (reasons[0],) if reasons else ())
+    if sought.word not in EXTREMES or any(lacks_numbers(roots[k], numbers) for k in others):
+        problem = scene.configuration.problem
+        raise Unsolvable(SEVERAL, help=sought.help, lines=problem.lines, file=problem.file)
+    sign = -1 if sought.word == "largest" else 1
+    index = others[numbers.least([sign * roots[k] for k in others])]
+    return PickedRoot(index, (f"the {sought.word} of {len(others)}",))
+
+
+def lacks_numbers(root: Formula, numbers: Numbers) -> bool:
+    """Whether a root holds a letter without a number."""
+    return not numbers.signs.trials.keys() >= set(numbers.signs.lacking(root))
+
+
+def within(sought: Sought, root: Formula, numbers: Numbers) -> bool:
+    """Whether the tilts lie from 0 to 180° with a root, as far as numbers tell."""
+    values = [numbers.of(tilt.substitute({sought.name: root})) for tilt in sought.tilts]
+    return all(value is None or -SMALL < value < math.pi + SMALL for value in values)
+
+
+def upright(tilt: Formula, sought: Sought, root: Formula, numbers: Numbers) -> bool:
+    """Whether a tilt is 0 or 180° with a root."""
+    found = simplify(call("sin", tilt.substitute({sought.name: root})))
+    size = numbers.of(found)
+    return size is not None and abs(size) < SMALL
