@@ -17,7 +17,7 @@ from rotsolve.language.words import hint, nearest_name, quoted
 from rotsolve.scene import in_space
 from rotsolve.scene.in_space import in_plane_only, in_space_only
 from rotsolve.scene.literals import Want
-from rotsolve.scene.paths import read_place, read_point, read_spot, running_path
+from rotsolve.scene.paths import read_corner, read_place, read_point, read_spot, running_path
 from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
@@ -248,7 +248,7 @@ READERS: dict[str, KeyReader] = {
     "quantities": read_quantity_list,
     "place": without_key(read_place),
     "spot": without_key(read_spot),
-    "places": of_each(read_place),
+    "corners": of_each(read_corner),
     "radii": read_radii,
     "region": read_limits,
     "profile": read_limits,

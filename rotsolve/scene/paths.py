@@ -66,6 +66,17 @@ def read_spot(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula
     return tuple(item for item in found if item is not None) if None not in found else None
 
 
+def read_corner(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula, ...] | None:
+    """A corner `[x, y]` in the plane of a flat body; in space it may be written as `[x, y, 0]`."""
+    if not scope.space:
+        return read_place(scope, node, label, owner)
+    found = read_spot(scope, node, label, owner)
+    if found is not None and len(found) > 2 and scope.side(found[2]) != 0:
+        help = "draw its corners at z = 0, in its own axes, and turn the body by `turned`"
+        return scope.fault(node, "the corners of a flat body lie in its own x-y plane", help, "form")
+    return found and found[:2]
+
+
 def read_point(
     scope: Scope, node: Node, label: str, owner: str, kinds: tuple[str, ...] = ("body", "surface")
 ) -> PointRef | None:

@@ -247,7 +247,7 @@ def value_schema(key: Key) -> dict[str, Any]:
         "names": WORDS,
         "region": named_map(LIMITS),
         "profile": named_map({"anyOf": [SCALAR, LIMITS]}),
-        "places": {"type": "array", "items": PLACE},
+        "corners": {"type": "array", "items": PLACE},
         "quantities": {"type": "array", "items": SCALAR},
         "radii": {"type": "object", "additionalProperties": SCALAR},
         "point": POINT,

@@ -11,8 +11,9 @@ from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import coefficients, degree, is_zero, monomials
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_unwrapped
-from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, total
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Integral, Number, Sum, Symbol, total
 from rotsolve.core.derivation import Equality, Words
+from rotsolve.core.symbols import key_of
 from rotsolve.solver.steps import (
     Chooser,
     Contradiction,
@@ -27,11 +28,18 @@ from rotsolve.solver.steps import (
 )
 from rotsolve.solver.textbook import Textbook
 
+Ranges = tuple[tuple[Formula | int, Formula | int], ...]
 INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp"}
 LONGEST = 800  # nodes of an equation beyond which nothing is solved in letters
 MOST_TERMS = 60  # terms of a closed form beyond which it is left out
 TOO_LONG = "too long to print in letters"
-REACHES = (10, 100, 1000, 10**6)  # how far from zero roots are looked for, one after the other
+EVERYWHERE: Ranges = (
+    (-10, 10),
+    (-100, 100),
+    (-1000, 1000),
+    (-(10**6), 10**6),
+)  # where roots are looked for, one after the other
+RANGES: dict[str, Ranges] = {"tilt": ((ZERO, PI),)}  # of what has no others
 
 
 class Isolation(Textbook, kw_only=True):
@@ -117,10 +125,10 @@ class Isolation(Textbook, kw_only=True):
         from rotsolve.algebra.certified.rootfind import is_identity, real_roots
 
         doubtful: tuple[Certified, Words] | None = None
-        for reach in REACHES:
-            if is_identity(gap, asked, values, reach):
+        for low, high in RANGES.get(key_of(asked).kind, EVERYWHERE):
+            if is_identity(gap, asked, values, high if isinstance(high, int) else 3):
                 raise Redundant(item.index)
-            found = real_roots(gap, asked, values, -reach, reach).roots
+            found = real_roots(gap, asked, values, low, high).roots
             if found:
                 picked = self.choose(asked, [Number(Fraction(root.float)) for root in found], None)
                 root = (found[picked.root], picked.words) if picked else (found[0], ())

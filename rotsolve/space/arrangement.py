@@ -52,7 +52,18 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def joints(self) -> tuple[Joint, ...]:
         """All joints of the scene, in the order of the file."""
         found = (item.joint_in_space() for item in self.problem.connections)
-        return tuple(joint for joint in found if joint is not None)
+        joints = tuple(joint for joint in found if joint is not None)
+        for joint in joints:
+            self.refuse_led(joint)
+        return joints
+
+    def refuse_led(self, joint: Joint) -> None:
+        """Refuse a joint by which a body that is led along is carried by one that is not: what is led carries."""
+        body, carrier = (self.bodies.get(ref.owner) for ref in (joint.body, joint.carrier))
+        if body is not None and carrier is not None and body.moved and not carrier.moved:
+            help = f"name what is led along first: `[{body.name}, {carrier.name}]`"
+            message = f"`{body.name}` is led along, so that `{carrier.name}` can't carry it by `{joint.owner}`"
+            raise Unsolvable(message, span=joint.body.span, help=help)
 
     def joint(self, name: str) -> Joint | None:
         return next((joint for joint in self.joints if joint.owner == name), None)

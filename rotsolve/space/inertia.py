@@ -11,6 +11,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.algebra.units.dimension import INERTIA as KG_M2
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
 from rotsolve.core.vectors.triple import (
@@ -28,6 +29,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Given
 from rotsolve.laws import inertia
+from rotsolve.laws.centre_of_mass import Unknown
 from rotsolve.motion.spread import Spread
 from rotsolve.space.arrangement import JointedBodies
 
@@ -55,7 +57,11 @@ class Tensors(Struct):
         spread = self._spread(name, point, spot)
         entries = {}
         for word in ENTRIES:
-            told = inertia.moment(spread, word)
+            try:
+                told = inertia.moment(spread, word)
+            except Unknown as error:
+                help = "a hole that is flat tells it no depth: give it a shape that has one"
+                raise Unsolvable(f"{error}: its tensor in space nothing tells", span=body.span, help=help) from None
             self.steps.update(dict.fromkeys(told.definitions))
             entries[word] = told.formula
             if told.formula != ZERO and not isinstance(told.formula, Symbol):

@@ -428,8 +428,13 @@ class SpaceReader:
         from rotsolve.space.principal import principal_moment
 
         tensor, number = self.tensor_about(path, term), (path.component or "1").split()[-1]
-        spelled, decide = self.dynamics.tensors.spelled, self.moment.signs.decide
-        found = principal_moment(tensor, spelled, number, path, self.held.vanishes, decide)
+        spelled, signs = self.dynamics.tensors.spelled, self.moment.signs
+
+        def side(gap: Formula) -> int | None:
+            sign = signs.decide(gap)
+            return signs.whatever_way(gap) if sign is None else sign
+
+        found = principal_moment(tensor, spelled, number, path, self.held.vanishes, side)
         steps = tuple(self.dynamics.tensors.steps)
         return Meaning(found, QUANTITIES["inertia"].dimension, label="principal moment of inertia", laws=steps)
 

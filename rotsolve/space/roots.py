@@ -31,7 +31,7 @@ def chosen(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: 
     if sought is not None:
         return of_steady(sought, roots, scene, numbers)
     if key.kind == "tilt":
-        return tilted(roots, numbers)
+        return tilted(name, roots, scene, numbers)
     if key.kind in TURNED and not key.component and len(roots) > 1:
         return first_there(name, roots, scene, numbers)
     if key.kind != "precession":
@@ -93,18 +93,32 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
     )
 
 
-def tilted(roots: Sequence[Formula], numbers: Numbers) -> PickedRoot | None:
-    """The tilt that lies from 0 to 180°, where only one does."""
-    values = [(index, numbers.of(root)) for index, root in enumerate(roots)]
-    within = [index for index, value in values if value is not None and -SMALL < value < math.pi + SMALL]
-    if len(within) != 1:
-        return None
-    return PickedRoot(within[0], ("a tilt lies from 0 to 180°",) if len(values) > 1 else ())
+def tilted(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
+    """The tilt that lies from 0 to 180°: of several the one that the state says, `smallest` or `largest`."""
+    key = key_of(name)
+    values = {index: value for index, root in enumerate(roots) if (value := numbers.of(root)) is not None}
+    within = [index for index, value in values.items() if -SMALL < value < math.pi + SMALL]
+    others = [index for index in within[1:] if numbers.side(roots[index] - roots[within[0]]) != 0]
+    if not values or (len(within) < 2 and len(values) < len(roots)):
+        return PickedRoot(within[0], ("a tilt lies from 0 to 180°",)) if len(within) == 1 else None
+    word = word_told(key.owner, key.when, scene, "tilt")
+    problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
+    if not within or (others and word not in EXTREMES):
+        message = f"several tilts of `{key.owner}` are possible at `{key.when}`, and nothing tells which is meant"
+        help = f"say `{key.owner}.tilt: smallest` or `largest` there"
+        if not within:
+            message, help = f"`{key.owner}` has no tilt from 0 to 180° at `{key.when}`", "check what the states say"
+        raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+    if not others:
+        return PickedRoot(within[0], ("a tilt lies from 0 to 180°",) if len(values) > 1 else ())
+    sign = -1 if word == "largest" else 1
+    index = within[numbers.least([sign * roots[k] for k in within])]
+    return PickedRoot(index, (f"the {word} tilt",))
 
 
-def word_told(owner: str, state: str, scene: SceneEquations) -> str:
-    """What a state says of the precession: `smallest` or `largest`; '' where it does not."""
+def word_told(owner: str, state: str, scene: SceneEquations, quantity: str = "precession") -> str:
+    """What a state says of a quantity of a body: `smallest` or `largest`; '' where it does not."""
     for line in scene.configuration.timeline.state(state).conditions:
-        if line.path is not None and (line.path.owner, line.path.quantity) == (owner, "precession") and line.word:
+        if line.path is not None and (line.path.owner, line.path.quantity) == (owner, quantity) and line.word:
             return line.word
     return ""

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 SMALL = 1e-9
 UPRIGHT = "upright it does not precess: sin θ ≠ 0"
-SEVERAL = "several steady motions are possible, and nothing tells which is meant"
+SEVERAL = "several motions are possible, and nothing tells which is meant"
 OF_LETTER = "write `smallest {name}` or `largest {name}`, one of them in a scene"
 OF_QUANTITY = "give it a letter, `x: unknown`, in the state, and ask for `smallest x` or `largest x`"
 
@@ -37,6 +37,7 @@ class Sought(Struct, frozen=True):
     name: str
     word: str
     tilts: tuple[Formula, ...]
+    steady: bool
     size: bool  # whether it is a mass, a length or their like, which are positive
     help: str
 
@@ -44,27 +45,29 @@ class Sought(Struct, frozen=True):
 def steady_letter(name: str, scene: SceneEquations) -> Sought | None:
     """What is asked of a steady motion under a name; None for what is not."""
     problem, states = scene.configuration.problem, scene.configuration.timeline.states
-    key = key_of(name)
+    tilts: tuple[Formula, ...]
     if is_key(name):
+        key = key_of(name)
         steady = any(state.name == key.when and state.steady for state in states)
         tilts = (Symbol(name),) if key.kind == "tilt" else ()
         sought = key.kind in ("tilt", "spin", "axial_rate") and not key.component
-        return Sought(name, "", tilts, False, OF_QUANTITY) if steady and sought else None
+        return Sought(name, "", tilts, True, False, OF_QUANTITY) if steady and sought else None
     given = next((given for given in problem.givens if given.name == name and given.asked), None)
-    if given is None or not any(state.steady for state in states):
-        return None
-    lines = [line for state in states if state.steady for line in state.conditions if line.path is not None]
+    lines = [line for state in states for line in state.conditions if line.path is not None]
     tilts = tuple(
         line.value
         for line in lines
         if line.path is not None and line.path.quantity == "tilt" and line.value is not None
         if name in line.value.symbols()
     )
+    steady = any(state.steady for state in states)
+    if given is None or not (steady or tilts):
+        return None
     finds = [find for find in problem.finds if find.formula == Symbol(name) and not find.terms and find.where is None]
     words = {find.modifier for find in finds}
     word = words.pop() if len(words) == 1 else ""
     rate = given.dimension is None or any(given.dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
-    return Sought(name, word, tilts, not rate, OF_LETTER.format(name=name))
+    return Sought(name, word, tilts, steady, not rate, OF_LETTER.format(name=name))
 
 
 def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
@@ -75,7 +78,11 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
     reasons: list[str] = []
     if sought.tilts:
         left = [k for k in left if within(sought, roots[k], numbers)]
-        tilted = [k for k in left if not all(upright(tilt, sought, roots[k], numbers) for tilt in sought.tilts)]
+        tilted = [
+            k
+            for k in left
+            if sought.steady and not all(upright(tilt, sought, roots[k], numbers) for tilt in sought.tilts)
+        ]
         reasons += [UPRIGHT] if tilted and len(tilted) < len(left) else []
         left = tilted or left
     others: list[int] = []

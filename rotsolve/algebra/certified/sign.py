@@ -13,8 +13,8 @@ from msgspec import Struct, field
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Certified, evaluate, suppose
 from rotsolve.algebra.certified.balls import Undefined, with_values
-from rotsolve.algebra.exact.normal import Fractions, simplify
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
+from rotsolve.algebra.exact.normal import Fractions, is_zero, simplify
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol, negate
 
 ACUTE = "acute"
 
@@ -125,6 +125,12 @@ class SignOracle(Struct, frozen=True):
             acute = {name for name, limits in known.items() if limits == ACUTE}
             sign = sign_within(value, {*self.positive, *known}, acute) if known else None
         return sign
+
+    def whatever_way(self, value: Formula) -> int | None:
+        """The sign of what is the same for a letter and for that with a minus sign, as a² is: where none of these letters is 0."""
+        value = simplify(value, positive=self.positive)
+        even = [name for name in value.symbols() if is_zero(value - value.substitute({name: negate(Symbol(name))}))]
+        return sign_within(value, self.positive | frozenset(even))
 
     def of_sizes(self, value: Formula) -> int | None:
         """The sign in the case that is looked at, else that where letters without a value stand for sizes of any kind, all positive."""

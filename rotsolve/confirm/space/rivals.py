@@ -9,8 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from itertools import pairwise
 
-from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
+from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY, Dimension
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.space.hearing import Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
@@ -35,9 +36,10 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
     found = [own, *(root for root in others(hearing, own) if abs(root - own) > SAME * max(abs(own), abs(root)))]
     if not rate_or_angle(hearing, place) and own > 0:
         found = [root for root in found if root > 0]
-    tilts = {root: tilt_with(hearing, place, root) for root in found}
-    found = [root for root in found if tilts[root] is None or -UPRIGHT < tilts[root] < math.pi + UPRIGHT]
-    left = [root for root in found if tilts[root] is None or abs(math.sin(tilts[root])) > UPRIGHT] or found
+    tilts = [tilt_with(hearing, place, root) for root in found]
+    standing = [k for k, tilt in enumerate(tilts) if tilt is None or -UPRIGHT < tilt < math.pi + UPRIGHT]
+    leaning = [k for k in standing if (tilt := tilts[k]) is None or abs(math.sin(tilt)) > UPRIGHT]
+    left = [found[k] for k in leaning or standing]
     if own not in left:
         return False
     if len(left) == 1:
@@ -74,7 +76,7 @@ def roots_between(left: Left, places: Sequence[float]) -> Iterator[float]:
     if not sizes or not max(sizes):
         return
     part = max(range(count), key=sizes.__getitem__)
-    for (a, low), (b, high) in zip(zip(places, columns), zip(places[1:], columns[1:]), strict=False):
+    for (a, low), (b, high) in pairwise(zip(places, columns, strict=True)):
         if len(low) != count or len(high) != count or low[part] * high[part] > 0:
             continue
         room = max(abs(x) for x in (*low, *high))
@@ -105,7 +107,7 @@ def is_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
     return not isinstance(place, str) or (dimension is not None and dimension.matches(ANGLE))
 
 
-def dimension_put_in(hearing: Hearing, place: tuple[str, str, str] | str):  # type: ignore[no-untyped-def]
+def dimension_put_in(hearing: Hearing, place: tuple[str, str, str] | str) -> Dimension | None:
     return next((given.dimension for given in hearing.problem.givens if given.name == place), None)
 
 

@@ -111,7 +111,7 @@ class Triangle(Cornered, frozen=True):
         default=(),
     )
     corners: tuple[Place, ...] = key(
-        "places", "three corners", letter="x", count=(3, 3), default=(), example="[[0, 0], [b, 0], [0, h]]"
+        "corners", "three corners", letter="x", count=(3, 3), default=(), example="[[0, 0], [b, 0], [0, h]]"
     )
 
     def rooms(self) -> Iterator[Limit]:
@@ -163,7 +163,9 @@ class Polygon(Cornered, frozen=True):
     word = "polygon"
     about = "thin uniform polygon by its corners in order: corner1, corner2, …"
     points = ()
-    corners: tuple[Place, ...] = key("places", "corners in order", letter="x", count=(3, 40), default=(), required=True)
+    corners: tuple[Place, ...] = key(
+        "corners", "corners in order", letter="x", count=(3, 40), default=(), required=True
+    )
 
     def vertices(self) -> tuple[Place, ...]:
         return self.corners
