@@ -114,6 +114,8 @@ class Clauses:
         return self.named(part, "phases and events", "phase", "event")
 
     def read_about(self, part: Text) -> PointRef | None:
+        if self.scope.space and part.value.strip().startswith("["):
+            return read_point(self.scope, list_of_texts(part), "about", "about")
         return read_point(self.scope, part, "about", "about", ("body", "connection"))
 
     def read_along(self, part: Text) -> Formula | str | tuple[Formula, ...] | None:

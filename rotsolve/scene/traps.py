@@ -68,7 +68,10 @@ def explained(problem: str, line: str, column: int, above: tuple[str, ...]) -> t
     if "quoted scalar" in problem or "found unexpected end of stream" in problem:
         return "a quotation mark that is never closed", "close it, or leave both out"
     if "expected ',' or" in problem:
-        return "a bracket that is never closed, or a comma missing", "write `{a: 1, b: 2}` and `[a, b]`"
+        return (
+            "a bracket that is never closed, or a comma missing",
+            'write `{a: 1, b: 2}` and `[a, b]`; a phrase with brackets in it stands in quotes within `{…}`: "b.inertia along [1, 0, 1]"',
+        )
     if "expected ':'" in problem:
         return "a name without `: value`", "write `name: value`, with a space after the colon"
     if "nesting depth" in problem:  # PyYAML 6.0.4 reads ahead of its events, and gives up by itself at 1000 levels

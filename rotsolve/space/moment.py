@@ -215,6 +215,8 @@ class SpaceMoment:
         axis = self.held.axis(name)
         if axis is None:
             raise Unsolvable(f"`{name}` has no axis: its tilt and spin have no meaning", help="give it `axis: z`")
+        if self.state.steady:
+            self.refuse_shaken(name)
         turning, symmetric = self.nodding(name), self.held.turns_round(name, axis)
         if not symmetric and self.state.steady:
             self.refuse_unsteady(name, axis)
@@ -224,6 +226,22 @@ class SpaceMoment:
         axial, faster = self.ask("axial_rate", name), self.rate_of("axial_rate", name)
         omega, rates = (found.omega[0], found.omega[1], axial), (found.rates[0], found.rates[1], faster)
         return Attitude(found.axes, found.own, omega, rates, found.about)
+
+    def refuse_shaken(self, name: str) -> None:
+        """Refuse a steady precession about the vertical of what is held at a point that is accelerated sideways."""
+        carrier, rate = self.held.bodies.get(self.held.carrier(name)), self.told(name, "precession")
+        if rate is not None and self.held.vanishes(rate):
+            return  # it leans, and stays so
+        led = [(axis, value) for word, axis, value in (carrier.moved if carrier else ()) if word == "acceleration"]
+        upright = self.nodding(name).angles[1] in (ZERO, PI)
+        if carrier is None or upright or all(axis == "z" or self.held.vanishes(value) for axis, value in led):
+            return
+        joint = self.held.main(name)
+        message = (
+            f"`{name}` does not precess steadily about the vertical: `{carrier.name}` accelerates its point sideways"
+        )
+        help = "it does so about the weight that is felt there: draw z along g − a, and give `gravity` its size"
+        raise Unsolvable(message, span=None if joint is None else joint.body.span, help=help)
 
     def refuse_unsteady(self, name: str, axis: Triple) -> None:
         """Refuse a steady precession of a body that spins and is not symmetric, or of which letters do not tell whether it is."""
@@ -330,7 +348,10 @@ class SpaceMoment:
             if not self.held.symmetric(name, axis):
                 help = "a wheel on an axle is symmetric about it; hold other bodies by a `hinge`"
                 raise Unsolvable(f"`{name}` is not symmetric about its axle", span=joint.body.span, help=help)
-            return on_axle(base, direction, rate, faster, aligning(axis, direction))
+            turned = self.hinge_angle(name, joint)
+            rows = aligning(axis, direction)
+            rows = rows if turned is None else after(turn_about(direction, turned), rows)
+            return on_axle(base, direction, rate, faster, rows)
         angle = self.hinge_angle(name, joint)
         if on_body:
             lost = "" if angle is not None else self.lost(name)
@@ -345,9 +366,15 @@ class SpaceMoment:
         return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
 
     def hinge_angle(self, name: str, joint: Joint) -> Formula | None:
-        """How far a body is turned about its hinge: as it is driven or the state tells; None where nothing does."""
+        """How far a body is turned about its hinge or axle: as it is driven or the state tells; None where nothing does."""
         driven = dict(joint.drive).get("angle")
         return self.now(driven) if driven is not None else self.told(name, "angle")
+
+    def spun_away(self, name: str) -> str:
+        """Why nothing tells where the points of a wheel are that are not on its axle: it has turned since the first state."""
+        joint = self.held.main(name)
+        spins = joint is not None and self.held.wheel(name)
+        return self.lost(name) if spins and joint is not None and self.hinge_angle(name, joint) is None else ""
 
     def direction(self, name: str, joint: Joint) -> Triple:
         """The axis of a joint in the axes of its body as it is drawn: an axle is told in those of what carries it."""
@@ -403,6 +430,11 @@ class SpaceMoment:
     def arm(self, ref: PointRef) -> Triple:
         """A point from the reference of its body, in the body's axes."""
         own, arm = self.attitude(ref.owner), self.held.arm(ref)
+        if own.about is not None and any(part != ZERO for part in cross_product(rotated(own.own, arm), own.about)):
+            unknown = self.spun_away(ref.owner)
+            if unknown:
+                help = f"tell its `{ref.owner}.angle` in that state"
+                raise Unsolvable(unknown, span=ref.span, help=help)
         if own.axes.name == NODE and self.nods(ref.owner):
             return rotated(turn_about(Z, self.nodding(ref.owner).angles[2]), rotated(own.own, arm))
         return rotated(own.own, arm)
@@ -544,6 +576,7 @@ class SpaceMoment:
         """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""
         own = self.attitude(name)
         if own.axes.name != NODE:
-            return Axes(BODY, after(own.axes.rows, own.own), own.omega, own.rates, own.axes.lost)
+            lost = own.axes.lost or self.spun_away(name)
+            return Axes(BODY, after(own.axes.rows, own.own), own.omega, own.rates, lost)
         rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
         return Axes(BODY, rows)

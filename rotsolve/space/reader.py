@@ -25,6 +25,7 @@ from rotsolve.core.vectors.triple import (
     square_of,
     unit_along,
     vector_sum,
+    way_between,
 )
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.grammar import ANGLE_OF
@@ -189,7 +190,9 @@ class SpaceReader:
         joint = self.held.joint(term.about.owner)
         ref = joint.body if joint is not None else term.about
         if ref.owner != path.owner:
-            raise NotYet(f"`{ref.owner}` is no point of `{path.owner}`", term.about.span)
+            from rotsolve.space.places import way_to
+
+            return way_to(self.moment, path.owner, ref), ""
         return self.moment.arm(PointRef(ref.owner, ref.point or "center", ref.argument)), ref.point or "center"
 
     def angular_momentum(self, path: Path, term: Term) -> Seen:
@@ -390,7 +393,10 @@ class SpaceReader:
         ref = term.about
         point = PointRef(path.owner, CM) if ref is None else PointRef(path.owner, ref.point or "center", ref.argument)
         joint = None if ref is None else self.held.joint(ref.owner)
-        return self.dynamics.own_tensor(point if joint is None else joint.body)
+        point = point if joint is None else joint.body
+        if point.owner != path.owner or (ref is not None and joint is None and ref.owner != path.owner):
+            raise NotYet(f"`{path.quantity}` of `{path.owner}` is told about its own points", path.span)
+        return self.dynamics.own_tensor(point)
 
     def inertia(self, path: Path, term: Term) -> Meaning:
         """nᵀ I n about a direction, in the body's own axes; about its axis where none is named."""
@@ -458,6 +464,19 @@ class SpaceReader:
 
         return growth(self.dynamics, path)
 
+    def centre_of_mass(self, path: Path, term: Term) -> Meaning:
+        """A component of Σ m r/Σ m in the body's own axes, from the centre of its shape or from another of its points."""
+        place = self.held.centre(path.owner)
+        if term.about is not None:
+            if term.about.owner != path.owner:
+                raise NotYet(f"the centre of mass of `{path.owner}` is told from its own points", path.span)
+            place = way_between(self.held.spot(term.about), place)
+        axis = (path.component or "").split()[-1:] or [""]
+        if axis[0] not in AXES:
+            raise NotYet(f"`{path_text(path)}` is a place", path.span, "ask for `cm`, or for `cm.x`, `cm.y`, `cm.z`")
+        found = tidied_part(place[AXES.index(axis[0])])
+        return Meaning(found, QUANTITIES["cm"].dimension, label="centre of mass, Σ m r/Σ m")
+
     def mass(self, path: Path, term: Term) -> Formula:
         return self.held.mass(path.owner)
 
@@ -511,6 +530,7 @@ SCALARS: dict[str, Callable[[SpaceReader, Path, Term], Formula | Meaning]] = {
     "freedoms": SpaceReader.freedoms,
     "stability": SpaceReader.stability,
     "mass": SpaceReader.mass,
+    "cm": SpaceReader.centre_of_mass,
     "speed": SpaceReader.speed,
     "period": SpaceReader.period,
 }

@@ -21,6 +21,8 @@ from rotsolve.space.inertia import CM, entry_along
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.rolling import rolling_radius
 
+HANGS = "its centre of mass lies below the point that is held"
+
 
 def growth(laws: SpaceLaws, path: Path) -> Meaning:
     """λ² of a free body that turns about one of its principal axes."""
@@ -90,6 +92,8 @@ def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     height = moment.arm(PointRef(name, CM))[2]
     lift = multiply(multiply(mass, gravity), height)
     momentum = square(multiply(axial, own.omega[2]))
+    if moment.signs.decide(lift) == -1:
+        raise NotYet(f"`{name}` is stable at `{moment.when}` however it spins: no spin is the least", help=HANGS)
     return STABILITY.equation(momentum, 4 * multiply(across, lift), moment.when, (name,))
 
 
@@ -112,5 +116,8 @@ def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
         found = coefficients(gap, rate.name)
         if found is not None and len(found) == 3:
             c, b, a = found
+            if dynamics.moment.signs.decide(multiply(a, c)) == -1:
+                message = f"`{name}` has a steady precession at `{dynamics.moment.when}` however it spins: no spin is the least"
+                raise NotYet(message, help=HANGS)
             return STABILITY.equation(square(b), 4 * multiply(a, c), dynamics.moment.when, (name,))
     raise NotYet(f"`{name}` has no steady precession with two roots at `{dynamics.moment.when}`")

@@ -160,7 +160,10 @@ class Reading:
             return STILL if joint is None else self.stance.arm(joint.body)
         joint = self.rig.joints.get(term.about.owner)
         ref = joint.body if joint is not None else term.about
-        place = sum_of(self.stance.place(ref.owner), self.stance.arm(ref)) if ref.owner in self.rig.bodies else STILL
+        if ref.owner in self.rig.bodies:
+            place = sum_of(self.stance.place(ref.owner), self.stance.arm(ref))
+        else:
+            place = STILL if ref.place is None else self.rig.arrow(ref.place)
         return less(place, self.stance.place(name))
 
     def angular_momentum(self, path: Path, term: Term) -> Arrow:
@@ -389,9 +392,11 @@ class Reading:
 
     def cm(self, path: Path, term: Term) -> float:
         """A component of the place of the centre of mass in the body's own axes."""
-        if path.component not in ENTRY or term.about is not None:
+        axis = (path.component or "").split()[-1:] or [""]
+        if axis[0] not in ENTRY:
             raise NotConfirmed("where the centre of mass is")
-        return self.rig.solid(path.owner).centre[ENTRY[path.component]]
+        start = STILL if term.about is None else self.rig.spot(term.about)
+        return less(self.rig.solid(path.owner).centre, start)[ENTRY[axis[0]]]
 
     def mass(self, path: Path, term: Term) -> float:
         return self.rig.solid(path.owner).mass

@@ -1,0 +1,41 @@
+"""Places in space: where the reference of a body is, as its joints, its state or what leads it tell; refused by name where nothing does."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import ZERO
+from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, minus, triple, vector_sum
+from rotsolve.language.bodies import PointRef
+from rotsolve.paths.meaning import NotYet
+from rotsolve.space.attitude import IN_SPACE
+from rotsolve.space.moment import SpaceMoment
+
+
+def way_to(moment: SpaceMoment, name: str, ref: PointRef) -> Triple:
+    """From the reference of a body to a place in space or a point of another body, in the axes of the first: P − r."""
+    place = triple(ref.place) if ref.place is not None else place_of(moment, ref)
+    away = vector_sum(place, minus(reference_place(moment, name)))
+    return IN_SPACE.to(moment.axes(name), away)
+
+
+def place_of(moment: SpaceMoment, ref: PointRef) -> Triple:
+    """A point of a body in space."""
+    arm = moment.axes(ref.owner).to(IN_SPACE, moment.arm(PointRef(ref.owner, ref.point or "center", ref.argument)))
+    return vector_sum(reference_place(moment, ref.owner), arm)
+
+
+def reference_place(moment: SpaceMoment, name: str) -> Triple:
+    """The point about which a body turns: where its joint holds it, else its centre of mass, of which the state tells the place."""
+    joint = moment.held.main(name)
+    if joint is not None and not joint.sliding:
+        carrier = joint.carrier
+        if carrier.owner in moment.held.bodies:
+            return place_of(moment, carrier)
+        return NOTHING if carrier.place is None else triple(carrier.place)
+    led = {axis: value for word, axis, value in moment.held.bodies[name].moved if word == "position"}
+    if led:
+        return triple([moment.now(led.get(axis, ZERO)) for axis in AXES])
+    told = moment.vector_told(name, "position")
+    if joint is not None or told is None or told[2]:
+        help = f"tell `{name}.position: [x, y, z]` in the state"
+        raise NotYet(f"where `{name}` is at `{moment.when}` nothing tells", help=help)
+    return told[0]
