@@ -138,6 +138,7 @@ class ActingElement(Element, frozen=True):
     later: ClassVar[bool] = False
     planar: ClassVar[bool] = True  # whether scenes in the plane have it
     spatial: ClassVar[bool] = False  # whether scenes in space do
+    spatial_word: ClassVar[str] = ""  # the word that says the same in space, where one does
     name: str = ""
 
     def check(self, scene: Surroundings) -> None:

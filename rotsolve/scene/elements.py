@@ -309,7 +309,8 @@ def check_world(scope: Scope, place: Node, cls: Any) -> None:
     if cls.later:
         scope.later(place, cls.word)
     elif scope.space and not cls.spatial:
-        in_plane_only(scope, place, cls.word)
+        word = getattr(cls, "spatial_word", "")
+        in_plane_only(scope, place, cls.word, f"write `{word}`: it says the same in space" if word else "")
     elif not scope.space and not cls.planar:
         in_space_only(scope, place, cls.word)
 

@@ -31,9 +31,12 @@ def in_space_only(scope: Scope, place: Any, word: str) -> Nothing:
     return scope.fault(place, f"`{word}` is for scenes in space, and this one is in the plane", UP_HELP, "mixed")
 
 
-def in_plane_only(scope: Scope, place: Any, word: str) -> Nothing:
-    """A word of the plane in a scene in space."""
-    help = "leave out `up: z` where all moves in one plane, or say it with the words of space (docs/language.md)"
+def in_plane_only(scope: Scope, place: Any, word: str, instead: str = "") -> Nothing:
+    """A word of the plane in a scene in space, and what says the same there."""
+    help = (
+        instead
+        or "leave out `up: z` where all moves in one plane, or say it with the words of space (docs/language.md)"
+    )
     return scope.fault(place, f"`{word}` is for scenes in the plane, and this one is in space", help, "mixed")
 
 

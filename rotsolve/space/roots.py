@@ -54,7 +54,8 @@ def chosen(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: 
 def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numbers) -> None:
     """Refuse a steady precession that is none, since the body spins too slowly, with the least spin that allows one."""
     limit = scene.steady_limit(owner, state)  # type: ignore[attr-defined]
-    share = numbers.of(limit.right / limit.left) if limit is not None else None
+    spelled = scene.tensors.spelled  # type: ignore[attr-defined]
+    share = numbers.of(spelled(limit.right / limit.left)) if limit is not None else None
     if share is None or share <= 1:
         return
     problem, rate = scene.configuration.problem, numbers.of(scene.axial_rate(owner, state))  # type: ignore[attr-defined]

@@ -92,7 +92,7 @@ def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     height = moment.arm(PointRef(name, CM))[2]
     lift = multiply(multiply(mass, gravity), height)
     momentum = square(multiply(axial, own.omega[2]))
-    if moment.signs.decide(lift) == -1:
+    if moment.signs.decide(dynamics.tensors.spelled(lift)) == -1:
         raise NotYet(f"`{name}` is stable at `{moment.when}` however it spins: no spin is the least", help=HANGS)
     return STABILITY.equation(momentum, 4 * multiply(across, lift), moment.when, (name,))
 
@@ -116,7 +116,7 @@ def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
         found = coefficients(gap, rate.name)
         if found is not None and len(found) == 3:
             c, b, a = found
-            if dynamics.moment.signs.decide(multiply(a, c)) == -1:
+            if dynamics.moment.signs.decide(dynamics.tensors.spelled(multiply(a, c))) == -1:
                 message = f"`{name}` has a steady precession at `{dynamics.moment.when}` however it spins: no spin is the least"
                 raise NotYet(message, help=HANGS)
             return STABILITY.equation(square(b), 4 * multiply(a, c), dynamics.moment.when, (name,))

@@ -300,6 +300,7 @@ class Mounted(Axle, frozen=True):
 class Weld(Connection, frozen=True):
     word = "weld"
     about = "makes two bodies one"
+    spatial_word = "clamp"
     quantities = ("force", "torque")
     bodily = True
     weld: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[drum, rod.end]")
