@@ -24,7 +24,7 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.mounts import on_mounts
 from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import apart, centre_of_mass, locate, pieces, tidy
+from rotsolve.motion.rigid import between_ends, centre_of_mass, locate, pieces, tidy
 
 
 def check_values(configuration: Configuration) -> None:
@@ -151,7 +151,7 @@ def _spanned(part: Part, letters: MadeLetters) -> Part:
     shape = part.body.shape
     if shape is None or not shape.slender or shape.reach() is not None or part.start is None or part.end is None:
         return part
-    size: dict[str, Any] = {"length": apart(part.start, part.end, letters.positive)}
+    size: dict[str, Any] = {"length": between_ends(part.start, part.end, letters.positive)}
     return replace(part, body=replace(part.body, shape=replace(shape, **size)))
 
 

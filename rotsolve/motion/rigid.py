@@ -240,7 +240,9 @@ def with_height(at: tuple[Formula, ...]) -> Spot:
     return (at[0], at[1], at[2] if len(at) > 2 else ZERO)
 
 
-def apart(start: tuple[Formula, ...], end: tuple[Formula, ...], positive: frozenset[str] = frozenset()) -> Formula:
+def between_ends(
+    start: tuple[Formula, ...], end: tuple[Formula, ...], positive: frozenset[str] = frozenset()
+) -> Formula:
     """√(Δx² + Δy² + Δz²) of two places."""
     gap = tidied(way_between(with_height(start), with_height(end)))
     return simplify(sqrt(square_of(gap)), positive=positive)

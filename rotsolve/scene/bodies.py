@@ -269,12 +269,12 @@ def check_ends(scope: Scope, name: str, key: Text, entries: Entries, part: Part)
     elif len(ends) == 1:
         scope.fault(key, f"part `{name}` needs both `start` and `end`", "or place its centre by `at`", "missing")
     elif part.start is not None and part.end is not None:
-        from rotsolve.motion.rigid import apart
+        from rotsolve.motion.rigid import between_ends
 
         for word in (word for word in ("at", "angle", "turned") if word in entries):
             message = f"`start` and `end` place the rod `{name}` already"
             scope.fault(entries[word][0], message, f"leave out `{word}`", "form")
-        gap = apart(part.start, part.end)
+        gap = between_ends(part.start, part.end)
         if scope.side(gap) == 0:
             scope.fault(entries["end"][0], f"the rod `{name}` begins where it ends", kind="limits")
         length = shape.reach()

@@ -12,12 +12,12 @@ from rotsolve.space.moment import SpaceMoment
 
 def way_to(moment: SpaceMoment, name: str, ref: PointRef) -> Triple:
     """From the reference of a body to a place in space or a point of another body, in the axes of the first: P − r."""
-    place = triple(ref.place) if ref.place is not None else place_of(moment, ref)
+    place = triple(ref.place) if ref.place is not None else point_in_space(moment, ref)
     away = vector_sum(place, minus(reference_place(moment, name)))
     return IN_SPACE.to(moment.axes(name), away)
 
 
-def place_of(moment: SpaceMoment, ref: PointRef) -> Triple:
+def point_in_space(moment: SpaceMoment, ref: PointRef) -> Triple:
     """A point of a body in space."""
     arm = moment.axes(ref.owner).to(IN_SPACE, moment.arm(PointRef(ref.owner, ref.point or "center", ref.argument)))
     return vector_sum(reference_place(moment, ref.owner), arm)
@@ -29,7 +29,7 @@ def reference_place(moment: SpaceMoment, name: str) -> Triple:
     if joint is not None and not joint.sliding:
         carrier = joint.carrier
         if carrier.owner in moment.held.bodies:
-            return place_of(moment, carrier)
+            return point_in_space(moment, carrier)
         return NOTHING if carrier.place is None else triple(carrier.place)
     led = {axis: value for word, axis, value in moment.held.bodies[name].moved if word == "position"}
     if led:

@@ -77,7 +77,7 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
         left = [k for k in left if numbers.side(roots[k]) in (1, None)] or left
     reasons: list[str] = []
     if sought.tilts:
-        left = [k for k in left if within(sought, roots[k], numbers)]
+        left = [k for k in left if possible_tilt(sought, roots[k], numbers)]
         tilted = [
             k
             for k in left
@@ -106,7 +106,7 @@ def lacks_numbers(root: Formula, numbers: Numbers) -> bool:
     return not numbers.signs.trials.keys() >= set(numbers.signs.lacking(root))
 
 
-def within(sought: Sought, root: Formula, numbers: Numbers) -> bool:
+def possible_tilt(sought: Sought, root: Formula, numbers: Numbers) -> bool:
     """Whether the tilts lie from 0 to 180° with a root, as far as numbers tell."""
     values = [numbers.of(tilt.substitute({sought.name: root})) for tilt in sought.tilts]
     return all(value is None or -SMALL < value < math.pi + SMALL for value in values)

@@ -52,7 +52,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
 
 def others(hearing: Hearing, own: float) -> Iterator[float]:
     """The numbers, beside one, with which the equations of all bodies leave nothing over."""
-    angle, place = is_angle(hearing, hearing.places[0]), hearing.places[0]
+    angle, place = put_in_as_angle(hearing, hearing.places[0]), hearing.places[0]
 
     def left(value: float) -> list[float]:
         with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
@@ -102,7 +102,7 @@ def rate_or_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
     return dimension is None or any(dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
 
 
-def is_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
+def put_in_as_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
     dimension = dimension_put_in(hearing, place)
     return not isinstance(place, str) or (dimension is not None and dimension.matches(ANGLE))
 

@@ -35,13 +35,13 @@ def amounts(body: Body) -> tuple[Formula, ...]:
     holes = [bored(hole, whole) for hole in body.holes]
     cuts = [hole.body.shape for hole in holes if hole.body.shape is not None]
     seen = whole.flat or (whole.seen and all(cut.flat or (cut.seen and cut.depth() == whole.depth()) for cut in cuts))
-    own = (kind_of(whole, seen), whole.measure()) if seen else filled(whole, whole)
+    own = (measured_over(whole, seen), whole.measure()) if seen else filled(whole, whole)
     found = [own[1]]
     for hole, cut in zip(holes, cuts, strict=True):
         if not seen and cut.seen and cut.depth() is None:
             message = f"how long the hole `{hole.body.name}` is nothing tells"
             raise Unsolvable(message, span=hole.body.span or body.span, help="say its `length`")
-        kind, size = (kind_of(cut, seen), cut.measure()) if seen else filled(cut, whole)
+        kind, size = (measured_over(cut, seen), cut.measure()) if seen else filled(cut, whole)
         if kind != own[0] or (hole.turned and cut.flat):
             message = f"how much of `{body.name}` the hole `{hole.body.name}` takes away nothing tells"
             help = f"a {cut.word} is cut out of a {whole.word}: say it by a shape of the same kind, or give its `mass`"
@@ -50,7 +50,7 @@ def amounts(body: Body) -> tuple[Formula, ...]:
     return tuple(found)
 
 
-def kind_of(shape: Shape, seen: bool) -> str:
+def measured_over(shape: Shape, seen: bool) -> str:
     """Over what the measure of a shape is: line, surface, volume."""
     return SEEN.get(shape.spread, "") if shape.seen and seen else shape.spread
 
