@@ -14,7 +14,6 @@ from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import has_quantities, paths_in
 from rotsolve.elements.connections import guide
 from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
-from rotsolve.elements.shapes.material import amounts, bored
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
@@ -24,7 +23,7 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.mounts import on_mounts
 from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import between_ends, centre_of_mass, locate, pieces, tidy
+from rotsolve.motion.rigid import between_ends, centre_of_mass, locate, materials, pieces, tidy
 
 
 def check_values(configuration: Configuration) -> None:
@@ -97,7 +96,7 @@ def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body
     shape = _shape(body.shape, body, letters) if body.shape is not None else None
     mass = body.mass
     parts = body.parts and tuple([_part(part, letters) for part in body.parts])
-    holes = body.holes and tuple([_spanned(bored(hole, shape), letters) for hole in body.holes])
+    holes = body.holes and tuple([_hole(hole, shape, letters) for hole in body.holes])
     if shape is not None:
         shape = shape.following(letters.positive)
     if body.tensor is not None or (
@@ -108,7 +107,7 @@ def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body
         shape = Graded(letters.positive, shape, body.density)
         mass = shape.measure()
     elif body.density is not None and shape is not None:
-        whole, *cut = amounts(replace(body, shape=shape, holes=holes)) if holes else (ONE,)
+        whole, *cut = materials(replace(body, shape=shape, holes=holes)) if holes else (ONE,)
         left = (whole - total(cut)) / whole
         mass = body.density * (shape.content() if not holes else simplify(shape.content() * left))
     elif mass is None and not body.parts:
@@ -144,6 +143,12 @@ def _central(body: Body) -> Body:
 def _part(part: Part, letters: MadeLetters) -> Part:
     part = _spanned(part, letters)
     return replace(part, body=complete_body(part.body, letters, False))
+
+
+def _hole(hole: Part, shape: Shape | None, letters: MadeLetters) -> Part:
+    from rotsolve.elements.shapes.material import bored
+
+    return _spanned(bored(hole, shape), letters)
 
 
 def _spanned(part: Part, letters: MadeLetters) -> Part:

@@ -14,11 +14,11 @@ from rotsolve.core.limits import Limit
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.tensor import ONE_AXIS, displaced
 from rotsolve.elements.shapes import Shape
-from rotsolve.elements.shapes.material import amounts
 from rotsolve.language.bodies import Part
 from rotsolve.language.problem import Body, Problem, references
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import limited_values
+from rotsolve.motion.rigid import materials
 
 LOWEST = {  # by what a key says of its values
     "positive": "must be positive",
@@ -143,7 +143,7 @@ def round_rim(shape: Shape | None) -> Formula | None:
 def sizes_told(body: Body) -> tuple[Formula, ...]:
     """The length, area or volume of a body and of what is cut out of it; none where a size is not told."""
     try:
-        return () if body.shape is None else amounts(body)
+        return () if body.shape is None else materials(body)
     except (NotImplementedError, TypeError, IndexError):
         return ()  # a size is left out
 

@@ -49,7 +49,6 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.shapes import Shape, rim_radius, rims, round_part, shape_of
-from rotsolve.elements.shapes.material import amounts
 from rotsolve.language.problem import Body, Part, PointRef
 
 MINUS = Number(Fraction(-1))
@@ -171,8 +170,8 @@ def _own_piece(body: Body) -> RigidPiece | None:
     mass = body.mass if body.mass is not None else ZERO
     measure = None
     if body.holes and body.shape is not None:
-        (measure, *_), rest = amounts(body), _rest(body)
-        mass = mass / rest * measure
+        measure, *cut = materials(body)
+        mass = mass / (measure - total(cut)) * measure
     at, height = place(shape.centroid()), shape.rise()
     if body.tensor is not None:  # about its own point; who needs it about another asks `space/inertia`
         return RigidPiece(body.name, mass, body.tensor.zz, at, shape, height, body.tensor)
@@ -182,10 +181,11 @@ def _own_piece(body: Body) -> RigidPiece | None:
     return RigidPiece(body.name, mass, shape.moment(mass), at, shape, height, shape.tensor(mass), measure, whole=True)
 
 
-def _rest(body: Body) -> Formula:
-    """What its holes leave of a body's length, area or volume."""
-    whole, *cut = amounts(body)
-    return whole - total(cut)
+def materials(body: Body) -> tuple[Formula, ...]:
+    """Length, area or volume of a body without its holes, and of each of them; what tells them is loaded for bodies with holes alone."""
+    from rotsolve.elements.shapes.material import amounts
+
+    return amounts(body)
 
 
 def _cut(hole: Part, body: Body) -> tuple[RigidPiece, ...]:
@@ -193,8 +193,9 @@ def _cut(hole: Part, body: Body) -> tuple[RigidPiece, ...]:
     if hole.body.mass is not None or body.mass is None:
         return _placed(hole, MINUS)
     shape, cut = shape_of(body), shape_of(hole.body)
-    size = amounts(body)[1 + body.holes.index(hole)]
-    filled = replace(hole, body=Body(hole.body.name, cut, mass=body.mass / _rest(body) * size))
+    whole, *sizes = materials(body)
+    size = sizes[body.holes.index(hole)]
+    filled = replace(hole, body=Body(hole.body.name, cut, mass=body.mass / (whole - total(sizes)) * size))
     pieces = tuple(replace(piece, measure=MINUS * size) for piece in _placed(filled, MINUS))
     if cut.flat and not shape.flat:  # how deep it is nobody says
         return tuple(replace(piece, tensor=None) for piece in pieces)

@@ -87,6 +87,31 @@ find: {P: b.precession}""")
     assert found["P"] == near([0, 10 / math.cos(math.radians(30))])
 
 
+def test_a_rod_is_as_long_as_its_ends_are_apart_whatever_length_it_has() -> None:
+    """M d²/3 (1 − n nᵀ) about its start, and λ d: the assembly goes by the places, not by the length that was made of them."""
+    found = reckoned("""given: {m: 3 kg, k: 2 kg/m, b: 0.2 m}
+bodies:
+  one: {points: {A: [0, 0, 0]}, parts: {q: {shape: rod, mass: m, start: [0, 0, 0], end: [b, 2*b, 2*b]}}}
+  two: {points: {A: [0, 0, 0]}, parts: {q: {shape: rod, density: k, start: [0, 0, b], end: [0, 0, 3*b]}}}
+find: {I: one.inertia along z about one.A, M: two.mass, z: two.cm.z, J: two.inertia along x about two.A}""")
+    assert found["I"] == near(3 * 0.36 / 3 * (1 - 4 / 9))
+    assert (found["M"], found["z"]) == (near(0.8), near(0.4))
+    assert found["J"] == near(0.8 * (0.16 + 0.16 / 12))
+
+
+def test_a_hole_takes_away_what_it_fills() -> None:
+    """ρ = M/(a b c − π r² c), the bore as deep as the box; about a place in space L = r × m v."""
+    found = reckoned("""given: {M: 2 kg, a: 0.3 m, b: 0.2 m, c: 0.1 m, r: 0.05 m, v: 3 m/s}
+bodies:
+  box: {shape: cuboid, mass: M, sides: [a, b, c], holes: {bore: {shape: cylinder, radius: r}}}
+  ball: {shape: particle, mass: M}
+states: {now: {ball.position: [a, 0, b], ball.velocity: [v, 0, 0]}}
+find: {I: box.inertia along z, L: "ball.angular_momentum about [0, 0, c]"}""")
+    rest = 0.06 - math.pi * 0.0025
+    assert found["I"] == near(2 / rest * (0.06 * 0.13 / 12 - math.pi * 0.0025 * 0.0025 / 2))
+    assert found["L"] == near((0, 0.1 * 2 * 3, 0))
+
+
 def test_what_nothing_tells_is_left_open() -> None:
     with pytest.raises(NotConfirmed, match="leave it open"):
         reckoned("""gravity: none

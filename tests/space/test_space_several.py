@@ -161,11 +161,6 @@ REFUSED = {
         "several motions are possible",
         "`smallest W`",
     ),
-    "a rate in letters": (
-        top("w3: rad/s, W: unknown, theta: 20 deg", TOLD, "{c: W}").replace("0.05 m", "m"),
-        "",
-        "",
-    ),
     "one of a coin": (
         coin("W: unknown, theta: 60 deg, s: 30 rad/s", ROLLING, "{c: W}"),
         "several motions are possible",

@@ -44,7 +44,7 @@ def amounts(body: Body) -> tuple[Formula, ...]:
         kind, size = (measured_over(cut, seen), cut.measure()) if seen else filled(cut, whole)
         if kind != own[0] or (hole.turned and cut.flat):
             message = f"how much of `{body.name}` the hole `{hole.body.name}` takes away nothing tells"
-            help = f"a {cut.word} is cut out of a {whole.word}: say it by a shape of the same kind, or give its `mass`"
+            help = f"a {cut.word} is cut out of a {whole.word}: say it by a shape of the same kind"
             raise Unsolvable(message, span=hole.body.span or body.span, help=help)
         found.append(size)
     return tuple(found)

@@ -1,0 +1,124 @@
+"""Momenta and torques about places in space and points of other bodies, centres of mass, wheels turned by an angle, what has no least spin.
+
+Values by hand, and every answer by the assembly of all bodies' equations.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve import SceneError, Unsolvable, solve
+
+BALL = """given: {m: 2 kg, v: 3 m/s, a: 0.4 m, b: 0.5 m, w: 2 rad/s, g: 10 m/s^2}
+bodies:
+  ball: {shape: particle, mass: m}
+  arm: {shape: rod, mass: m, length: b}
+connections: {axis: {hinge: arm.start, along: z, angular_velocity: w}}
+states: {now: {ball.position: [a, 0, b], ball.velocity: [v, 0, 0]}}
+"""
+WHEEL = """gravity: none
+given: {m: 2 kg, R: 0.5 m, W: 2 rad/s, s: 10 rad/s, psi: 90 deg}
+bodies:
+  frame: {mass: 0, angular_velocity: [0, 0, W]}
+  blades: {shape: disc, mass: m, radius: R, points: {P: [R, 0, 0]}}
+connections: {shaft: {axle: [frame, blades], along: x, angular_velocity: s}}
+states: {now: {blades.angle: psi}}
+"""
+TOP = """given: {M: 0.2 kg, l: 0.05 m, I1: 6e-4 kg m^2, I3: 8e-5 kg m^2, w: unknown}
+bodies: {top: {mass: M, inertia: {about: tip, principal: [I1, I1, I3]}, axis: z, points: {tip: [0, 0, PLACE]}}}
+connections: {pivot: {ball: top.tip}}
+states: {now: {top.tilt: TILT, top.axial_rate: w, steady: true}}
+"""
+CASES = {
+    "about a place in space": (
+        BALL + 'find: {L: "ball.angular_momentum about [0, 0, 0]", T: "ball.torque.net about [0, 0, 0]"}\n',
+        {"L": (0, 0.5 * 6, 0), "T": (0, 0.4 * 20, 0)},
+    ),
+    "about a point of another body": (
+        BALL + "find: {L: ball.angular_momentum about arm.end, K: arm.angular_momentum about ball.cm}\n",
+        {"L": (0, 0.5 * 6, 0), "K": (0.5 * 2 * 0.5, 0, 2 * 0.25 * 2 / 12 + (0.25 - 0.4) * 2 * 0.5)},
+    ),
+    "where the centre of mass is": (
+        "given: {m: 2 kg, a: 0.4 m}\n"
+        "bodies: {b: {points: {P: [0, 0, a]}, parts: {p: {mass: m, at: [a, 0, 2*a]}, q: {mass: 3*m, at: [0, a, -a]}}}}\n"
+        "find: {c: b.cm, z: b.cm.z about b.P}\n",
+        {"c": (0.1, 0.3, -0.1), "z": (-0.5,)},
+    ),
+    "a blade of a wheel that is turned by an angle": (
+        WHEEL + "find: {v: blades.P.velocity, a: blades.P.acceleration, L: blades.angular_momentum}\n",
+        {"v": (-1, 0, 5), "a": (0, -52, 0), "L": (2.5, 0, 0.25)},
+    ),
+    "that is driven through an angle": (
+        "gravity: none\ngiven: {m: 2 kg, R: 0.5 m, c: 2 rad/s^2, T: 1 s}\n"
+        "bodies: {blades: {shape: disc, mass: m, radius: R, points: {P: [R, 0, 0]}}}\n"
+        "connections: {shaft: {axle: blades, along: x, angle: c*time^2/2}}\nstates: {now: {time: T}}\n"
+        "find: {v: blades.P.velocity, a: blades.P.acceleration}\n",
+        {
+            "v": (0, math.cos(1), math.sin(1)),
+            "a": (0, math.cos(1) - 2 * math.sin(1), math.sin(1) + 2 * math.cos(1)),
+        },
+    ),
+}
+REFUSED = {
+    "about a point of a body of which nothing tells where it is": (
+        BALL.replace("ball.position: [a, 0, b], ", "") + "find: {L: ball.angular_momentum about arm.end}\n",
+        "where `ball` is at `now` nothing tells",
+    ),
+    "inertia about another's point": (
+        BALL + "find: {I: arm.inertia along z about ball.cm}\n",
+        "is told about its own points",
+    ),
+    "a blade after some time": (
+        WHEEL.replace("now: {blades.angle: psi}", "now: {blades.angle: psi}, then: {}")
+        + "find: {v: blades.P.velocity at then, u: blades.P.velocity at now}\n",
+        "how `blades` stands at `then` nothing tells",
+    ),
+    "a rotor that would carry what is led": (
+        WHEEL.replace("[frame, blades]", "[blades, frame]").replace("blades.angle: psi", "blades.velocity: [0, 0, 0]")
+        + "find: {T: shaft.torque}\n",
+        "`frame` is led along, so that `blades` can't carry it",
+    ),
+    "the least spin of a top that hangs upright": (
+        TOP.replace("PLACE", "l").replace("TILT", "0 deg") + "find: {w_0: smallest w where now is stable}\n",
+        "is stable at `now` however it spins",
+    ),
+    "of one that hangs askew": (
+        TOP.replace("PLACE", "-l").replace("TILT", "130 deg") + "find: {w_0: smallest w where now is steady}\n",
+        "has a steady precession at `now` however it spins",
+    ),
+    "a top on what is pushed sideways": (
+        TOP.replace("PLACE", "-l")
+        .replace("TILT", "30 deg")
+        .replace("w: unknown", "w: 300 rad/s")
+        .replace("bodies: {", "bodies: {block: {mass: 0, acceleration: [1 m/s^2, 0, 0]}, ")
+        .replace("ball: top.tip", "ball: [block, top.tip]")
+        + "find: {W: smallest top.precession}\n",
+        "`block` accelerates its point sideways",
+    ),
+    "a weld": (
+        BALL.replace("axis: {", "glue: {weld: [arm.end, ball]}, axis: {") + "find: {K: kinetic_energy}\n",
+        "write `clamp`: it says the same in space",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_asked_about_places(name: str) -> None:
+    scene, known = CASES[name]
+    derivation = solve(f"title: T\nup: z\n{scene}").complete().derivation
+    assert derivation.confirmed
+    assert all(item.holds for item in derivation.confirmed), derivation.confirmed
+    for answer in derivation.answers:
+        found = [part.value.float for part in answer.components or (answer,) if part.value is not None]
+        assert found == pytest.approx(list(known[answer.name]), rel=1e-9, abs=1e-9), answer.name
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_can_not_be_told_is_refused(name: str) -> None:
+    scene, words = REFUSED[name]
+    with pytest.raises((SceneError, Unsolvable)) as refusal:
+        solution = solve(f"title: T\nup: z\n{scene}").complete()
+        raise Unsolvable("; ".join(item.fault.message for item in solution.derivation.refused) or "answered")
+    assert words in str(refusal.value)
