@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Formula, Symbol, call
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import Formula, Symbol, add, call
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key, key_of
@@ -63,7 +63,9 @@ def steady_letter(name: str, scene: SceneEquations) -> Sought | None:
     steady = any(state.steady for state in states)
     if given is None or not (steady or tilts):
         return None
-    finds = [find for find in problem.finds if find.formula == Symbol(name) and not find.terms and find.where is None]
+    finds = [find for find in problem.finds if find.formula == Symbol(name) and not find.terms]
+    if any(find.where is not None for find in finds):
+        return None  # the condition says which
     words = {find.modifier for find in finds}
     word = words.pop() if len(words) == 1 else ""
     rate = given.dimension is None or any(given.dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
@@ -93,12 +95,19 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
         return None
     if len(others) == 1:
         return PickedRoot(others[0], (reasons[0],) if reasons else ())
+    if not sought.word and mirrored([roots[k] for k in others]):
+        return None  # one motion seen from both sides: the ordinary choice is the positive one
     if sought.word not in EXTREMES or any(lacks_numbers(roots[k], numbers) for k in others):
         problem = scene.configuration.problem
         raise Unsolvable(SEVERAL, help=sought.help, lines=problem.lines, file=problem.file)
     sign = -1 if sought.word == "largest" else 1
     index = others[numbers.least([sign * roots[k] for k in others])]
     return PickedRoot(index, (f"the {sought.word} of {len(others)}",))
+
+
+def mirrored(roots: Sequence[Formula]) -> bool:
+    """Whether there are two roots that differ in their sign alone."""
+    return len(roots) == 2 and is_zero(add(*roots))
 
 
 def lacks_numbers(root: Formula, numbers: Numbers) -> bool:

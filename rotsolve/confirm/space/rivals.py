@@ -44,6 +44,8 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
         return False
     if len(left) == 1:
         return True
+    if len(left) == 2 and own > 0 and abs(sum(left)) <= SAME * own and find.modifier not in EXTREMES:
+        return True  # one motion, seen from both sides
     word = find.modifier or next((term.modifier for term in find.terms), "")
     if word not in EXTREMES:
         return None
