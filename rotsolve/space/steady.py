@@ -95,7 +95,7 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
         return None
     if len(others) == 1:
         return PickedRoot(others[0], (reasons[0],) if reasons else ())
-    if not sought.word and mirrored([roots[k] for k in others]):
+    if not sought.word and differ_in_sign([roots[k] for k in others]):
         return None  # one motion seen from both sides: the ordinary choice is the positive one
     if sought.word not in EXTREMES or any(lacks_numbers(roots[k], numbers) for k in others):
         problem = scene.configuration.problem
@@ -105,7 +105,7 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
     return PickedRoot(index, (f"the {sought.word} of {len(others)}",))
 
 
-def mirrored(roots: Sequence[Formula]) -> bool:
+def differ_in_sign(roots: Sequence[Formula]) -> bool:
     """Whether there are two roots that differ in their sign alone."""
     return len(roots) == 2 and is_zero(add(*roots))
 
