@@ -18,7 +18,12 @@ FUNCTIONS = {  # name -> number of arguments
     "atan2": 2,
     **dict.fromkeys(("exp", "log", "abs"), 1),
     "ellipk": 1,  # K(m) = ∫ dφ/√(1 − m sin²φ) over a quarter turn, the complete elliptic integral of the first kind
+    "ellipf": 2,  # F(φ, m), the same from 0 to φ
+    **dict.fromkeys(
+        ("ellipsn", "ellipcn", "ellipdn"), 2
+    ),  # of u and m: sin φ, cos φ and √(1 − m sin²φ) where u = F(φ, m)
 }
+ELLIPTIC = {"ellipk": "K", "ellipf": "F", "ellipsn": "sn", "ellipcn": "cn", "ellipdn": "dn"}  # as they are printed
 
 
 def united(sets: Iterable[frozenset[Any]]) -> frozenset[Any]:

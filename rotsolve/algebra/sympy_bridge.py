@@ -32,7 +32,8 @@ from rotsolve.algebra.formula import (
 )
 
 INTEGRALS = 500  # found, or not, by SymPy, that are remembered: the plans of a scene ask for the same ones
-_NAMES = {"abs": "Abs", "ellipk": "elliptic_k"}
+_NAMES = {"abs": "Abs", "ellipk": "elliptic_k", "ellipf": "elliptic_f"}
+_WORDS = {name: word for word, name in _NAMES.items()}
 
 
 def to_sympy(f: Formula, positive: Collection[str] = ()) -> Any:
@@ -58,7 +59,8 @@ def to_sympy(f: Formula, positive: Collection[str] = ()) -> Any:
         if isinstance(node, Negative):
             return -parts[0]
         if isinstance(node, Call):
-            return getattr(sympy, _NAMES.get(node.function, node.function))(*parts)
+            name = _NAMES.get(node.function, node.function)
+            return getattr(sympy, name, sympy.Function(name))(*parts)  # it has no sn, cn and dn
         if isinstance(node, Integral):
             return sympy.Integral(parts[0], (_symbol(node.variable, positive), parts[1], parts[2]))
         raise ValueError(f"not convertible: {node!r}")
@@ -125,11 +127,9 @@ def _from_power(base: Any, exponent: Any) -> Formula:
 
 
 def _from_function(expr: Any) -> Formula:
-    import sympy
 
     name = type(expr).__name__
-    if isinstance(expr, sympy.Abs):
-        name = "abs"
+    name = _WORDS.get(name, name)
     arguments = [from_sympy(argument) for argument in expr.args]
     if name in ("cot", "sec", "csc"):
         below = {"cot": "tan", "sec": "cos", "csc": "sin"}[name]

@@ -11,6 +11,7 @@ import numpy as np
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import Ball
+from rotsolve.algebra.certified.elliptic import TWO_ARGUMENTS
 from rotsolve.algebra.flints import acb, arb
 from rotsolve.algebra.tape import BITS
 from rotsolve.arrays import Program
@@ -28,6 +29,7 @@ METHODS: Mapping[str, Callable[..., Any]] = {
     "abs": abs,
     "atan2": arb.atan2,
     "ellipk": lambda x: acb(x).elliptic_k().real if x < 1 else arb(nan),
+    **TWO_ARGUMENTS,
     **{name: getattr(arb, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log")},
 }
 

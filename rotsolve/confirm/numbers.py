@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from functools import partial
 from operator import ge, gt, le, lt, ne
 from typing import Any
 
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
     Call,
     Constant,
     Formula,
@@ -24,12 +26,21 @@ from rotsolve.confirm import NotConfirmed, jet
 from rotsolve.confirm.jet import Jet
 from rotsolve.language.problem import Find, WhichOf
 
+
+def by_elliptic(function: str, *arguments: float) -> float:
+    """An elliptic function, loaded where one occurs."""
+    from rotsolve.algebra.certified.elliptic import elliptic_float
+
+    return elliptic_float(function, *arguments)
+
+
 FLOATS: dict[str, Any] = {
     **{
         name: getattr(math, name)
         for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "atan2")
     },
     "abs": abs,
+    **{name: partial(by_elliptic, name) for name in ELLIPTIC},
 }
 JETS: dict[str, Any] = {
     "sqrt": jet.root,

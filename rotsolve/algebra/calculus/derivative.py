@@ -8,6 +8,7 @@ from functools import reduce
 
 from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
     ONE,
     PI,
     ZERO,
@@ -73,8 +74,8 @@ def _power_rule(f: Power, name: str) -> Formula:
 
 
 def _chain_rule(f: Call, name: str) -> Formula:
-    if f.function == "ellipk":
-        raise ValueError(f"no derivative of {f!r}")
+    if f.function in ELLIPTIC:
+        return _elliptic_rule(f, name)
     u = f.arguments[0]
     slope = differentiate(u, name)
     if f.function == "atan2":
@@ -97,6 +98,23 @@ def _chain_rule(f: Call, name: str) -> Formula:
         "abs": lambda: divide(f, u),
     }[f.function]()
     return divide(slope, below)
+
+
+def _elliptic_rule(f: Call, name: str) -> Formula:
+    """sn' = cn dn, cn' = −sn dn, dn' = −m sn cn, ∂F/∂φ = 1/√(1 − m sin² φ) (NIST Handbook, 22.13); none by the parameter m."""
+    if f.function == "ellipk" or name in f.arguments[1].symbols():
+        raise ValueError(f"no derivative of {f!r}")
+    u, m = f.arguments
+    if f.function == "ellipf":
+        below = call("sqrt", add(ONE, negate(multiply(m, power(call("sin", u), 2)))))
+        return divide(differentiate(u, name), below)
+    sn, cn, dn = (call(function, u, m) for function in ("ellipsn", "ellipcn", "ellipdn"))
+    slope = {
+        "ellipsn": multiply(cn, dn),
+        "ellipcn": negate(multiply(sn, dn)),
+        "ellipdn": negate(multiply(m, multiply(sn, cn))),
+    }
+    return multiply(differentiate(u, name), slope[f.function])
 
 
 def _leibniz(f: Integral, name: str) -> Formula:

@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
     Call,
     Constant,
     Formula,
@@ -142,7 +143,20 @@ class RealBalls:
             if x >= 1:
                 raise Undefined("the elliptic integral K of 1 or more")
             return acb(x).elliptic_k().real
+        if name in ELLIPTIC:
+            return self._elliptic(node, x, self(node.arguments[1]))
         return self._arc(node, x)
+
+    def _elliptic(self, node: Call, x: Ball, m: Ball) -> Ball:
+        """sn, cn, dn and F, of a parameter that is exactly 0 or 1 too."""
+        from rotsolve.algebra.certified.elliptic import TWO_ARGUMENTS
+
+        end = next((end for end in (0, 1) if m.contains(end) and not m.is_exact()), None)
+        if end is not None and self.is_zero and self.is_zero(node.arguments[1] - end):
+            m = arb(end)
+        if m < 0 or m > 1:
+            raise Undefined(f"an elliptic function of a parameter that is {'negative' if m < 0 else 'above 1'}")
+        return TWO_ARGUMENTS[node.function](x, m)
 
     def _sqrt(self, node: Call, x: Ball) -> Ball:
         if x < 0:
@@ -266,6 +280,8 @@ class ComplexBalls:
             return getattr(z, function)()
         if function == "ellipk":
             return z.elliptic_k() if z.real < 1 or not self.analytic else acb(arb.nan())
+        if function in ELLIPTIC:
+            raise Undefined("an elliptic function within an integral")
         if function == "abs":
             if z.real > 0:
                 return z

@@ -11,6 +11,7 @@ from operator import itemgetter
 
 from rotsolve.algebra.exact.field import Field, Poly, Terms
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
     ONE,
     PI,
     Call,
@@ -98,7 +99,7 @@ def rank_of(atom: Formula, places: dict[str, int]) -> Rank:
     if isinstance(atom, Symbol):
         return (1, places.get(atom.name, len(places)), *spelt(atom.name))
     if isinstance(atom, Call):
-        kind = {"ellipk": 6, "log": 6, "sqrt": 5, "exp": 4}.get(atom.function, 3)
+        kind = {"log": 6, "sqrt": 5, "exp": 4, **dict.fromkeys(ELLIPTIC, 6)}.get(atom.function, 3)
         names = sorted(atom.symbols(), key=lambda name: (places.get(name, len(places)), name))
         first = places.get(names[0], len(places)) if names else 0
         return (kind, first, " ".join(names), f"{atom.arguments}{LAST.get(atom.function, '')}")

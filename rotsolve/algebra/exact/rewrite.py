@@ -16,6 +16,7 @@ from rotsolve.algebra.exact.field import Field, is_integer_power
 from rotsolve.algebra.exact.radicals import Radicals, exact_inverse, known_pair
 from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
     ONE,
     PI,
     ZERO,
@@ -151,7 +152,21 @@ class Rewriter:
         if function == "ellipk":
             shown = self.tidy(first)
             return divide(PI, Number(Fraction(2))) if shown == ZERO else Call(function, (shown,))
+        if function in ELLIPTIC:
+            return self._elliptic(function, *(self.tidy(argument) for argument in arguments))
         return self._inverse(function, tuple(self.tidy(argument) for argument in arguments))
+
+    def _elliptic(self, function: str, u: Formula, m: Formula) -> Formula:
+        """sn, cn, dn and F of positive arguments; where u or m is nothing they are simpler."""
+        if u == ZERO:
+            return ONE if function in ("ellipcn", "ellipdn") else ZERO
+        if m == ZERO:
+            plain = {"ellipsn": "sin", "ellipcn": "cos"}.get(function)
+            return self._call(plain, (u,)) if plain else ONE if function == "ellipdn" else u
+        if isinstance(u, Negative):
+            found = self._elliptic(function, u.operand, m)
+            return found if function in ("ellipcn", "ellipdn") else negate(found)
+        return call(function, u, m)
 
     def tidy(self, node: Formula) -> Formula:
         """One written form for an argument whose calls are canonical already."""

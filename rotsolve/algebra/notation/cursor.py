@@ -11,10 +11,13 @@ from collections.abc import Collection, Mapping
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.formula import ELLIPTIC, FUNCTIONS
 from rotsolve.algebra.notation.tokens import FormulaError, Token, resolve
 
 MAX_NESTING = 60
-ELLIPTIC = "K"  # an integral before a bracket, where no letter is called so
+CALLED_SO = {
+    printed: name for name, printed in ELLIPTIC.items()
+}  # functions before a bracket, where these are no letters
 
 CLOSERS = {"(": ")", "[": "]", "|": "|"}
 DIFFERENTIAL = re.compile(r"d[^\W\d_]\w*")  # dx, dθ, dt_1
@@ -38,15 +41,19 @@ class Vocabulary(Struct, frozen=True):
     def meanings(self, cursor: Cursor) -> list[Token]:
         """What the name ahead means: one token, or several if a run of letters splits."""
         token = cursor.token
-        if self.is_elliptic(cursor):
-            return [replace(token, kind="function", text="ellipk")]
+        function = self.elliptic(cursor)
+        if function:
+            return [replace(token, kind="function", text=function)]
         return resolve(token, self.names, cursor.bound, split=not self.paths)
 
-    def is_elliptic(self, cursor: Cursor) -> bool:
-        """Whether `K(` stands ahead where no letter is called K: the complete elliptic integral."""
+    def elliptic(self, cursor: Cursor) -> str:
+        """The elliptic function whose printed name stands ahead, as `K(m)` or `sn(u, m)`, where no letter is called so; else ''."""
         ahead = cursor.tokens[cursor.index : cursor.index + 2]
-        called = [token.text for token in ahead] == [ELLIPTIC, "("] and ahead[0].end == ahead[1].start
-        return called and self.names is not None and ELLIPTIC not in self.names and ELLIPTIC not in cursor.bound
+        function = CALLED_SO.get(ahead[0].text, "")
+        known = self.names is None or ahead[0].text in self.names or ahead[0].text in cursor.bound
+        if not function or known or ahead[-1].kind != "(":
+            return ""
+        return function if cursor.commas(cursor.index + 2) == FUNCTIONS[function] - 1 else ""
 
 
 class Forks:
@@ -177,6 +184,16 @@ class Cursor:
             if level < 0:
                 break
         return -1
+
+    def commas(self, start: int) -> int:
+        """How many commas stand within the bracket that opens before `start`, not in others."""
+        count, level = 0, 0
+        for token in self.tokens[start:]:
+            count += token.kind == "," and level == 0
+            level += (token.kind in ("(", "[")) - (token.kind in (")", "]"))
+            if level < 0:
+                break
+        return count
 
     def differential(self, start: int) -> int:
         """The index of the `d` that ends an integrand from `start` on; `dx` in one run is taken apart; -1 where there is none."""

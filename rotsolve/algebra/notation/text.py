@@ -12,6 +12,7 @@ from fractions import Fraction
 from msgspec import Struct
 
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
     Call,
     Constant,
     Formula,
@@ -29,7 +30,7 @@ from rotsolve.algebra.notation.letters import GLYPHS, PRIME, name_to_text, super
 # How tightly a text binds. A call without brackets (`sin θ`, `√x`) may be a factor, but is no base of a power.
 SUM, NEGATIVE, PRODUCT, QUOTIENT, CALL, POWER, ATOM = range(7)
 
-BARE_NAMES = {"log": "ln", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "ellipk": "K"}
+BARE_NAMES = {"log": "ln", "asin": "arcsin", "acos": "arccos", "atan": "arctan", **ELLIPTIC}
 BARE = frozenset(("sin", "cos", "tan", "log", "asin", "acos", "atan"))
 
 LARGEST_FRACTION_PART = 20, 100  # numerator and denominator up to which 7/10 stays a fraction and is not 0.7

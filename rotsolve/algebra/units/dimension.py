@@ -313,10 +313,12 @@ def _call_dimension(
         return dimension
     if function == "sqrt":
         return None if dimension is None else dimension ** Fraction(1, 2)
-    if dimension is not None and not dimension.matches(NONE):
-        wanted = "an angle" if function in ("sin", "cos", "tan") else "a pure number"
-        what = describe(dimension, article=True)
-        raise DimensionError(f"{function} takes {wanted}, but {_say(arguments[0])} is {what}")
+    for argument in arguments:
+        dimension = _dimension(argument, symbols)
+        if dimension is not None and not dimension.matches(NONE):
+            wanted = "an angle" if function in ("sin", "cos", "tan") else "a pure number"
+            what = describe(dimension, article=True)
+            raise DimensionError(f"{function} takes {wanted}, but {_say(argument)} is {what}")
     return ANGLE if function.startswith("a") else NONE
 
 

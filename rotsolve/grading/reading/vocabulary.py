@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import TypeVar
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.notation.cursor import ELLIPTIC, Cursor, Forks, Vocabulary
+from rotsolve.algebra.notation.cursor import Cursor, Forks, Vocabulary
 from rotsolve.algebra.notation.letters import SUBSCRIPTS
 from rotsolve.algebra.notation.limits import MAX_TREE_DEPTH, check_depth
 from rotsolve.algebra.notation.parse import Parser
@@ -71,8 +71,9 @@ class StudentVocabulary(Vocabulary, frozen=True):
             return super().meanings(cursor)
         token, following = cursor.token, cursor.tokens[cursor.index + 1]
         assert isinstance(self.names, frozenset)
-        if token.text == ELLIPTIC and ELLIPTIC not in self.names and following.kind == "(":
-            return [Token("function", "ellipk", token.start, token.end)]
+        function = self.elliptic(cursor)
+        if function:
+            return [Token("function", function, token.start, token.end)]
         names = self.names | {EULER} if token.text.endswith(EULER) and following.kind in ("^", "raised") else self.names
         found = run_meaning(token.text, names)
         if found is None:
