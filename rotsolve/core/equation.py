@@ -64,6 +64,7 @@ class Law(Struct, frozen=True):
     condenses: bool = False  # may stand in for one of Newton's laws of its bodies
     shifts: bool = False  # takes a moment of inertia to another axis, by M d² as its last term
     kinetic: bool = False  # says what a kinetic energy is
+    apart: bool = False  # tells a letter that is worked out by itself, before what it is part of
 
     def equation(
         self,
@@ -186,6 +187,7 @@ TURN_AT_ANY_TIME = Law(
     "turn at any time", "constant angular acceleration, at any time, {body}", KINEMATICS, 3, steady="angle at any time"
 )
 IN_TIME = Law("in time", "{words}, {body}", KINEMATICS)
+PART_IN_TIME = Law("part of a motion in time", "{words}, {body}", KINEMATICS, apart=True)
 BY_PLACE = Law("by place", "{words}, {body}", KINEMATICS)
 COORDINATE = Law("coordinate", "{words}, {body}", KINEMATICS, 1)
 SEPARATED_BY_RATE = Law("separated by rate", "separating the variables, {words}, {body}", KINEMATICS, 3)

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
+from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
@@ -76,6 +76,7 @@ def every_body(bodies: Iterable[Body]) -> Iterator[Body]:
 
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
+FEW, MANY, SHORTER = 40, 120, 3  # nodes of one with elliptic functions; of one that is so many times shorter in letters
 
 
 NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
@@ -282,9 +283,7 @@ class Results(Struct, frozen=True):
         formula = answered.found.formula
         assert formula is not None
         steps = self.search.solver.steps[slice(*answered.steps)]
-        if length(formula) <= LONG or not steps:
-            return formula
-        return readable(steps[-1].chain)[-1].right
+        return readable(steps[-1].chain)[-1].right if steps and length(formula) > FEW else formula
 
     def _value_in(self, found: Found, unit: Unit | None) -> Certified | None:
         """The certified value in a unit."""
@@ -362,10 +361,17 @@ def heading_words(parts: tuple[Answer, ...]) -> str:
 
 def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
     """A chain of equalities without a last one that no page would hold, where the one before tells the same letter."""
-    if len(chain) < 2 or not length(chain[-1].right) > LONG >= length(chain[-2].right):
+    if len(chain) < 2 or not hard_to_read(chain[-1].right, length(chain[-2].right)):
         return chain
     told = chain[-2].left == chain[-1].left and not chain[-2].left.symbols() & chain[-2].right.symbols()
     return chain[:-1] if told else chain
+
+
+def hard_to_read(formula: Formula, lettered: int) -> bool:
+    """Whether a formula is rather left in letters found before, in which it has so many nodes: arguments of elliptic functions can not
+    be seen through."""
+    longest = MANY if lettered * SHORTER < length(formula) else LONG
+    return length(formula) > (FEW if formula.holds(*ELLIPTIC) else longest) and lettered <= LONG
 
 
 def usual_unit(asked: Asked) -> Unit | None:

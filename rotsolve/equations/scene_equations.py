@@ -74,6 +74,10 @@ class SceneEquations(Struct, dict=True):
         """What is to be said of its axes before the laws."""
         return iter(())
 
+    def settled_first(self) -> Iterator[str]:
+        """The letters that are worked out by themselves, since it is of them that the scene says which root is meant."""
+        return iter(())
+
     def diagram_words(self, state: str) -> Iterator[Words]:
         """What acts on each body of a scene in space, in words; nothing in the plane, whose facts say it."""
         return iter(())

@@ -54,8 +54,10 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
     start, end = term.start, term.end
     if scene.configuration.problem.space:
         if term.at == ANY_TIME:
-            help = "leave out `at any time`: what is driven by a function of `time` is answered by t"
-            raise NotYet(f"`{path_text(term.path)}` as a function of time is not solved in space yet", help=help)
+            from rotsolve.questions.functions_of_time import phases_of
+
+            phase = phases_of(term, scene)[0].name
+            return scene.reader_in(phase).meaning(term.path, term), phase  # type: ignore[attr-defined]
         if start or term.during:
             return scene.between(term)  # type: ignore[attr-defined, no-any-return]
         return scene.steady_extreme(term) if term.modifier in EXTREMES else at_state(term, scene)  # type: ignore[attr-defined]

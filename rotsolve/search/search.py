@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
@@ -249,6 +250,7 @@ class Search(Struct, dict=True):
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...], int]:
         """In closed form by some plan, also behind a letter that is settled first, else numerically; with the place of its first step."""
+        self._settle_first(asked)
         own = len(self.solver.steps)
         try:
             return *self._attempt(asked), own
@@ -267,6 +269,18 @@ class Search(Struct, dict=True):
             return *self._attempt(asked), own
         finally:
             self.solver.numeric = False
+
+    def _settle_first(self, asked: Asked) -> None:
+        """Settle the letters that are worked out by themselves (`Law.apart`, and rates with roots of their own), of those with which a
+        question is planned."""
+        told = (law.left.name for law in self.planner.pool if law.law.apart and isinstance(law.left, Symbol))
+        apart = {*told, *self.scene.settled_first()} - self.known - {asked.letter}
+        plan = self._plan(asked.letter, set()) if apart and not self.confirming else None
+        if isinstance(plan, Plan):
+            for letter in plan.unknowns:
+                if letter in apart and letter not in self.known:
+                    with suppress(NoAnswer):
+                        self.step(letter)
 
     def _attempt(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """Plan and solve; an equation that says nothing new is left out and the plan made again."""

@@ -7,11 +7,13 @@ Euler angles z-x-z: φ about the vertical, the tilt θ from the vertical to the 
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Iterator
+from typing import Any, Protocol
 
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate
+from rotsolve.core.equation import Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import (
@@ -35,6 +37,24 @@ from rotsolve.language.problem import Condition, State
 from rotsolve.space.arrangement import JointedBodies
 
 SPACE, BODY, NODE = "space", "body", "node"
+AXIAL = "axial"  # axes that go with a body's own axis, but do not spin with it
+
+
+class Onward(Protocol):
+    """What happens from an earlier moment on, in closed form (`lapse`)."""
+
+    before: Any
+    laws: dict[Equation, None]
+
+    def up_to(self, later: Any) -> Onward: ...
+    def passed(self) -> Formula | None: ...
+    def equations(self) -> Iterator[Equation]: ...
+    def attitude(self, name: str) -> Attitude | None: ...
+    def steady(self, name: str) -> bool: ...
+    def told(self, name: str, word: str) -> Formula | None: ...
+    def turns_freely(self, name: str) -> bool: ...
+    def hinged(self, name: str) -> bool: ...
+    def centre_velocity(self, name: str) -> Triple | None: ...
 
 
 class MovingBodies(Protocol):
@@ -60,23 +80,33 @@ class MovingBodies(Protocol):
 
 class Axes(Struct, frozen=True):
     """A named set of axes at a moment: `rows` turn its components into those in space, `rate` is its angular velocity Ω in its own
-    components, `change` are the rates of these; `lost` says that nothing tells how they stand."""
+    components, `change` are the rates of these; `lost` says that nothing tells how they stand.
+
+    Of axes that are `turned` in others, `base` are the rows of those: between two in the same ones it does not matter how these stand.
+    """
 
     name: str
     rows: Rows = AS_DRAWN
     rate: Triple = NOTHING
     change: Triple = NOTHING
     lost: str = ""
+    base: Rows | None = None
+    turned: Rows = AS_DRAWN
 
     def to(self, other: Axes, vector: Triple) -> Triple:
         """A vector of these axes in the components of others; refused where nothing tells how one of them stands."""
         if (self.rows, self.lost) == (other.rows, other.lost) or vector == NOTHING:
             return vector
-        if self.lost or other.lost:
-            raise Unsolvable(
-                self.lost or other.lost, help="tell its `tilt` and its rates, or of a hinge its `angle`, in that state"
-            )
-        return rotated(transposed(other.rows), rotated(self.rows, vector))
+        if self.base is not None and (self.base, self.lost) == (other.base, other.lost):
+            return rotated(transposed(other.turned), rotated(self.turned, vector))
+        return rotated(transposed(other.standing), rotated(self.standing, vector))
+
+    @property
+    def standing(self) -> Rows:
+        """The rows; refused where nothing tells how they stand."""
+        if self.lost:
+            raise Unsolvable(self.lost, help="tell its `tilt` and its rates, or of a hinge its `angle`, in that state")
+        return self.rows
 
 
 IN_SPACE = Axes(SPACE)

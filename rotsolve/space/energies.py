@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import HALF, ZERO, Formula, add, multiply
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.core.vectors.triple import Triple, dot_product, square, square_of
+from rotsolve.core.vectors.triple import NOTHING, Triple, dot_product, square, square_of
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
@@ -15,17 +15,21 @@ def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formu
     moment, held = laws.moment, laws.moment.held
     fixed = laws.fixed(name) and which != "translational" and not held.pointlike(name)
     point = laws.about(name)[1] if fixed else CM
-    velocity = moment.velocity(PointRef(name, CM))
+    velocity, _ = moment.of_mass(name, "velocity")
     travel = ZERO if fixed or which == "rotational" else multiply(HALF * held.mass(name), square_of(velocity))
     if which == "translational" or held.pointlike(name):
         return ZERO, travel
+    if moment.keeps_momentum(name):  # and with it the energy of rotation
+        assert moment.onward is not None
+        return kinetic_energies(moment.onward.before, name, "rotational")[0], travel
     return half_quadratic(laws.tensor(name, point), moment.attitude(name).omega), travel
 
 
 def height_above(laws: SpaceLaws, name: str) -> Formula:
     """Of the centre of mass above the point about which the body turns."""
     moment = laws.moment
-    return moment.tidy(dot_product(moment.up(name), moment.arm(PointRef(name, CM))))
+    arm = moment.arm(PointRef(name, CM))
+    return ZERO if arm == NOTHING else moment.tidy(dot_product(moment.up(name), arm))
 
 
 def half_quadratic(tensor: InertiaTensor, omega: Triple) -> Formula:

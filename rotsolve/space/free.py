@@ -5,15 +5,35 @@ Landau & Lifshitz, Mechanics, §33; Goldstein, Poole & Safko, Classical Mechanic
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, add, multiply, negate, sqrt
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, add, call, multiply, negate, sqrt
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.tensor import AXES
-from rotsolve.core.vectors.triple import Triple, dot_product, length_of, square_of
+from rotsolve.core.vectors.triple import (
+    NOTHING,
+    Triple,
+    X,
+    Y,
+    Z,
+    cross_product,
+    dot_product,
+    length_of,
+    rotated,
+    square,
+    square_of,
+)
+from rotsolve.core.writing import spoken
+from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import Meaning, NotYet, path_text
-from rotsolve.space.inertia import CM, entry_along
+from rotsolve.space.arrangement import JointedBodies
+from rotsolve.space.attitude import IN_SPACE, permutation
+from rotsolve.space.inertia import CM, entry_along, product
 from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.passing import left_alone
 
 NEEDS = "tell `{0}.tilt` and its rates in the state, or the angular velocity of a free body that is symmetric about its `axis`"
 
@@ -61,12 +81,77 @@ def tilt(axial: Formula, across: Formula, momentum: Triple, along_axis: Formula,
 RATES = {"precession": precession, "spin": spin, "tilt": tilt}
 
 
-def steady_period(laws: SpaceLaws, path: Path) -> Meaning:
-    """2π/|ω| of a body that turns steadily about a fixed axis."""
-    own = laws.moment.attitude(path.owner)
-    if own.alpha != (ZERO, ZERO, ZERO):
+def in_euler_angles_of(moment: SpaceMoment, path: Path) -> Meaning:
+    """An Euler angle of a symmetric body that goes round its angular momentum, or the rate of one, by its axis e₃ and ω in space axes:
+    cos θ = ẑ · e₃, φ̇ = (ω · ẑ − ω₃ cos θ)/sin² θ, ψ̇ = ω₃ − φ̇ cos θ, θ̇ = −ẑ · (ω × e₃)/sin θ."""
+    name, word = path.owner, path.quantity
+    axis = moment.held.axis(name)
+    if axis is None:
+        raise NotYet(f"`{path_text(path)}` has no meaning here", path.span, NEEDS.format(name))
+    own = moment.own_axes(name)
+    one, two, third = (own.to(IN_SPACE, way) for way in permutation(axis))
+    attitude = moment.attitude(name)
+    omega = attitude.axes.to(IN_SPACE, attitude.omega)
+    along, cosine = dot_product(attitude.omega, own.to(attitude.axes, axis)), third[2]
+    rate = add(omega[2], negate(multiply(along, cosine))) / add(ONE, negate(square(cosine)))
+    found: dict[str, Callable[[], Formula]] = {
+        "tilt": lambda: call("acos", cosine),
+        "precession_angle": lambda: call("atan2", third[0], negate(third[1])),
+        "spin_angle": lambda: call("atan2", one[2], two[2]),
+        "precession": lambda: rate,
+        "spin": lambda: add(along, negate(multiply(rate, cosine))),
+        "nutation": lambda: negate(cross_product(omega, third)[2]) / sqrt(add(ONE, negate(square(cosine)))),
+        "axial_rate": lambda: along,
+    }
+    return Meaning(
+        found[word](), QUANTITIES[word].dimension, label=f"{spoken(word)} of {spoken(name)}, by its axis in space"
+    )
+
+
+def turns_freely(laws: SpaceLaws, name: str) -> bool:
+    """Whether no torque acts about the point about which a body turns, so that its angular momentum stays."""
+    held = laws.moment.held
+    joint, arm = held.main(name), held.arm(PointRef(name, CM))
+    weightless = laws.pushes.gravity is None or all(map(held.vanishes, arm))
+    return (joint is None or (joint.free and weightless)) and left_alone(laws, name) and not held.pointlike(name)
+
+
+def along_momentum(laws: SpaceLaws, name: str) -> bool:
+    """Whether ω lies along L, so that both stay."""
+    own, (_, point) = laws.moment.attitude(name), laws.about(name)
+    across = cross_product(product(laws.tensor(name, point), own.omega), own.omega)
+    return all(laws.moment.held.vanishes(laws.tensors.spelled(part)) for part in across)
+
+
+def symmetric_way(held: JointedBodies, name: str) -> Triple | None:
+    """An own axis, through the point about which a body turns, about which it is symmetric: that which it has told first."""
+    ways = (way for way in (held.axis(name), Z, X, Y) if way is not None)
+    return next((way for way in ways if held.turns_round(name, way)), None)
+
+
+def period_of_turning(laws: SpaceLaws, path: Path) -> Meaning:
+    """2π/|ω| of a body that turns steadily about a fixed axis; of a free one the time in which ω comes round in its own axes."""
+    own, name, held = laws.moment.attitude(path.owner), path.owner, laws.moment.held
+    dimension = QUANTITIES["period"].dimension
+    steady = own.alpha == NOTHING or (turns_freely(laws, name) and along_momentum(laws, name))
+    if steady:
+        return Meaning(2 * PI / length_of(own.omega), dimension, label="period, T = 2π/ω")
+    if not turns_freely(laws, name):
         raise NotYet(f"`{path_text(path)}`: it does not turn steadily", path.span)
-    return Meaning(2 * PI / length_of(own.omega), QUANTITIES["period"].dimension, label="period, T = 2π/ω")
+    way = symmetric_way(held, name)
+    if way is not None:
+        axis = rotated(own.own, way)
+        tensor = laws.tensor(name, laws.about(name)[1])
+        axial, across = entry_along(tensor, axis), entry_along(tensor, rotated(own.own, (way[1], way[2], way[0])))
+        rate = multiply(dot_product(own.omega, axis), add(across, negate(axial)) / across)
+        return Meaning(
+            2 * PI / length_of((rate, ZERO, ZERO)), dimension, label="period of ω in the own axes, T = 2π/|ψ̇|"
+        )
+    from rotsolve.space.asymmetric import Polhode
+
+    polhode = Polhode(laws, name)
+    words = "period of ω in the own axes, T = 4 K(m)/p; it turns over twice in it"
+    return Meaning(polhode.period(), dimension, label=words, laws=tuple(polhode.laws))
 
 
 def principal_letters(laws: SpaceLaws, name: str) -> Triple:

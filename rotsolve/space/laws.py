@@ -27,7 +27,7 @@ from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, s
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.arrangement import RATES
-from rotsolve.space.attitude import NODE, Attitude, Axes
+from rotsolve.space.attitude import AXIAL, NODE, Attitude, Axes
 from rotsolve.space.inertia import CM, Tensors, in_axes, product
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
@@ -159,6 +159,8 @@ class SpaceLaws:
         yield from defined
         if other != point:
             yield from self.letters_of(name, self.tensor(name, other), own, other)[1]
+        if own.axes.name == AXIAL:
+            return  # no torque acts: that is how it is told how it turns
         changes = product(tensor, own.rates)
         turning = self.carried_round(name, letters)
         torque = NOTHING

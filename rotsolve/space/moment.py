@@ -8,14 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME
+from rotsolve.core.symbols import TIME, phase_midst
 from rotsolve.core.vectors.triple import (
     AS_DRAWN,
     AXES,
@@ -39,9 +36,8 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
-from rotsolve.language.problem import EXTREMES, Condition, State
-from rotsolve.motion.arrangement import Arrangement
-from rotsolve.space.arrangement import ANGLES, RATES, JointedBodies
+from rotsolve.language.problem import EXTREMES
+from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import (
     BODY,
     IN_SPACE,
@@ -63,100 +59,13 @@ from rotsolve.space.attitude import (
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.rolling import centre_acceleration, centre_velocity
 from rotsolve.space.sliding import slid
+from rotsolve.space.telling import TellingMoment
 
-SECOND = "rate of "  # in front of the word of a rate: how fast that changes
 
-
-class SpaceMoment:
+class SpaceMoment(TellingMoment):
     """One state of a scene in space."""
 
-    def __init__(self, held: JointedBodies, registry: Registry, state: State, known: Arrangement) -> None:
-        self.held, self.registry, self.state = held, registry, state
-        self.positive, self.order, self.signs = known.positive, known.order, known.signs
-        self.when = state.name
-        self.before: SpaceMoment | None = None  # the moment before an event that leads to this one
-        self.first = True  # whether the scene begins with it
-        self.later = False  # whether time has passed since the first state
-        self.used: set[int] = set()  # the lines of the state that something has read, by their places
-
-    def tidy(self, value: Formula) -> Formula:
-        """A formula in textbook form."""
-        return simplify(value, order=self.order, positive=self.positive)
-
-    # what the state tells
-
-    def line(self, owner: str, word: str, component: str = "", point: str | None = None) -> Condition | None:
-        """The line of the state about a quantity of a body, or about a component of it."""
-        for number, line in enumerate(self.state.conditions):
-            path = line.path
-            if path is not None and (path.owner, path.quantity, path.component or "", path.point) == (
-                owner,
-                word,
-                component,
-                point,
-            ):
-                self.used.add(number)
-                return line
-        return None
-
-    def rests(self, owner: str) -> bool:
-        """Whether the state says that a body is at rest."""
-        for number, line in enumerate(self.state.conditions):
-            if line.rest and line.owner in ("", "all", owner):
-                self.used.add(number)
-                return True
-        return False
-
-    def now(self, value: Formula) -> Formula:
-        """A formula of the time at this moment; by t where the first state does not tell it."""
-        if self.first and TIME in value.symbols():
-            clock = self.line("", "time")
-            if clock is not None and clock.value is not None:
-                return value.substitute({TIME: clock.value})
-        return value
-
-    def told(self, owner: str, word: str) -> Formula | None:
-        """The value that the state gives to a quantity of a body."""
-        line = self.line(owner, word)
-        value = None if line is None else line.value
-        return self.right_angle(value) if word == "tilt" and value is not None else value
-
-    @remembered
-    def right_angle(self, angle: Formula) -> Formula:
-        """An angle; one that is upright, level or upside down by the number of its letter as that, since then steady motions are others."""
-        exact = (ZERO, PI / 2, PI) if angle.symbols() else ()
-        return next((way for way in exact if self.held.vanishes(angle - way)), angle)
-
-    def vector_told(self, owner: str, word: str, point: str | None = None) -> tuple[Triple, str, str] | None:
-        """The components that the state gives to a vector of a body, the name of their axes, and to what body they are relative."""
-        lines = [self.line(owner, word, axis, point) for axis in AXES]
-        found = [line for line in lines if line is not None]
-        if not found:
-            return None
-        if len(found) < len(AXES):
-            missing = ", ".join(axis for axis, line in zip(AXES, lines, strict=True) if line is None)
-            help = f"write all three: `{owner}.{word}: [x, y, z]`"
-            raise Unsolvable(f"of `{owner}.{word}` nothing tells {missing}", span=found[0].span, help=help)
-        parts = [ZERO if line is None or line.value is None else line.value for line in lines]
-        return (parts[0], parts[1], parts[2]), found[0].axes, found[0].relative
-
-    def ask(self, word: str, owner: str, component: str = "", letter: str = "", kind: str = "") -> Formula:
-        """The letter of a quantity at this moment, or the value that the state gives it."""
-        known = self.told(owner, word) if not component and not kind else None
-        entry = QUANTITIES[word]
-        quantity = SceneQuantity(kind or word, owner, self.when, component, letter or entry.letter, entry.dimension)
-        if known is not None:
-            self.registry.fix(quantity, known)
-        return self.registry.ask(quantity)
-
-    def rate_of(self, word: str, owner: str) -> Formula:
-        """How fast a rate changes; not at all where the state is steady."""
-        if self.state.steady:
-            return ZERO
-        entry = QUANTITIES["angular_acceleration"]
-        kind = SECOND + word
-        quantity = SceneQuantity(kind, owner, self.when, "", f"{QUANTITIES[word].letter}dot", entry.dimension)
-        return self.registry.ask(quantity)
+    before: SpaceMoment | None
 
     # how bodies stand and turn
 
@@ -167,6 +76,10 @@ class SpaceMoment:
         led = [(word, axis, value) for word, axis, value in body.moved if word in TURNING]
         if led:
             return self._led(name, led)
+        carried = None if self.onward is None else self.onward.attitude(name)
+        if carried is not None:
+            self.refuse_told_anyhow(name)
+            return carried
         if joint is None or joint.free:
             return self.freely(name)
         carrier = held.carrier(name)
@@ -366,9 +279,23 @@ class SpaceMoment:
         return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
 
     def hinge_angle(self, name: str, joint: Joint) -> Formula | None:
-        """How far a body is turned about its hinge or axle: as it is driven or the state tells; None where nothing does."""
+        """How far a body is turned about its hinge or axle: as it is driven, or told, or by the letter for what the time that has passed
+        tells; None where nothing does."""
         driven = dict(joint.drive).get("angle")
-        return self.now(driven) if driven is not None else self.told(name, "angle")
+        return self.now(driven) if driven is not None else self.turned_on(name)
+
+    def turned_on(self, name: str) -> Formula | None:
+        """How far a body that nothing drives is turned, as the state tells, or the letter for what the time that has passed tells."""
+        told = self.told(name, "angle")
+        if told is not None or self.onward is None or not self.onward.hinged(name):
+            return told
+        self.line("", "time")
+        return self.ask("angle", name)
+
+    def hangs_on_hinge(self, name: str) -> bool:
+        """Whether a body turns about one axis in what holds it."""
+        joint = self.held.main(name)
+        return joint is not None and bool(joint.turning)
 
     def spun_away(self, name: str) -> str:
         """Why nothing tells where the points of a wheel are that are not on its axle: it has turned since the first state."""
@@ -385,7 +312,7 @@ class SpaceMoment:
 
     def stood(self, name: str, word: str) -> Formula | None:
         """The tilt of a body or its angle on a hinge: as told, through a blow as before, an angle 0 at first; None where nothing tells."""
-        told = self.told(name, word)
+        told = self.turned_on(name) if word == "angle" else self.told(name, word)
         if told is not None:
             return told
         if self.before is not None:
@@ -394,6 +321,11 @@ class SpaceMoment:
 
     def lost(self, name: str) -> str:
         """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""
+        if self.onward is not None and self.onward.passed() is not None:
+            when = "any time" if phase_midst(self.at) else f"`{self.when}`"
+            return (
+                f"how `{name}` stands at {when} is not solved: its motion in time has no closed form that is known here"
+            )
         return f"how `{name}` stands at `{self.when}` nothing tells" if self.later else ""
 
     def axle_spin(self, name: str) -> Formula | None:
@@ -430,14 +362,13 @@ class SpaceMoment:
     def arm(self, ref: PointRef) -> Triple:
         """A point from the reference of its body, in the body's axes."""
         own, arm = self.attitude(ref.owner), self.held.arm(ref)
-        if own.about is not None and any(part != ZERO for part in cross_product(rotated(own.own, arm), own.about)):
-            unknown = self.spun_away(ref.owner)
-            if unknown:
-                help = f"tell its `{ref.owner}.angle` in that state"
-                raise Unsolvable(unknown, span=ref.span, help=help)
+        turned, unknown = rotated(own.own, arm), self.spun_away(ref.owner)
+        if unknown and not self.fixed_in_axes(ref.owner, turned):
+            help = f"tell its `{ref.owner}.angle` in that state, or ask for what lies on its axis"
+            raise Unsolvable(unknown, span=ref.span, help=help)
         if own.axes.name == NODE and self.nods(ref.owner):
-            return rotated(turn_about(Z, self.nodding(ref.owner).angles[2]), rotated(own.own, arm))
-        return rotated(own.own, arm)
+            return rotated(turn_about(Z, self.nodding(ref.owner).angles[2]), turned)
+        return turned
 
     def symmetry_axis(self, name: str) -> Triple | None:
         """The direction about which a body is symmetric, in the axes of its attitude; None where it is about none."""
@@ -471,7 +402,10 @@ class SpaceMoment:
         )
 
     def acceleration_along(self, axes: Axes, ref: PointRef) -> Triple:
-        """The acceleration of a point in the components of other axes."""
+        """The acceleration of a point in the components of other axes; of a free centre of mass it is told in those of space."""
+        if ref.point == "cm":
+            moved, seen = self.of_mass(ref.owner, "acceleration")
+            return seen.to(axes, moved)
         return self.axes(ref.owner).to(axes, self.acceleration(ref))
 
     def reference_velocity(self, name: str) -> Triple:
@@ -508,6 +442,13 @@ class SpaceMoment:
             )
         return slid(joint, self, word)
 
+    def of_mass(self, name: str, word: str) -> tuple[Triple, Axes]:
+        """The velocity or acceleration of the centre of mass with the axes of its components: of a free body those of space."""
+        if not self.held.of_body(name):
+            return self.of_centre(name, word), IN_SPACE
+        centre = PointRef(name, "cm")
+        return self.velocity(centre) if word == "velocity" else self.acceleration(centre), self.axes(name)
+
     @remembered
     def of_centre(self, name: str, word: str) -> Triple:
         """The velocity or acceleration of the centre of mass of a free body, in space axes."""
@@ -533,6 +474,10 @@ class SpaceMoment:
         if told is not None:
             vector, seen, _ = told
             return self.named_axes(seen, name).to(IN_SPACE, vector)
+        flown = self.onward.centre_velocity(name) if self.onward is not None and word == "velocity" else None
+        if flown is not None:
+            self.line("", "time")
+            return flown
         steady = self.state.steady and not self.held.of_body(name) and not self.held.falls(name)
         if self.held.bodies[name].moved or (word == "acceleration" and steady):
             return NOTHING  # what is only led round goes nowhere
@@ -560,6 +505,9 @@ class SpaceMoment:
         """The axes that a question or line names: of space, of a body, or the node axes of one."""
         if axes in ("", "space"):
             return IN_SPACE
+        if axes == NODE and self.keeps_momentum(name):
+            help = "ask `in space axes` or `in body axes`"
+            raise Unsolvable(f"the node axes of `{name}` when time has passed are not solved in space yet", help=help)
         if axes == NODE and self.axes(name).name != NODE:
             return self._node_axes(name)
         if axes in (BODY, NODE):
@@ -576,7 +524,7 @@ class SpaceMoment:
         """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""
         own = self.attitude(name)
         if own.axes.name != NODE:
-            lost = own.axes.lost or self.spun_away(name)
-            return Axes(BODY, after(own.axes.rows, own.own), own.omega, own.rates, lost)
+            rows, base, lost = after(own.axes.rows, own.own), own.axes.base, own.axes.lost or self.spun_away(name)
+            return Axes(BODY, rows, own.omega, own.rates, lost, base, own.own if base is not None else AS_DRAWN)
         rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
         return Axes(BODY, rows)

@@ -43,22 +43,23 @@ from rotsolve.space.sliding import free_of_force
 Pairing = tuple[Formula, Formula]
 
 
-def left_alone(laws: SpaceLaws, name: str) -> bool:
-    """Whether nothing acts on a body but its weight and an ideal joint that holds it to the ground."""
+def left_alone(laws: SpaceLaws, name: str, *, pushed: bool = False) -> bool:
+    """Whether nothing acts on a body but its weight, an ideal joint that holds it to the ground, and actions where it may be `pushed`."""
     held = laws.moment.held
     joints = [joint for joint in held.joints if name in (joint.body.owner, joint.carrier.owner)]
     ideal = all(
-        not (joint.drive or joint.rolls or joint.flat or joint.sliding or held.carrier(name)) for joint in joints
+        not (joint.drive or joint.rolls or joint.flat or joint.sliding or joint.carrier.owner in held.bodies)
+        for joint in joints
     )
-    pushed = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
+    acted = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
     alone = len(joints) < 2 or joints == list(held.supports(name))
-    return ideal and alone and not pushed and not held.bodies[name].moved
+    return ideal and alone and (pushed or not acted) and not held.bodies[name].moved
 
 
 def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
     """What is conserved in a phase."""
     for name in before.moment.held.order:
-        if not left_alone(before, name):
+        if not left_alone(before, name) or after.moment.goes_on(name):
             continue
         yield from of_energy(name, interval, before, after)
         if before.moment.held.pointlike(name):

@@ -84,16 +84,16 @@ class Pushes:
         mass = self.moment.held.mass(name)
         if self.gravity is None or mass == ZERO:
             return None
-        down = scaled_by(negate(multiply(mass, self.gravity)), self.moment.up(name))
-        axes = self.moment.axes(name)
-        if self.moment.vector_told(name, "vertical") is None:
-            axes, down = IN_SPACE, scaled_by(negate(multiply(mass, self.gravity)), Z)
+        told = self.moment.vector_told(name, "vertical") is not None
+        axes, up = (self.moment.axes(name), self.moment.up(name)) if told else (IN_SPACE, Z)
+        down = scaled_by(negate(multiply(mass, self.gravity)), up)
         return ForceInSpace("gravity", name, down, axes, self.moment.arm(PointRef(name, "cm")), self.moment.axes(name))
 
     def reaction_axes(self, joint: Joint) -> Axes:
-        """The axes along which the parts of a joint's force are written: level ones of what nods, else those of the body."""
+        """The axes along which the parts of a joint's force are written: level ones of what nods, else those of the body, if the weight
+        is told along them."""
         axes = self.moment.axes(joint.body.owner)
-        nods = axes.name == NODE or self.moment.nods(joint.body.owner) or joint.rolls
+        nods = axes.name == NODE or self.moment.nods(joint.body.owner) or joint.rolls or (axes.lost and self.gravity)
         return IN_SPACE if nods else axes
 
     def letters(self, word: str, joint: Joint, mark: str = "") -> Triple:

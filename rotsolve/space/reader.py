@@ -14,6 +14,7 @@ from rotsolve.core.quantity import DIRECTED, INERTIAL, QUANTITIES
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor
 from rotsolve.core.vectors.triple import (
+    AS_DRAWN,
     AXES,
     NOTHING,
     Triple,
@@ -94,7 +95,7 @@ class SpaceReader:
         """What a path stands for; raises `NotYet` for what has no meaning here."""
         term = term or Term(path)
         if term.modifier == ANGLE_OF and term.other is not None:
-            return self.angle(term, term.other)
+            return self.between(term, term.other)
         kind = QUANTITIES[path.quantity]
         unwritten = self.dynamics.unwritten
         refused = next((unwritten[owner] for owner in self.concerned(path.owner) if owner in unwritten), None)
@@ -117,6 +118,9 @@ class SpaceReader:
 
     def vector_meant(self, path: Path, term: Term) -> Formula:
         """A component of a vector along the axes that are asked for, or its size."""
+        if self.stays(path, term):
+            assert self.moment.onward is not None
+            return SpaceReader(self.moment.onward.before, self.moments, self.problem).vector_meant(path, term)
         vector, axes = self.vector(path, term)
         asked = self.asked_axes(path, term)
         component = (path.component or "").split()[-1:] or [""]
@@ -124,6 +128,11 @@ class SpaceReader:
             return self.moment.tidy(length_of(vector))
         found = axes.to(asked, vector)
         return tidied_part(found[AXES.index(component[0])])
+
+    def stays(self, path: Path, term: Term) -> bool:
+        """Whether an angular momentum is asked that has stayed in space since the state before."""
+        asked = path.quantity == "angular_momentum" and term.about is None and term.axes in (None, "", "space")
+        return asked and path.owner in self.bodies and self.moment.keeps_momentum(path.owner)
 
     def asked_axes(self, path: Path, term: Term) -> Axes:
         """The axes that a question names, those of space where it names none."""
@@ -174,9 +183,13 @@ class SpaceReader:
         return vector_sum(own.rates, self.dynamics.carried_round(path.owner, own.omega)), own.axes
 
     def velocity(self, path: Path, term: Term) -> Seen:
+        if path.point in (None, CM):
+            return self.moment.of_mass(path.owner, "velocity")
         return self.moment.velocity(self.point(path)), self.moment.axes(path.owner)
 
     def acceleration(self, path: Path, term: Term) -> Seen:
+        if path.point in (None, CM):
+            return self.moment.of_mass(path.owner, "acceleration")
         return self.moment.acceleration(self.point(path)), self.moment.axes(path.owner)
 
     def momentum(self, path: Path, term: Term) -> Seen:
@@ -249,16 +262,14 @@ class SpaceReader:
         return self.forces_of(path.owner, which), axes
 
     def own_axis(self, path: Path, term: Term) -> Seen:
-        """The direction of one of a body's own axes, in space."""
-        rows = self.moment.own_axes(path.owner).rows
-        column = AXES.index(path.quantity[0])
-        return (rows[0][column], rows[1][column], rows[2][column]), IN_SPACE
+        """The direction of one of a body's own axes, along these."""
+        return AS_DRAWN[AXES.index(path.quantity[0])], self.moment.own_axes(path.owner)
 
     def rotation_axis(self, path: Path, term: Term) -> Seen:
         """The axis of the rotation that all turns of a body come to: n ∝ the part of R that changes sign when it is transposed."""
         from rotsolve.space.rotations import axis_of
 
-        return axis_of(self.moment.own_axes(path.owner).rows, path, self.held.vanishes), IN_SPACE
+        return axis_of(self.moment.own_axes(path.owner).standing, path, self.held.vanishes), IN_SPACE
 
     def principal_axis(self, path: Path, term: Term) -> Seen:
         from rotsolve.space.principal import lone_axis
@@ -322,7 +333,7 @@ class SpaceReader:
 
     # angles between vectors
 
-    def angle(self, term: Term, other: Term) -> Meaning:
+    def between(self, term: Term, other: Term) -> Meaning:
         """tan = |a × b|/(a · b) of vectors in one plane of the axes, cos = a · b/(|a| |b|) of others."""
         one, axes = self.vector(term.path, term)
         two, others = self.vector(other.path, other)
@@ -350,6 +361,10 @@ class SpaceReader:
         spin = moment.axle_spin(path.owner) if path.quantity == "spin" else None
         if spin is not None:
             return spin
+        if moment.nods(path.owner) and moment.keeps_momentum(path.owner):
+            from rotsolve.space.free import in_euler_angles_of
+
+            return in_euler_angles_of(moment, path)
         if not moment.nods(path.owner):
             from rotsolve.space.free import about_own_momentum
 
@@ -419,7 +434,7 @@ class SpaceReader:
         """An entry along the body's own axes, or those that are asked for: R I Rᵀ."""
         tensor = self.tensor_about(path, term)
         if term.axes == "space":
-            tensor = in_axes(tensor, self.moment.own_axes(path.owner).rows, None, None)
+            tensor = in_axes(tensor, self.moment.own_axes(path.owner).standing, None, None)
         entry = (path.component or "zz").split()[-1]
         words = "inertia tensor, R I Rᵀ" if term.axes == "space" else "inertia tensor"
         steps = tuple(self.dynamics.tensors.steps)
@@ -446,13 +461,20 @@ class SpaceReader:
 
     def rotation_angle(self, path: Path, term: Term) -> Meaning:
         """cos = (trace R − 1)/2."""
-        rows = self.moment.own_axes(path.owner).rows
+        rows = self.moment.own_axes(path.owner).standing
         trace = add(add(rows[0][0], rows[1][1]), rows[2][2])
         return Meaning(
             Call("acos", (simplify((trace - ONE) / 2),)),
             ANGLE,
             label="angle of the whole rotation, 1 + 2 cos = trace R",
         )
+
+    def angle(self, path: Path, term: Term) -> Formula:
+        """How far a body is turned about its hinge."""
+        found = self.moment.stood(path.owner, "angle") if self.moment.hangs_on_hinge(path.owner) else None
+        if found is None:
+            raise NotYet(f"`{path_text(path)}` is not told at `{self.moment.when}`", path.span)
+        return found
 
     def freedoms(self, path: Path, term: Term) -> Formula:
         from rotsolve.space.freedoms import freedoms_of
@@ -484,9 +506,9 @@ class SpaceReader:
         return tidied_part(length_of(self.velocity(path, term)[0]))
 
     def period(self, path: Path, term: Term) -> Meaning:
-        from rotsolve.space.free import steady_period
+        from rotsolve.space.free import period_of_turning
 
-        return steady_period(self.dynamics, path)
+        return period_of_turning(self.dynamics, path)
 
 
 def tidied_part(value: Formula) -> Formula:
@@ -527,6 +549,7 @@ SCALARS: dict[str, Callable[[SpaceReader, Path, Term], Formula | Meaning]] = {
     "inertia_tensor": SpaceReader.inertia_tensor,
     "principal_moments": SpaceReader.principal_moments,
     "rotation_angle": SpaceReader.rotation_angle,
+    "angle": SpaceReader.angle,
     "freedoms": SpaceReader.freedoms,
     "stability": SpaceReader.stability,
     "mass": SpaceReader.mass,

@@ -9,19 +9,20 @@ from itertools import chain
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Formula, Symbol, add, negate
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import of_kinds
+from rotsolve.core.symbols import GENERIC, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Condition, Term
+from rotsolve.language.problem import Condition, State, Term
+from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear
 from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import NODE
@@ -58,18 +59,55 @@ class SpaceEquations(SceneEquations, dict=True):
     @cached_property
     def dynamics(self) -> Mapping[str, SpaceLaws]:
         """What the laws speak of at each state."""
-        problem, found, altered = self.configuration.problem, {}, self.configuration.alteration
-        written = SpaceLaws if altered is None or altered.in_space is None else altered.in_space
-        for state in self.configuration.timeline.states:
-            moment = SpaceMoment(self.held, self.registry, state, self.configuration)
-            pushes = Pushes(moment, problem.gravity, problem.actions)
-            found[state.name] = written(moment, pushes, self.tensors, fast="fast spin" in problem.assume)
-            moment.first = state is self.configuration.timeline.states[0]
-            before = self.configuration.timeline.before(state.name)
+        found: dict[str, SpaceLaws] = {}
+        timeline = self.configuration.timeline
+        for state in timeline.states:
+            if state.name == OPEN:
+                continue
+            found[state.name] = self.laws_at(state)
+            moment, before = found[state.name].moment, timeline.before(state.name)
+            moment.first = state is timeline.states[0]
             if before is not None:
                 moment.later = before.event is None or found[before.start].moment.later
                 moment.before = found[before.start].moment if before.event is not None else None
+                self.lead_on(before, found[before.start], moment)
         return found
+
+    @cached_property
+    def running(self) -> Mapping[str, SpaceLaws]:
+        """What the laws speak of at any time of each phase, by its name, where functions of time are asked for."""
+        found: dict[str, SpaceLaws] = {}
+        phases = (item for item in self.configuration.timeline.intervals if item.event is None)
+        for interval in phases if self.configuration.mentions.functions else ():
+            laws = found[interval.name] = self.laws_at(State(interval.name))
+            laws.moment.at, laws.moment.first, laws.moment.later = f"{GENERIC}{interval.start}", False, True
+            self.lead_on(interval, self.dynamics[interval.start], laws.moment)
+        return found
+
+    def laws_at(self, state: State) -> SpaceLaws:
+        """What the laws speak of at one moment."""
+        problem = self.configuration.problem
+        moment = SpaceMoment(self.held, self.registry, state, self.configuration)
+        moment.timed = self.timed
+        pushes = Pushes(moment, problem.gravity, problem.actions)
+        altered = self.configuration.alteration
+        written = SpaceLaws if altered is None or altered.in_space is None else altered.in_space
+        return written(moment, pushes, self.tensors, fast="fast spin" in problem.assume)
+
+    def lead_on(self, interval: Interval, before: SpaceLaws, later: SpaceMoment) -> None:
+        """Let the moment before a phase tell what happens up to a later one, where times are told."""
+        if self.timed and interval.event is None:
+            from rotsolve.space.lapse import Lapse
+
+            later.onward = Lapse(before, later, intact=not interval.without)
+
+    @cached_property
+    def timed(self) -> bool:
+        """Whether a later state tells its time, or functions of time are asked for."""
+        lines = (line.path for state in self.configuration.problem.states[1:] for line in state.conditions)
+        return self.configuration.mentions.functions or any(
+            path is not None and (path.owner, path.quantity) == ("", "time") for path in lines
+        )
 
     def reader(self, state: str, *, generic: bool = False) -> SpaceReader:  # type: ignore[override]
         return SpaceReader(self.dynamics[state], self.dynamics, self.configuration.problem)
@@ -78,10 +116,20 @@ class SpaceEquations(SceneEquations, dict=True):
         """No planar facts: its laws are written from its own geometry."""
         return Facts(state, state, (), (), (), ())
 
+    def settled_first(self) -> Iterator[str]:
+        """The rates of steady precessions, of which a scene says whether the smaller or the larger one is meant."""
+        for laws in self.dynamics.values():
+            moment = laws.moment
+            for name in self.held.order if moment.state.steady else ():
+                rate = moment.ask("precession", name) if moment.nods(name) else ZERO
+                if isinstance(rate, Symbol):
+                    yield rate.name
+
     def diagram_words(self, state: str) -> Iterator[Words]:
         """What acts on each body: forces with their places, couples, by components."""
-        laws = self.dynamics[state]
-        for name in self.held.order:
+        laws = self.dynamics.get(state)
+        for name in self.held.order if laws is not None else ():
+            assert laws is not None
             try:
                 acting = tuple(laws.pushes.on(name))
             except Unsolvable:  # what holds it is asked for its freedoms alone
@@ -191,6 +239,10 @@ class SpaceEquations(SceneEquations, dict=True):
             )
         return (steady_limit if condition.word == "steady" else limit_of)(dynamics, names[0])
 
+    def reader_in(self, phase: str) -> SpaceReader:
+        """What paths mean at any time of a phase."""
+        return SpaceReader(self.running[phase], self.dynamics, self.configuration.problem)
+
     def between(self, term: Term) -> tuple[Meaning, str]:
         """The change of a quantity from one state to a later one, along axes that stay."""
         path, word = term.path, term.modifier
@@ -232,10 +284,14 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state."""
-        for dynamics in self.dynamics.values():
+        for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from dynamics.equations()
             yield from axial_rules(dynamics)
+            if dynamics.moment.onward is not None:
+                yield from dynamics.moment.onward.equations()
         for interval in self.configuration.timeline.intervals:
+            if interval.end == OPEN:
+                continue
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
             yield from through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
         yield from self.tensors.steps

@@ -62,11 +62,6 @@ CASES = {  # a scene, and what is known of it by hand
     ),
 }
 REFUSED = {  # a scene, and what is said of it
-    "a function of time": (
-        "bodies: {b: {shape: rod, mass: 2 kg, length: 1 m}}\n"
-        "connections: {h: {hinge: b.start, along: z, angle: (3 rad/s)*time}}\nfind: {v: b.end.velocity at any time}\n",
-        "as a function of time is not solved in space yet",
-    ),
     "a place by the page": (
         "bodies: {c: {shape: disc, mass: 2 kg, radius: 30 cm}}\nsurfaces: {floor: level}\nconnections: {r: {rolls: [c, floor]}}\n"
         "states: {now: {c.tilt: 90 deg, c.spin: 5 rad/s, c.precession: 0 rad/s, steady: true}}\nfind: {v: c.top.velocity at now}\n",

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.space.arrows import (
@@ -36,9 +37,12 @@ from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import EXTREMES, Condition, State, Term
 
 STRIDE = 0.9  # radians that the fastest goes in a step
-FINER = (2, 4, 6, 8, 10, 12)  # midpoint steps that are carried to the limit
+FINER = (2, 4, 6, 8, 10, 12, 14, 16)  # midpoint steps that are carried to the limit
 EACH = 14  # numbers of a body
 LOOKS = 900  # how often the equations are solved on a way
+ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a time, and how nearly both have to agree
+BOTH = 80  # looks that a step takes at least, both ways
+TWICE = 6  # times as many looks where it is
 EXACT = 1e-8  # up to which a finer step has to agree, before it is taken
 CLOSE = 1e-8  # of a step: how nearly the moment is found
 HOLDS = 1e-7
@@ -47,13 +51,17 @@ TOO_FAR = "the way to its state is too long to be followed"
 
 Numbers = list[float]
 Gap = Callable[[World], float]
+Passing = tuple[
+    float, Numbers, float, float
+]  # a time, the numbers then, and what changes its sign, then and a step later
 
 
 class Flight:
     """A rig on its way from a world, for bodies that a later state calls by their tilt too."""
 
-    def __init__(self, rig: Rig, start: World, state: State) -> None:
+    def __init__(self, rig: Rig, start: World, state: State, passed: float | None = None) -> None:
         self.rig, self.start, self.state = rig, start, state
+        self.passed = passed  # the time up to the state, where it is told
         if any(TIME in part.symbols() for joint in rig.joints.values() for _, part in joint.drive):
             raise NotConfirmed("a drive that changes on the way to its state")
         if any(body.moved for body in rig.bodies.values()):
@@ -64,7 +72,7 @@ class Flight:
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
         self.origins = {name: self.start_angle(name) for name in rig.bodies}
         self.turns = 0  # how often the motion went the other way
-        self.looks = 0
+        self.looks, self.most, self.exact = 0, LOOKS, EXACT
 
     def axis_of(self, name: str) -> Arrow:
         """The own direction of a body about which its spin is kept as an angle: that of its hinge on the ground, else its axis."""
@@ -98,7 +106,7 @@ class Flight:
     def moving(self, numbers: Numbers) -> Moving:
         """All that can be said at a moment."""
         self.looks += 1
-        if self.looks > LOOKS:
+        if self.looks > self.most:
             raise NotConfirmed(TOO_FAR)
         lines = Lines(self.rig, None, {})
         lines.nodding = self.nodding
@@ -145,13 +153,13 @@ class Flight:
                 ratio = (count / FINER[level - 1 - back]) ** 2 - 1.0
                 row.append([a + (a - b) / ratio for a, b in zip(row[back], last[back], strict=True)])
             last = row
-            if level and near_enough(row[-1], row[-2]):
+            if level and near_enough(row[-1], row[-2], self.exact):
                 return row[-1]
         return self.step(self.step(numbers, size / 2), size / 2)
 
     def stride(self) -> float:
         """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I."""
-        rates = [1e-3]
+        rates = [1e-6]
         for name in self.rig.bodies:
             omega, third = (
                 self.start.now.arrow(TURNING, name),
@@ -170,10 +178,9 @@ class Flight:
 
     def arrival(self, only: Condition | None = None) -> World:
         """The world in which the lines of the later state, or one of them, are so for the first time."""
+        if self.passed is not None:
+            return self.after(self.passed)
         lines = [line for line in self.state.conditions if line.path is not None and only in (None, line)]
-        clock = next((line for line in lines if line.path is not None and line.path.quantity == "time"), None)
-        if clock is not None and clock.value is not None:
-            return self.after(self.rig.value(clock.value))
         if not lines:
             raise NotConfirmed("when its state is")
         gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
@@ -232,11 +239,56 @@ class Flight:
 
     def after(self, time: float) -> World:
         """The world some time after the start."""
+        if time < 0:
+            raise Unfit("its time is before that of the state that leads to it")
         count = max(1, math.ceil(time / self.stride()))
-        numbers = self.first()
-        for _ in range(count):
-            numbers = self.step(numbers, time / count)
-        return self.world(numbers)
+        if count * BOTH > TWICE * LOOKS:
+            raise NotConfirmed(TOO_FAR)
+
+        def carried() -> Numbers:
+            numbers = self.first()
+            for _ in range(count):
+                numbers = self.step(numbers, time / count)
+            return numbers
+
+        return self.world(self.agreed(carried))
+
+    def agreed(self, followed: Callable[[], Numbers]) -> Numbers:
+        """What comes of following the motion finely, where it is much the same roughly: near an unstable motion small errors grow."""
+        self.most = TWICE * LOOKS
+        found: list[Numbers] = []
+        for self.exact in (ROUGH, FINE):
+            found.append(followed())
+        if not near_enough(found[1], found[0], AGREES):
+            raise NotConfirmed("small errors grow too much on the way to its state")
+        return found[1]
+
+    def comes_round(self, name: str) -> float:
+        """The time in which ω comes round in a body's own axes."""
+        return self.agreed(lambda: [self.round_once(name)])[0]
+
+    def round_once(self, name: str) -> float:
+        """The time between two zeros in one sense of a component of ω in a body's own axes that changes its sign."""
+        numbers, size, clock = self.first(), self.stride(), 0.0
+        before, passed = self.own_omega(name, self.world(numbers)), tuple[list[Passing], ...]([[], [], []])
+        while True:
+            later = self.step(numbers, size)
+            there = self.own_omega(name, self.world(later))
+            for axis in range(3):
+                if before[axis] < 0.0 <= there[axis]:
+                    passed[axis].append((clock, numbers, before[axis], there[axis]))
+                if len(passed[axis]) > 1:
+                    gap = partial(self.own_component, name, axis)
+                    ends = [start + self.crossing(at, size, low, high, gap)[1] for start, at, low, high in passed[axis]]
+                    return ends[1] - ends[0]
+            numbers, before, clock = later, there, clock + size
+
+    def own_omega(self, name: str, world: World) -> Arrow:
+        """ω of a body in its own axes."""
+        return times_arrow(rows_back(world.stance.turned(name)), world.now.arrow(TURNING, name))
+
+    def own_component(self, name: str, axis: int, world: World) -> float:
+        return self.own_omega(name, world)[axis]
 
     def crossing(self, numbers: Numbers, size: float, low: float, high: float, gap: Gap) -> tuple[Numbers, float]:
         """The numbers at which a gap closes within a step, and the time to there, by the rule of Illinois."""
@@ -283,9 +335,9 @@ def ways_through(line: Condition) -> tuple[bool, ...]:
     return {"largest": (False,), "smallest": (True,)}.get(line.word or "", (False, True))
 
 
-def near_enough(one: Numbers, other: Numbers) -> bool:
+def near_enough(one: Numbers, other: Numbers, exact: float) -> bool:
     """Whether a finer step tells no more."""
-    return all(abs(a - b) <= EXACT * max(1.0, abs(a)) for a, b in zip(one, other, strict=True))
+    return all(abs(a - b) <= exact * max(1.0, abs(a)) for a, b in zip(one, other, strict=True))
 
 
 def midpoint(slope: Callable[[Numbers], Numbers], start: Numbers, first: Numbers, size: float, count: int) -> Numbers:

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
-from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig, Told
+from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.worlds import Manner, Moving, Unfit, manners_of
+from rotsolve.confirm.space.worlds import Manner, Moving, Unfit, World, manners_of
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.core.symbols import TIME
 from rotsolve.language.grammar import ANGLE_OF
@@ -62,6 +64,7 @@ class Inquiry:
         self.problem, self.put = problem, put
         self.rig = Rig(problem, numbers)
         self._ways: dict[str, list[Manner]] = {}
+        self._kept: dict[str, Any] = {}  # what comes of following a motion, or why nothing does
 
     # states
 
@@ -69,17 +72,50 @@ class Inquiry:
         states = self.problem.states
         if name is None and len(states) > 1:
             raise NotConfirmed("at which state it is asked")
-        if name is None or name == ANY_TIME:
+        if name is None:
             return states[0] if states else None
         return next(state for state in states if state.name == name)
 
     def rig_at(self, state: State | None) -> Rig:
-        """The rig at the time that the first state tells, where it does."""
-        lines = () if state is None or state is not self.problem.states[0] else state.conditions
-        told = next((line for line in lines if line.path is not None and line.path.quantity == "time"), None)
-        if told is None or told.value is None:
-            return self.rig
-        return Rig(self.problem, {**self.rig.numbers, TIME: self.rig.value(told.value)})
+        """The rig at the time of a state, where it is told."""
+        clock = None if state is None else self.clock(state)
+        return self.rig if clock is None else Rig(self.problem, {**self.rig.numbers, TIME: clock})
+
+    @cached_property
+    def timed(self) -> bool:
+        """Whether times pass from the first state on, which then is at 0: a later one tells its time, or functions of time are asked."""
+        later = any(clock_of(state) is not None for state in self.problem.states[1:])
+        return later or any(find.runs for find in self.problem.finds)
+
+    def clock(self, state: State) -> float | None:
+        """The time of a state as told, through a blow as before; 0 at the first one where times pass."""
+        told, states = clock_of(state), self.problem.states
+        if told is not None:
+            return self.rig.value(told)
+        event = next((item for item in self.problem.events if item.to == state.name), None)
+        if event is not None:
+            return self.clock(next(item for item in states if item.name == event.from_))
+        return 0.0 if states and state is states[0] and self.timed else None
+
+    @cached_property
+    def driven(self) -> bool:
+        """Whether all bodies move as they are told to."""
+        driven = {joint.body.owner for joint in self.rig.joints.values() if joint.drive}
+        return all(name in driven or body.moved for name, body in self.rig.bodies.items())
+
+    def by_time(self, name: str | None) -> bool:
+        """Whether the time from the state before tells how all moves at a later state, which is not driven."""
+        names = [state.name for state in self.problem.states]
+        place = names.index(name) if name in names else 0
+        events = any(event.to == name for event in self.problem.events)
+        if not place or events or self.driven:
+            return False
+        return self.passed(self.problem.states[place - 1], self.problem.states[place]) is not None
+
+    def passed(self, before: State, state: State) -> float | None:
+        """The time from one state to another, where both tell theirs."""
+        ends = [self.clock(item) for item in (before, state)]
+        return None if None in ends else ends[1] - ends[0]  # type: ignore[operator]
 
     def ways(self, name: str | None) -> list[Manner]:
         """The ways in which all moves at a state, in which all its lines hold."""
@@ -113,17 +149,51 @@ class Inquiry:
         place = names.index(name) if name in names else 0
         if not place or any(phase.without for phase in self.problem.phases):
             raise LeftOpen(OPEN)
-        if key not in self._ways:
-            from rotsolve.confirm.space.flight import Flight
+        state = self.problem.states[place]
+        passed = self.passed(self.problem.states[place - 1], state)
+        return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
 
-            before = self.ways(names[place - 1])
-            if len(before) == 1 and any(world.now is not before[0].worlds[0].now for world in before[0].worlds):
-                before = self.followed(names[place - 1])
-            if len(before) != 1:
-                raise NotConfirmed(SEVERAL)
-            state = self.problem.states[place]
-            self._ways[key] = [Manner((Flight(self.rig, before[0].worlds[0], state).arrival(),), 0.0)]
-        return self._ways[key]
+    def kept(self, key: str, follow: Callable[[], Any]) -> Any:
+        """What comes of following a motion, which is done once."""
+        if key not in self._kept:
+            try:
+                self._kept[key] = follow()
+            except (NotConfirmed, Unfit) as reason:
+                self._kept[key] = reason
+        found = self._kept[key]
+        if isinstance(found, (NotConfirmed, Unfit)):
+            raise found
+        return found
+
+    def running(self, phase: str | None) -> list[Manner]:
+        """The way in which all moves at the time at which functions of time are looked at, in a phase or in the only one."""
+        states = self.problem.states
+        start = next((item.start for item in self.problem.phases if item.name == phase), None)
+        begin = next((item for item in states if item.name == start), states[0] if states else None)
+        clock = None if begin is None else self.clock(begin)
+        if begin is None or clock is None or (phase is not None and start is None):
+            raise NotConfirmed("a function of time")
+        end = next(iter(states[states.index(begin) + 1 :]), None)
+        over = None if end is None else self.clock(end)
+        if not clock <= NOW <= (NOW if over is None else over):
+            raise NotConfirmed("a function of time, in a phase at other times than are looked at")
+        return [self.kept(f"{begin.name} on", lambda: self.led_on(begin.name, State(ANY_TIME), NOW - clock))]
+
+    def led_on(self, name: str, state: State, passed: float | None) -> Manner:
+        """Where the motion from one state leads: to a later one, or for a time; by every choice of what is open, where time alone tells."""
+        from rotsolve.confirm.space.flight import Flight
+
+        before = self.ways(name)
+        if len(before) == 1 and len(by_velocities(before[0].worlds)) > 1:
+            try:
+                before = self.followed(name)
+            except LeftOpen:
+                if passed is None:
+                    raise
+        if len(before) != 1:
+            raise NotConfirmed(SEVERAL)
+        starts = by_velocities(before[0].worlds)[: 2 if passed is not None else 1]
+        return Manner(tuple(Flight(self.rig, world, state, passed).arrival() for world in starts), 0.0)
 
     def fitting(self, ways: Sequence[Manner], line: Condition) -> Iterator[Manner]:
         """The ways in which a line holds."""
@@ -181,6 +251,8 @@ class Inquiry:
         event = next((item for item in self.problem.events if item.name == term.during), None)
         if event is not None and term.path.quantity == "impulse":
             return self.at(term, event.to)
+        if term.at == ANY_TIME:
+            return self.at(term, ANY_TIME)
         if term.during is not None or term.by is not None:
             raise NotConfirmed(PATHS)
         if term.start is None:
@@ -196,15 +268,42 @@ class Inquiry:
     def at(self, term: Term, name: str | None) -> list[float]:
         if term.path.quantity == "freedoms":
             return [freedoms(self.rig, term.path)]
+        if term.path.quantity == "period" and name != ANY_TIME:
+            return [self.period(name, term)]
+        if name == ANY_TIME:
+            return self.at_any_time(term)
         try:
-            found = distinct([told_by(way, term) for way in self.ways(name)])
+            found = distinct([told_by(way, term) for way in (self.followed if self.by_time(name) else self.ways)(name)])
         except LeftOpen:
             found = distinct([told_by(way, term) for way in self.followed(name)])
+        return self.modified(found, term)
+
+    def period(self, name: str | None, term: Term) -> float:
+        """That of a steady rotation; of a free body the time from one zero of a component of ω in its own axes to the next but one."""
+        ways, key = self.ways(name), f"{name} {term.path.owner} comes round"
+        try:
+            return only_one(distinct([told_by(way, term) for way in ways]))
+        except NotConfirmed:
+            from rotsolve.confirm.space.flight import Flight
+
+            flight = Flight(self.rig, ways[0].worlds[0], State(ANY_TIME))
+            return float(self.kept(key, lambda: flight.comes_round(term.path.owner)))
+
+    def at_any_time(self, term: Term) -> list[float]:
+        """A function of time at the moment at which it is looked at: as all is driven then, else as the motion leads to it."""
+        if self.driven:
+            ways = manners_of(Rig(self.problem, {**self.rig.numbers, TIME: NOW}), State(ANY_TIME), self.put)
+        else:
+            ways = self.running(term.during)
+        return self.modified(distinct([told_by(way, term) for way in ways]), term)
+
+    def modified(self, found: Sequence[float], term: Term) -> list[float]:
+        """The numbers that a modifier makes of those in all ways."""
         if term.modifier in EXTREMES:
             return [min(found) if term.modifier == "smallest" else max(found)]
         if term.modifier not in ("", "size of", ANGLE_OF, CHANGE, LOST):
             raise NotConfirmed(f"`{term.modifier}` in space")
-        return [abs(value) for value in found] if term.modifier == "size of" else found
+        return [abs(value) for value in found] if term.modifier == "size of" else list(found)
 
     # what answers that are put in leave over
 
@@ -259,6 +358,17 @@ def for_part(term: Term, part: str) -> Term:
         return term
     whole = term.path.component
     return replace(term, path=replace(term.path, component=part if whole is None else f"{whole} {part}"))
+
+
+def clock_of(state: State) -> Formula | None:
+    """The time that a state tells."""
+    lines = (line for line in state.conditions if line.path is not None and line.path.quantity == "time")
+    return next((line.value for line in lines), None)
+
+
+def by_velocities(worlds: Sequence[World]) -> list[World]:
+    """One world of each choice of velocities."""
+    return list({id(world.now): world for world in reversed(worlds)}.values())[::-1]
 
 
 def told_by(way: Manner, term: Term) -> float:

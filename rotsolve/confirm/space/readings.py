@@ -37,6 +37,7 @@ from rotsolve.language.problem import Path, Term
 ENTRY = {axis: k for k, axis in enumerate(AXES)}
 ENTRY_OF = {axis: k for k, axis in enumerate(ALONG)}
 ROUNDING = 1e-9
+STEADILY = 1e-11  # of ω²: an angular acceleration that is rounding
 
 
 class Reading:
@@ -386,9 +387,18 @@ class Reading:
 
     def period(self, path: Path, term: Term) -> float:
         """2π/|ω| of what turns steadily about an axis that stays."""
-        if arrow_length(self.found.arrow(TURNING, path.owner)) > ROUNDING:
+        rate = arrow_length(self.omega(path.owner))
+        if arrow_length(self.found.arrow(TURNING, path.owner)) > STEADILY * rate * rate:
             raise NotConfirmed("the period of what does not turn steadily")
-        return ROUND / arrow_length(self.omega(path.owner))
+        return ROUND / rate
+
+    def angle(self, path: Path, term: Term) -> float:
+        """How far a body is turned about its hinge."""
+        joint = self.rig.main(path.owner)
+        if joint is None or not (joint.turning or self.rig.line(path.owner) is not None):
+            raise NotConfirmed("the angle of what no hinge holds")
+        swung = self.stance.swung.get(path.owner)
+        return swung if swung is not None else self.stance.angle(joint)
 
     def cm(self, path: Path, term: Term) -> float:
         """A component of the place of the centre of mass in the body's own axes."""
@@ -438,6 +448,7 @@ SCALARS: dict[str, Callable[[Reading, Path, Term], float]] = {
     "mass": Reading.mass,
     "stability": Reading.stability,
     "period": Reading.period,
+    "angle": Reading.angle,
     "cm": Reading.cm,
     "speed": Reading.speed,
 }

@@ -6,12 +6,16 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import Numbers, holding, sets_of_numbers, sets_wanted, with_givens
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import options_that_hold
 from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
 from rotsolve.confirm.space.inquiry import SEVERAL
+from rotsolve.confirm.space.rig import NOW
 from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.confirm.verdicts import (
     NO_CASE,
@@ -20,15 +24,18 @@ from rotsolve.confirm.verdicts import (
     Solved,
     asked_letters,
     both_sets,
+    closely_valued,
     not_so,
     said_of,
 )
 from rotsolve.core.derivation import Answer, AnswerConfirmation
+from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
 ROUGHLY = "the scene asks for an approximation"
+COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
 EITHER_WAY = ("principal_axis",)  # directions that have no sense
 
 Said = Mapping[str, "float | str"]
@@ -75,12 +82,23 @@ def heard_at(
     answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of each answer at one set of numbers."""
-    known = {**numbers, **asked_letters(problem, numbers, solved)}
-    cases = [case for several in answers if (case := holding(several, numbers)) is not None]
-    said = {case.name: said_of(case, known) for case in cases}
+    known = {TIME: NOW, **numbers, **asked_letters(problem, numbers, solved)}
+    running = {find.group for find in problem.finds if find.runs}  # these are looked at by their closed forms
+    told = [unvalued(answer) if answer.name in running else answer for answer in answers]
+    cases = [case for several in told if (case := holding(several, numbers)) is not None]
+    said = {
+        case.name: said_of(case, known, closely_valued) if case.name in running else said_of(case, known)
+        for case in cases
+    }
     found = {item.name: item for item in judged_in_space(cases, problem, known, said, numbers)}
     for several in answers:
         yield found.get(several.name, AnswerConfirmation(several.name, None, NO_CASE))
+
+
+def unvalued(answer: Answer) -> Answer:
+    """An answer without the numbers that it has at one time."""
+    parts = tuple(map(unvalued, answer.components))
+    return replace(answer, value=None, components=parts, otherwise=tuple(map(unvalued, answer.otherwise)))
 
 
 def judged_in_space(
@@ -146,6 +164,8 @@ def compared_in_space(
     rows = [tuple(column[way if len(column) > 1 else 0] for column in columns) for way in range(count)]
     if not all(math.isfinite(part) for row in rows for part in row):
         raise NotConfirmed("its number is beyond those of the assembly")
+    if finds[0].formula == Symbol("#0") and finds[0].terms[0].path.quantity in COUNTED:
+        rows = [tuple(turned_to(own, part) for own, part in zip(row, answered, strict=True)) for row in rows]
     natural = hearing.natural(answer)
     loose = bool(finds[0].terms) and finds[0].terms[0].path.quantity in EITHER_WAY
     fits = [
@@ -162,6 +182,11 @@ def close(answered: Sequence[float], own: Sequence[float], natural: float) -> bo
     size = max(map(abs, (*answered, *own)), default=0.0)
     room = max(SAME * size, NOTHING * natural) if not any(answered) else SAME * size
     return all(abs(a - b) <= room for a, b in zip(answered, own, strict=True))
+
+
+def turned_to(angle: float, answered: float) -> float:
+    """An angle by as many whole turns further as the answer counts."""
+    return angle + 2 * math.pi * round((answered - angle) / (2 * math.pi))
 
 
 def turned_round(row: Sequence[float]) -> tuple[float, ...]:

@@ -30,9 +30,9 @@ from rotsolve.simulation.space.outputs import Outputs
 from rotsolve.simulation.system import System, Variable, named_in_text, refusal
 from rotsolve.simulation.tape import SeriesTape, vanishes
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.moment import SECOND
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.scene import SpaceEquations
+from rotsolve.space.telling import SECOND
 
 
 class SpaceSystem(System, frozen=True):

@@ -1,0 +1,283 @@
+"""Lapse: how a body on which nothing turns stands, turns and flies some time after a state, in closed form.
+
+L is constant in space. What turns about L goes on so. A body that is symmetric about e₃ goes round L at L/I₁ and meanwhile turns about its
+axis at ψ̇ = ω₃ (I₁ − I₃)/I₁ (Landau & Lifshitz, Mechanics, §33; Goldstein, Poole & Safko, Classical Mechanics, §5.6); of any other ω goes by
+elliptic functions (`asymmetric`). A steady precession goes on as it is. About a fixed axis a constant torque makes ω = ω₀ + α t, and a
+centre of mass that nothing holds falls, v = v₀ − g t ẑ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
+from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, ANGULAR_VELOCITY, Dimension
+from rotsolve.core.equation import IN_TIME, PART_IN_TIME, Equation
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.remembered import remembered
+from rotsolve.core.symbols import TIME, has_quantities
+from rotsolve.core.vectors.triple import (
+    AS_DRAWN,
+    AXES,
+    NOTHING,
+    Rows,
+    Triple,
+    Z,
+    after,
+    cross_product,
+    dot_product,
+    is_axis,
+    length_of,
+    rotated,
+    scaled_by,
+    triple,
+    turn_about,
+    vector_sum,
+)
+from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.space.arrangement import ANGLES, RATES
+from rotsolve.space.attitude import AXIAL, BODY, NODE, Attitude, Axes
+from rotsolve.space.free import along_momentum, symmetric_way, turns_freely
+from rotsolve.space.inertia import CM, entry_along
+from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.passing import left_alone
+
+
+class Lapse:
+    """What happens from the moment of `before` up to a later one, with no event between; `intact`: what holds bodies does so on the way.
+
+    `laws` are what defines the letters of all that has been asked so far.
+    """
+
+    def __init__(self, before: SpaceLaws, later: SpaceMoment, *, intact: bool) -> None:
+        self.before, self.later, self.held, self.intact = before, later, later.held, intact
+        self.laws: dict[Equation, None] = {}
+
+    def passed(self) -> Formula | None:
+        """The time that has passed, t − t₀; None where the states do not tell it."""
+        start, end = self.before.moment.clock(), self.later.clock()
+        if start is None or end is None:
+            return None
+        time = simplify(add(end, negate(start)))
+        if self.held.signs.by_numbers(time) == -1:
+            line = self.later.line("", "time")
+            message = f"`{self.later.when}` is not after `{self.before.moment.when}`: states are in the order of time"
+            raise Unsolvable(message, span=None if line is None else line.span)
+        return time
+
+    def letter(self, name: str, kind: str, letter: str, dimension: Dimension, value: Formula, words: str) -> Formula:
+        """A letter of a body at the earlier moment, for what stays as it is from then on, with what it stands for."""
+        when = self.before.moment.when
+        symbol = self.before.moment.registry.ask(SceneQuantity(kind, name, when, "", letter, dimension))
+        self.laws[PART_IN_TIME.equation(symbol, value, when, (name,), words=words)] = None
+        return symbol
+
+    def equations(self) -> Iterator[Equation]:
+        """What defines the letters that have been asked for, and the motion of bodies on hinges."""
+        for name in self.held.order:
+            if self.hinged(name):
+                yield from self.about_hinge(name)
+        yield from self.laws
+
+    # which motions go on in closed form
+
+    def alone(self, name: str) -> bool:
+        """Whether nothing acts on a body but its weight and an ideal joint, for a time that is told."""
+        return self.intact and left_alone(self.before, name) and self.passed() is not None
+
+    @remembered
+    def turns_freely(self, name: str) -> bool:
+        """Whether the angular momentum of a body stays, for a time that is told."""
+        return self.intact and self.passed() is not None and turns_freely(self.before, name)
+
+    @remembered
+    def steady(self, name: str) -> bool:
+        """Whether a body of which Euler angles are told precesses steadily from the earlier moment on."""
+        moment = self.before.moment
+        earlier = moment.onward
+        still = moment.state.steady or (earlier is not None and earlier.steady(name))
+        return still and moment.nods(name) and not self.held.falls(name) and self.alone(name)
+
+    def hinged(self, name: str) -> bool:
+        """Whether a body turns about a fixed axis with a constant angular acceleration."""
+        return self.acceleration(name) is not None
+
+    # Euler angles of a steady precession
+
+    def told(self, name: str, word: str) -> Formula | None:
+        """An Euler angle of a body that precesses steadily, or the rate of one: φ = φ₀ + φ̇ t, ψ = ψ₀ + ψ̇ t."""
+        time, turning = self.passed(), self.before.moment.nodding(name)
+        if word not in (*ANGLES, *RATES) or time is None:
+            return None
+        if word in RATES:
+            return turning.rates[RATES.index(word)]
+        number = ANGLES.index(word)
+        return add(turning.angles[number], multiply(turning.rates[number], time))
+
+    # bodies that turn about no fixed axis
+
+    @remembered
+    def attitude(self, name: str) -> Attitude | None:
+        """How a body stands and turns on which no torque acts; None of others, or where it is not told how it stood."""
+        if not self.turns_freely(name) or self.steady(name):
+            return None
+        earlier = self.before.moment.onward
+        if earlier is not None and earlier.turns_freely(name):
+            whole = earlier.up_to(self.later)
+            found = whole.attitude(name)
+            self.laws.update(dict.fromkeys(whole.laws))
+            return found
+        time, start = self.passed(), self.before.moment.attitude(name)
+        assert time is not None
+        if start.omega == NOTHING or along_momentum(self.before, name):
+            return self.uniform(name, start, time)
+        way = symmetric_way(self.held, name)
+        if way is not None:
+            return self.cone(name, start, way, time)
+        return self.elliptic(name, start, time)
+
+    def up_to(self, later: SpaceMoment) -> Lapse:
+        """From the same moment to a later one than this."""
+        return Lapse(self.before, later, intact=self.intact)
+
+    def momentum(self, name: str) -> Triple:
+        """L at the earlier moment, in the axes of the body, as letters."""
+        own, (_, point) = self.before.moment.attitude(name), self.before.about(name)
+        return self.before.letters_of(name, self.before.tensor(name, point), own, point)[0]
+
+    def own_rows(self, name: str, start: Attitude) -> Rows:
+        """What turns a body's own components into those of its axes at the earlier moment, the spin angle of node axes too."""
+        spun = start.axes.name == NODE and self.before.moment.nods(name)
+        return after(turn_about(Z, self.before.moment.nodding(name).angles[2]), start.own) if spun else start.own
+
+    def uniform(self, name: str, start: Attitude, time: Formula) -> Attitude:
+        """A body that goes on turning with the same ω, its axes with it."""
+        rows = start.axes.rows
+        if start.omega != NOTHING:
+            way, rate = along_and_size(start.omega)
+            rows = after(rows, turn_about(way, multiply(rate, time)))
+        axes = Axes(AXIAL, rows, start.omega, NOTHING, start.axes.lost, base=rows)
+        return Attitude(axes, self.own_rows(name, start), start.omega, NOTHING, start.about)
+
+    def cone(self, name: str, start: Attitude, way: Triple, time: Formula) -> Attitude:
+        """A symmetric body in axes that go round L with its own axis, at L/I₁, in which L and ω stay; it turns in them by ψ̇."""
+        own, momentum = self.own_rows(name, start), self.momentum(name)
+        axis = rotated(own, way)
+        tensor = self.before.tensor(name, self.before.about(name)[1])
+        axial, other = (entry_along(tensor, direction) for direction in (axis, rotated(own, (way[1], way[2], way[0]))))
+        direction, size = along_and_size(momentum)
+        if not is_axis(momentum):
+            words = "size of the angular momentum, which stays in space"
+            size = self.letter(name, "size of the angular momentum", "L", ANGULAR_MOMENTUM, size, words)
+            direction = triple([part / size if part != ZERO else ZERO for part in momentum])
+        words = "its axis goes round its angular momentum, φ̇ = L/I₁"
+        rate = self.letter(name, "rate about the angular momentum", "Omega", ANGULAR_VELOCITY, size / other, words)
+        words = "it turns about its axis meanwhile, ψ̇ = ω₃ (I₁ − I₃)/I₁"
+        share = multiply(dot_product(start.omega, axis), add(other, negate(axial)) / other)
+        spin = self.letter(name, "rate about its own axis", "s", ANGULAR_VELOCITY, share, words)
+        rows = after(start.axes.rows, turn_about(direction, multiply(rate, time)))
+        axes = Axes(AXIAL, rows, scaled_by(1 / other, momentum), NOTHING, start.axes.lost, base=rows)
+        about = axis if way == self.held.axis(name) else None
+        return Attitude(axes, after(turn_about(axis, multiply(spin, time)), own), start.omega, NOTHING, about)
+
+    def elliptic(self, name: str, start: Attitude, time: Formula) -> Attitude:
+        """An asymmetric body: its ω in its own axes, as letters with what they are; its attitude takes an integral of the third kind."""
+        from rotsolve.space.asymmetric import Polhode
+
+        polhode, later = Polhode(self.before, name), self.later
+        omega, rates = (
+            triple([later.ask(word, name, axis) for axis in AXES])
+            for word in ("angular_velocity", "angular_acceleration")
+        )
+        found = polhode.rates(time)
+        self.laws.update(polhode.laws)
+        for axis, letter, value in zip(AXES, omega, found, strict=True):
+            words = f"ω along its own {axis} axis, by Euler's equations"
+            self.laws[IN_TIME.equation(letter, value, later.when, (name,), words=words)] = None
+        lost = f"how `{name}`, which is not symmetric, stands when time has passed is not solved: only how it turns, in its own axes"
+        return Attitude(Axes(BODY, AS_DRAWN, omega, rates, lost, base=AS_DRAWN), start.own, omega, rates)
+
+    # about a fixed axis
+
+    @remembered
+    def acceleration(self, name: str) -> Formula | None:
+        """α of a body on a hinge of the ground, where it is constant: nothing that acts on it has a torque that changes; None of others."""
+        joint, moment = self.held.main(name), self.before.moment
+        if joint is None or not joint.turning or joint.sliding or not self.before.fixed(name) or self.passed() is None:
+            return None
+        if joint.drive:
+            return self.driven(joint)
+        if not (self.intact and left_alone(self.before, name, pushed=True)) or self.weight_turns(name, joint):
+            return None
+        couples = [push for push in self.before.pushes.on(name) if push.owner in self.acting]
+        if any(
+            push.force != NOTHING or goes_by_time(push.couple) or any(map(has_quantities, push.couple))
+            for push in couples
+        ):
+            return None
+        return moment.driven(name, joint, "angular_velocity")[1] if couples else ZERO
+
+    @property
+    def acting(self) -> frozenset[str]:
+        return frozenset(action.name for action in self.before.pushes.actions)
+
+    def driven(self, joint: Joint) -> Formula | None:
+        """0 of a hinge that is driven with a constant angular velocity; None of others."""
+        drive = dict(joint.drive)
+        steady = drive.keys() == {"angular_velocity"} and not goes_by_time(list(drive.values()))
+        return ZERO if steady else None
+
+    def weight_turns(self, name: str, joint: Joint) -> bool:
+        """Whether the weight has a torque about a hinge: not of an upright axis, nor of one through the centre of mass."""
+        moment = self.before.moment
+        way = moment.direction(name, joint)
+        upright = rotated(moment.turned(name), way)[:2]
+        through = cross_product(self.held.arm(PointRef(name, CM)), way)
+        return self.before.pushes.gravity is not None and not any(
+            all(map(self.held.vanishes, parts)) for parts in (upright, through)
+        )
+
+    def about_hinge(self, name: str) -> Iterator[Equation]:
+        """ω = ω₀ + α t and φ = φ₀ + ω₀ t + ½ α t²."""
+        joint, time, faster = self.held.main(name), self.passed(), self.acceleration(name)
+        assert joint is not None and time is not None and faster is not None
+        first, when = self.before.moment, self.later.when
+        rate = first.driven(name, joint, "angular_velocity")[0]
+        steady = "turns steadily" if faster == ZERO else "constant angular acceleration"
+        later = self.later.driven(name, joint, "angular_velocity")[0]
+        if not joint.drive:
+            right = add(rate, multiply(faster, time))
+            yield IN_TIME.equation(later, right, when, (name,), words=f"{steady}, ω = ω₀ + α t")
+        angle = first.stood(name, "angle")
+        if angle is not None:
+            way = add(multiply(rate, time), multiply(multiply(HALF, faster), multiply(time, time)))
+            own = self.later.ask("angle", name)
+            yield IN_TIME.equation(own, add(angle, way), when, (name,), words=f"{steady}, angle turned")
+
+    # flight
+
+    def centre_velocity(self, name: str) -> Triple | None:
+        """v₀ − g t ẑ of the centre of mass of a body that nothing holds, in space axes; None of others."""
+        if self.held.of_body(name) or not self.alone(name):
+            return None
+        time, gravity = self.passed(), self.before.pushes.gravity
+        assert time is not None
+        start = self.before.moment.of_centre(name, "velocity")
+        return start if gravity is None else vector_sum(start, (ZERO, ZERO, negate(multiply(gravity, time))))
+
+
+def along_and_size(vector: Triple) -> tuple[Triple, Formula]:
+    """A unit vector and the size of a vector along it, which may be negative where it lies along an axis."""
+    if is_axis(vector):
+        size = next(part for part in vector if part != ZERO)
+        return triple([ZERO if part == ZERO else ONE for part in vector]), size
+    size = length_of(vector)
+    return triple([part if part == ZERO else part / size for part in vector]), size
+
+
+def goes_by_time(parts: Triple | list[Formula]) -> bool:
+    """Whether a value goes by the running time."""
+    return any(TIME in part.symbols() for part in parts)

@@ -1,0 +1,153 @@
+"""Telling: what a state of a scene in space tells: its lines, its time, and what the time that has passed since the one before tells."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.registry import Registry, SceneQuantity
+from rotsolve.core.remembered import remembered
+from rotsolve.core.symbols import TIME, phase_midst
+from rotsolve.core.vectors.triple import AXES, Triple
+from rotsolve.language.problem import Condition, State
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.space.arrangement import NODAL, JointedBodies
+from rotsolve.space.attitude import Onward
+
+TURNED = (*NODAL, "vertical", "angular_velocity", "angular_acceleration")  # words that tell how a body stands or turns
+SECOND = "rate of "  # in front of the word of a rate: how fast that changes
+
+
+class TellingMoment:
+    """One state, as its lines tell it: their values, and letters for what they leave open."""
+
+    def __init__(self, held: JointedBodies, registry: Registry, state: State, known: Arrangement) -> None:
+        self.held, self.registry, self.state = held, registry, state
+        self.positive, self.order, self.signs = known.positive, known.order, known.signs
+        self.when = state.name
+        self.at = state.name  # as the keys of its quantities say it
+        self.before: TellingMoment | None = None  # the moment before an event that leads to this one
+        self.onward: Onward | None = None  # what happens from the state before on, where times are told
+        self.timed = False  # whether the scene tells the time of a state, or asks for functions of time
+        self.first = True  # whether the scene begins with it
+        self.later = False  # whether time has passed since the first state
+        self.used: set[int] = set()  # the lines of the state that something has read, by their places
+
+    def tidy(self, value: Formula) -> Formula:
+        """A formula in textbook form."""
+        return simplify(value, order=self.order, positive=self.positive)
+
+    # what the state tells
+
+    def line(self, owner: str, word: str, component: str = "", point: str | None = None) -> Condition | None:
+        """The line of the state about a quantity of a body, or about a component of it."""
+        for number, line in enumerate(self.state.conditions):
+            path = line.path
+            if path is not None and (path.owner, path.quantity, path.component or "", path.point) == (
+                owner,
+                word,
+                component,
+                point,
+            ):
+                self.used.add(number)
+                return line
+        return None
+
+    def rests(self, owner: str) -> bool:
+        """Whether the state says that a body is at rest."""
+        for number, line in enumerate(self.state.conditions):
+            if line.rest and line.owner in ("", "all", owner):
+                self.used.add(number)
+                return True
+        return False
+
+    def now(self, value: Formula) -> Formula:
+        """A formula of the time at this moment; by t where nothing tells it."""
+        if TIME not in value.symbols():
+            return value
+        clock = self.clock()
+        self.line("", "time")
+        return value if clock is None else value.substitute({TIME: clock})
+
+    def clock(self) -> Formula | None:
+        """The time at this moment: the running one in the midst of a phase, else as told; 0 at the first state where others tell theirs."""
+        if phase_midst(self.at):
+            return Symbol(TIME)
+        if self.before is not None:
+            return self.before.clock()
+        paths = ((line.path, line.value) for line in self.state.conditions if line.path is not None)
+        told = next((value for path, value in paths if (path.owner, path.quantity) == ("", "time")), None)
+        return told if told is not None else ZERO if self.first and self.timed else None
+
+    def goes_on(self, name: str) -> bool:
+        """Whether it is told in closed form how a body stands and turns, by the time that has passed."""
+        onward = self.onward
+        if onward is None:
+            return False
+        try:
+            found = onward.steady(name) or onward.hinged(name) or onward.attitude(name) is not None
+        except Unsolvable:  # it does, but not in a form that is solved
+            return True
+        if found:
+            self.line("", "time")
+        return found
+
+    def keeps_momentum(self, name: str) -> bool:
+        """Whether the angular momentum of a body has stayed in space since the state before."""
+        return self.onward is not None and self.onward.turns_freely(name)
+
+    def told(self, owner: str, word: str) -> Formula | None:
+        """The value that the state gives to a quantity of a body; of one that precesses steadily that to which time has brought it."""
+        if self.onward is not None and word in NODAL and self.onward.steady(owner):
+            return self.onward.told(owner, word)
+        line = self.line(owner, word)
+        value = None if line is None else line.value
+        return self.right_angle(value) if word == "tilt" and value is not None else value
+
+    @remembered
+    def right_angle(self, angle: Formula) -> Formula:
+        """An angle; one that is upright, level or upside down by the number of its letter as that, since then steady motions are others."""
+        exact = (ZERO, PI / 2, PI) if angle.symbols() else ()
+        return next((way for way in exact if self.held.vanishes(angle - way)), angle)
+
+    def vector_told(self, owner: str, word: str, point: str | None = None) -> tuple[Triple, str, str] | None:
+        """The components that the state gives to a vector of a body, the name of their axes, and to what body they are relative."""
+        lines = [self.line(owner, word, axis, point) for axis in AXES]
+        found = [line for line in lines if line is not None]
+        if not found:
+            return None
+        if len(found) < len(AXES):
+            missing = ", ".join(axis for axis, line in zip(AXES, lines, strict=True) if line is None)
+            help = f"write all three: `{owner}.{word}: [x, y, z]`"
+            raise Unsolvable(f"of `{owner}.{word}` nothing tells {missing}", span=found[0].span, help=help)
+        parts = [ZERO if line is None or line.value is None else line.value for line in lines]
+        return (parts[0], parts[1], parts[2]), found[0].axes, found[0].relative
+
+    def ask(self, word: str, owner: str, component: str = "", letter: str = "", kind: str = "") -> Formula:
+        """The letter of a quantity at this moment, or the value that the state gives it."""
+        known = self.told(owner, word) if not component and not kind else None
+        entry = QUANTITIES[word]
+        quantity = SceneQuantity(kind or word, owner, self.at, component, letter or entry.letter, entry.dimension)
+        if known is not None:
+            self.registry.fix(quantity, known)
+        return self.registry.ask(quantity)
+
+    def rate_of(self, word: str, owner: str) -> Formula:
+        """How fast a rate changes; not at all where the state is steady."""
+        if self.state.steady or (self.onward is not None and self.onward.steady(owner)):
+            return ZERO
+        entry = QUANTITIES["angular_acceleration"]
+        kind = SECOND + word
+        quantity = SceneQuantity(kind, owner, self.at, "", f"{QUANTITIES[word].letter}dot", entry.dimension)
+        return self.registry.ask(quantity)
+
+    def refuse_told_anyhow(self, name: str) -> None:
+        """Refuse lines that tell once more how a body stands or turns at a state to which time leads."""
+        for line in self.state.conditions:
+            path = line.path
+            if (path is not None and path.owner == name and path.quantity in TURNED) or (
+                line.rest and line.owner in ("all", "", name)
+            ):
+                message = f"how `{name}` stands and turns at `{self.when}` follows from the time that has passed"
+                raise Unsolvable(message, span=line.span, help="leave out this line, or the `time` of the state")
