@@ -24,7 +24,6 @@ from rotsolve.questions.functions_of_time import Beside
 from rotsolve.search.search import Search
 
 MOST_PLACES = 12  # within one phase
-RUNNING = (TIME, POSITION)  # how the forces vary in phases that are looked at
 
 
 class Running(Struct, frozen=True):
@@ -39,7 +38,7 @@ def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]
     """By the state at the end of a phase that forces and tensions are not negative where they are least within it."""
     for name, passage in search.scene.passages.items():
         interval = search.scene.configuration.timeline.interval(name)
-        if interval is None or not any(travel.pace in RUNNING for travel in passage.travels):
+        if interval is None:
             continue
         beside = Beside(search.apart().settled, search.signs)
         needs = [need for need in passage.midst.requirements if not (need.kind.grips or need.kind.placed)]

@@ -26,6 +26,7 @@ from rotsolve.search.planning import families_for
 if TYPE_CHECKING:
     from rotsolve.core.facts import Requirement
     from rotsolve.core.faults import Unsolvable
+    from rotsolve.core.passage import Passage
     from rotsolve.derivation.letters import Letters
     from rotsolve.search.search import Search
 
@@ -121,10 +122,16 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
         from rotsolve.derivation.parted import liftings
 
         yield from liftings(search)
-    if any(travel.pace in (TIME, POSITION) for passage in scene.passages.values() for travel in passage.travels):
+    if any(pushes_vary(passage) for passage in scene.passages.values()):
         from rotsolve.derivation.on_the_way import least_pushes
 
         yield from least_pushes(search)
+
+
+def pushes_vary(passage: Passage) -> bool:
+    """Whether forces that may let go vary in a phase with the time or with a place."""
+    varies = any(travel.pace in (TIME, POSITION) for travel in passage.travels)
+    return varies and any(not (need.kind.grips or need.kind.placed) for need in passage.midst.requirements)
 
 
 def passing(state: str, search: Search) -> bool:

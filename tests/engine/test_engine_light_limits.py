@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.confirm.course.samples import holding, number_drawn, with_givens
+from rotsolve.confirm.course.samples import holding, with_givens
+from rotsolve.confirm.course.sizes import size_drawn
 from rotsolve.confirm.numbers import value_of
 from rotsolve.pipeline import solve
 
@@ -20,8 +21,8 @@ find: {a: ring.acceleration at start}
 SLED = """
 given: {M: kg, m: kg, mu: number}
 surfaces: {table: level}
-bodies: {sled: {mass: M, moves: right}, load: {mass: m, moves: down}}
-connections: {base: {contact: [sled, table], friction: mu}, rope: {string: [sled, load]}}
+bodies: {sled: {mass: M, moves: right}, load: {mass: m, moves: down}, p: {shape: disc, mass: 0}}
+connections: {base: {contact: [sled, table], friction: mu}, axle: {axle: p}, rope: {string: [sled, p, load]}}
 states: {start: at rest}
 find: {a: load.acceleration at start, T: rope.tension at start}
 """
@@ -53,7 +54,7 @@ def test_what_is_said_of_a_mass_next_to_nothing_is_so(text: str) -> None:
         assert isinstance(letter, Symbol)
         assert isinstance(asked, Symbol)
         assert isinstance(told, Formula)
-        numbers = {given.name: number_drawn(given, 0, place) for place, given in enumerate(solution.problem.givens)}
+        numbers = {given.name: size_drawn(given, 0, place) for place, given in enumerate(solution.problem.givens)}
         numbers = {**with_givens(solution.problem, numbers), letter.name: 1e-9}
         case = holding(solution.answers[asked.name].answer, numbers)
         assert case is not None
