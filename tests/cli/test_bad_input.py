@@ -210,7 +210,7 @@ def test_an_answer_that_can_not_be_is_printed_with_the_objection(scene: str, obj
     code, out, err = command("solve", "x.yaml")
     assert (code, err) == (1, "")
     assert "Answers\n" in out
-    assert out.endswith(objection)
+    assert objection in out
 
 
 @pytest.mark.parametrize(
