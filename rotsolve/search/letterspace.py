@@ -24,7 +24,7 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.letters import Given
 from rotsolve.core.limits import Limit
-from rotsolve.language.problem import Problem, references
+from rotsolve.language.problem import Find, Problem, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.lettersigns import LetterSigns, Proviso
@@ -46,14 +46,19 @@ Point = Mapping[str, Fraction]
 
 def open_letters(problem: Problem) -> tuple[Given, ...]:
     """The letters without a value that stand for any: not what is asked, nor the places over which an extremum is sought."""
-    ranging = set[str]()
-    for find in problem.finds:
-        if find.where is not None and find.where.phrase is not None and isinstance(find.formula, Symbol):
-            ranging.add(find.formula.name)
-        if find.extreme or (find.where is not None and find.where.word):
-            arguments = [ref.argument for ref in references(find) if ref.argument is not None]
-            ranging.update(name for argument in arguments for name in argument.symbols())
+    ranging = {name for find in problem.finds for name in ranged_over(find)}
     return tuple(item for item in problem.givens if item.value is None and not item.asked and item.name not in ranging)
+
+
+def ranged_over(find: Find) -> set[str]:
+    """The letters of which a question seeks the value: `F where N = P`, and the places over which it seeks an extremum."""
+    ranging = set[str]()
+    if find.where is not None and find.where.phrase is not None and isinstance(find.formula, Symbol):
+        ranging.add(find.formula.name)
+    if find.extreme or (find.where is not None and find.where.word):
+        arguments = [ref.argument for ref in references(find) if ref.argument is not None]
+        ranging.update(name for argument in arguments for name in argument.symbols())
+    return ranging
 
 
 def at_point(problem: Problem, point: Mapping[str, Formula]) -> Problem:
