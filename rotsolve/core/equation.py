@@ -137,7 +137,7 @@ POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μ�
 
 ANGULAR_MOMENTUM_IN_SPACE = Law("angular momentum in space", "angular momentum, {body}{about}, along {axis}", cost=1)
 RATE_IN_AXES = Law(
-    "rate of angular momentum in axes", "dL/dt = (dL/dt in the axes) + Ω × L, {body}{about}, along {axis}", NEWTON, 3
+    "rate of angular momentum in axes", "τ = (dL/dt in the axes) + Ω × L, {body}{about}, along {axis}", NEWTON, 3
 )
 
 # energy

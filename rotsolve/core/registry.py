@@ -64,16 +64,24 @@ class Registry(Struct):
         self.known[quantity.key] = value
 
     def letters(
-        self, used: Iterable[str], taken: frozenset[str], chosen: dict[str, str], indices: Mapping[str, str]
+        self,
+        used: Iterable[str],
+        taken: frozenset[str],
+        chosen: dict[str, str],
+        indices: Mapping[str, str],
+        placeless: frozenset[str] = frozenset(),
     ) -> dict[str, str]:
         """Printed names of the used quantities: the plain letter where it is unambiguous, else with owner or time as index.
 
         `chosen` holds names that the scene itself gives (an asked quantity has the name of its question); `indices` those of
-        bodies, by which a₂ is the acceleration of m₂.
+        bodies, by which a₂ is the acceleration of m₂; `placeless` are kinds whose index tells an axis and then a place, which is left out.
         """
         names = dict(chosen)
         occupied = set(taken) | set(chosen.values())
         pending = [self.quantities[key] for key in used if key in self.quantities and key not in chosen]
+        names |= _without_places([item for item in pending if item.kind in placeless], occupied)
+        occupied |= set(names.values())
+        pending = [quantity for quantity in pending if quantity.key not in names]
         plain, timed = _indices(chosen.get(TIME, TIME), indices)
         for way in (*(_each(index) for index in plain), _numbered, *(_each(index) for index in timed)):
             found = way(pending, occupied)
@@ -95,6 +103,14 @@ def _each(index: Callable[[SceneQuantity], str]) -> Callable[[list[SceneQuantity
         return {group[0].key: name for name, group in wanted.items() if len(group) == 1 and name not in occupied}
 
     return named
+
+
+def _without_places(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str]:
+    """I_x for I_x_cm, and I_x_plate where bodies share it: of all or none, so that one letter never means two places."""
+    axes = {item.key: item.letter + "_" + item.component.partition("_")[0] for item in pending if item.component}
+    shared = len(set(axes.values())) < len(axes)
+    names = {item.key: axes[item.key] + f"_{item.owner}" * shared for item in pending if item.key in axes}
+    return {} if len(set(names.values())) < len(names) or occupied & set(names.values()) else names
 
 
 def _numbered(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str]:

@@ -265,12 +265,13 @@ class DerivationComposer:
     # head
 
     def _conventions(self) -> tuple[Words, ...]:
-        kinds = {key_of(name).kind for name in self.letters.names if not self.problem.space}
+        kinds = {key_of(name).kind for name in self.letters.names}
         angles = COORDINATE + "angle" in kinds or any(
             key_of(name).kind == "angle" for name in self.scene.registry.quantities
         )
+        angles = angles and not self.problem.space
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
-        said += self.scene.conventions()
+        said += self.scene.conventions([self.pool[index] for draft in self.drafts for index in draft.laws])
         configuration = self.scene.configuration
         if configuration.mentions.functions:
             first = configuration.timeline.states[0].name

@@ -107,8 +107,15 @@ class Letters:
         others = [key for key in self._occurring if key not in chosen]
         chosen |= self._running(others, taken | set(chosen.values()), chosen.get(TIME, TIME))
         indices = own_indices(self.problem.bodies)
-        names = self.search.scene.registry.letters(self._occurring, taken - set(chosen.values()), chosen, indices)
+        taken -= set(chosen.values())
+        names = self.search.scene.registry.letters(self._occurring, taken, chosen, indices, self._placeless)
         return names | names_with_dots(self._occurring, names)
+
+    @property
+    def _placeless(self) -> frozenset[str]:
+        """Moments of inertia in space whose place goes without saying, since none is taken from one axis to another."""
+        laws = (self.search.planner.pool[index].law for draft in self.drafts for index in draft.laws)
+        return frozenset(("inertia",)) if self.problem.space and not any(law.shifts for law in laws) else frozenset()
 
     def _of_answers(self) -> dict[str, str]:
         """The names that the scene gives to what it asks for; a component that was asked before keeps that name."""

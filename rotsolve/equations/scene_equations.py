@@ -70,8 +70,8 @@ class SceneEquations(Struct, dict=True):
             self.stated += statements.take()
             self.told += statements.told
 
-    def conventions(self) -> Iterator[Words]:
-        """What is to be said of its axes before the laws."""
+    def conventions(self, used: Collection[Equation]) -> Iterator[Words]:
+        """What is to be said of its axes before the equations that are used."""
         return iter(())
 
     def settled_first(self) -> Iterator[str]:

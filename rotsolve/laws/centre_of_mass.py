@@ -78,7 +78,7 @@ def about_axis(piece: RigidPiece, entry: str) -> str:
     if tensor is None or entry not in ONE_AXIS:
         return ""
     if tensor.xx == tensor.yy == tensor.zz:
-        return " about a diameter"
+        return " about a diameter" if piece.shape.round else " about any axis through its centre"
     if entry == "zz":
         return " about its centre" if piece.shape.flat and not piece.shape.outer else " about its axis"
     return f" about its {entry[0]} axis"

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, Call, Formula, Number
+from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.equations.scene_equations import SceneEquations
@@ -39,10 +39,14 @@ def meaning_of(term: Term, scene: SceneEquations, beside: Beside | None = None) 
 
 
 def magnitude(formula: Formula) -> Formula:
-    """|x|; of what is a root or a size already the same, of a number without its minus."""
+    """|x|; of a multiple of a root or a size the same, of a number without its minus."""
     if isinstance(formula, Number):
         return Number(abs(formula.value))
-    bare = isinstance(formula, Call) and formula.function in ("abs", "sqrt")
+    parts = formula.factors if isinstance(formula, Product) else (formula,)
+    bare = all(
+        part.function in ("abs", "sqrt") if isinstance(part, Call) else isinstance(part, Number) and part.value > 0
+        for part in parts
+    )
     return formula if bare or not formula.symbols() else Call("abs", (formula,))
 
 

@@ -114,7 +114,14 @@ class Tensors(Struct):
             NOTHING,
             self.positive,
             tuple((given.name, given.dimension) for given in self.givens),
+            spatial=not self._among_others(name),
         )
+
+    def _among_others(self, name: str) -> bool:
+        """Whether a body is looked at in axes that are not its own, in which the letter of its axis would name another one."""
+        joint = self.held.main(name)
+        led = joint is not None and (joint.free or joint.carrier.owner in self.held.bodies)
+        return led and self.held.axis(name) is not None
 
     def _shifted(self, name: str, given: InertiaTensor, told: Triple, point: Triple, spot: str) -> InertiaTensor:
         """A tensor that is given about the point `told` about another one: down to the centre of mass by −M d², up again by M d²."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.equation import BLOWS, CONSERVATION, MOMENTUM, RULE, TWISTS, Equation
@@ -183,9 +184,11 @@ def laws_of_blow(
     held, (place, point) = before.moment.held, before.about(name)
     centres = [laws.moment.velocity(PointRef(name, CM)) for laws in (before, after)]
     gained = scaled_by(held.mass(name), way_between(centres[0], centres[1]))
-    for left, right in zip(vector_sum(*(item.push for item in shocks)), gained, strict=True):
+    ways = [f", along {before.along(name, axis)}" for axis in AXES]
+    for way, left, right in zip(ways, vector_sum(*(item.push for item in shocks)), gained, strict=True):
         if left != right:
-            yield BLOWS.equation(left, right, interval.name, (name,))
+            blow = BLOWS.equation(left, right, interval.name, (name,))
+            yield replace(blow, label=blow.label + way)
     for part in (part for item in shocks for part in item.nothing):
         words = f"{spoken(name)} moves freely along or about its axis"
         yield RULE.equation(part, ZERO, interval.name, (name,), words=words)
@@ -196,9 +199,9 @@ def laws_of_blow(
         *(vector_sum(cross_product(way_between(place, item.arm), item.push), item.twist) for item in shocks)
     )
     where = f" about its {'centre of mass' if point == CM else spoken(point)}"
-    for left, right in zip(turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
+    for way, left, right in zip(ways, turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
         if left != right:
-            yield TWISTS.equation(left, right, interval.name, (name,), about=where)
+            yield TWISTS.equation(left, right, interval.name, (name,), about=where + way)
 
 
 def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:

@@ -28,6 +28,7 @@ from rotsolve.core.vectors.triple import (
     vector_sum,
     way_between,
 )
+from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import Find, Path, Problem, Term
@@ -39,6 +40,11 @@ from rotsolve.space.inertia import CM, in_axes, moment_along, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.passing import joint_shock
 
+INERTIAL_NAMES = {
+    "centrifugal": "centrifugal force on {body}, −m Ω × (Ω × r)",
+    "euler": "Euler force on {body}, −m (dΩ/dt) × r",
+    "coriolis": "Coriolis force on {body}, −2 m Ω × v",
+}
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
 AT_REST = (
     "inertia",
@@ -104,7 +110,11 @@ class SpaceReader:
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
-        return replace(meaning, label=meaning.label or label_of(plainly_named(path), term), laws=tuple(laws))
+        return replace(
+            meaning,
+            label=meaning.label or inertial_label(path) or label_of(plainly_named(path), term),
+            laws=tuple(laws),
+        )
 
     def concerned(self, owner: str) -> tuple[str, ...]:
         """The bodies whose laws tell of a body, a connection or an action."""
@@ -520,6 +530,12 @@ def plainly_named(path: Path) -> Path:
     """A path with a component that a label can name."""
     component = (path.component or "").split()[0] if path.component else None
     return replace(path, component=component)
+
+
+def inertial_label(path: Path) -> str:
+    """What an inertial force is called, "Coriolis force on bead, −2 m Ω × v"; nothing for other paths."""
+    told = INERTIAL_NAMES.get((path.component or "").split()[0] if path.component else "", "")
+    return told.format(body=spoken(path.owner))
 
 
 OF_BODIES: dict[str, Callable[[SpaceReader, Path, Term], Seen]] = {

@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import cached_property, reduce
 from itertools import chain
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate
+from rotsolve.algebra.formula import (
+    ZERO,
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Symbol,
+    add,
+    multiply,
+    negate,
+)
+from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, Dimension, product_rank
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
 from rotsolve.core.facts import Facts
@@ -19,7 +31,7 @@ from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import GENERIC, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import spoken, with_powers
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, State, Term
 from rotsolve.motion.timeline import OPEN, Interval
@@ -163,7 +175,7 @@ class SpaceEquations(SceneEquations, dict=True):
             lines = laws.moment.state.conditions
             yield from (line for number, line in enumerate(lines) if number not in laws.moment.used)
 
-    def conventions(self) -> Iterator[Words]:
+    def conventions(self, used: Collection[Equation]) -> Iterator[Words]:
         """Along which axes the components are that are not those of space; what the numbers of the scene make special."""
         for name in self.held.order:
             axes = [laws.moment.axes(name).name for laws in self.dynamics.values()]
@@ -171,9 +183,53 @@ class SpaceEquations(SceneEquations, dict=True):
                 told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
                 turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
                 yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
+            elif any(one.law == RATE_IN_AXES and one.bodies == (name,) for one in used):
+                yield from self.turning_axes(name)
         for (name, _), gaps in self.held.askew.items():
             yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
         yield from coincidences(self.configuration.signs, self.configuration.problem.givens)
+
+    def turning_axes(self, name: str) -> Iterator[Words]:
+        """How the axes turn in which the law of rotation of a body is written, where they do so in one way that the scene tells."""
+        rates = {laws.moment.axes(name).rate for laws in self.dynamics.values() if name not in laws.unwritten}
+        rate = rates.pop() if len(rates) == 1 else NOTHING
+        if rate != NOTHING and all(part.symbols() <= self.given_dimensions.keys() for part in rate):
+            yield (
+                f"axes of {spoken(name)}: turning at Ω = (",
+                *in_a_row(map(self.in_order, rate)),
+                ") in their own components",
+            )
+
+    # its products as a textbook writes them
+
+    def put_in_order(self, equation: Equation) -> Equation:
+        """An equation with its products in order."""
+        return replace(equation, left=self.in_order(equation.left), right=self.in_order(equation.right))
+
+    def in_order(self, formula: Formula) -> Formula:
+        """A formula with its products in order, functions last, repeated factors as powers: I₁ Ω sin² θ for sin(θ) I₁ Ω sin θ."""
+
+        def change(node: Formula) -> Formula:
+            if not isinstance(node, Product):
+                return node
+            return with_powers(reduce(multiply, sorted(node.factors, key=self.place_in_product)))
+
+        return formula.transform(change)
+
+    def place_in_product(self, factor: Formula) -> tuple[int, int]:
+        """Where a factor stands: numbers, letters by what they measure, what is in brackets, the L of Ω L, functions."""
+        base = factor.base if isinstance(factor, Power) else factor
+        if not isinstance(base, Symbol):
+            return (0 if isinstance(base, Number) else 4 if isinstance(base, Call) else 2), 0
+        quantity = self.registry.quantities.get(base.name)
+        if quantity is None:
+            return 1, product_rank(self.given_dimensions.get(base.name))
+        return 3 if quantity.dimension == ANGULAR_MOMENTUM else 1, product_rank(quantity.dimension)
+
+    @cached_property
+    def given_dimensions(self) -> dict[str, Dimension | None]:
+        """What the letters of the scene measure."""
+        return {given.name: given.dimension for given in self.configuration.problem.givens}
 
     def section(self, state: str) -> str:
         return state
@@ -285,7 +341,7 @@ class SpaceEquations(SceneEquations, dict=True):
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state."""
         for dynamics in (*self.dynamics.values(), *self.running.values()):
-            yield from dynamics.equations()
+            yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)
             if dynamics.moment.onward is not None:
                 yield from dynamics.moment.onward.equations()
@@ -293,7 +349,8 @@ class SpaceEquations(SceneEquations, dict=True):
             if interval.end == OPEN:
                 continue
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
-            yield from through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
+            laws = through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
+            yield from (self.put_in_order(one) for one in laws)
         yield from self.tensors.steps
 
 

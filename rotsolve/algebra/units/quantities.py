@@ -15,6 +15,7 @@ import re
 from fractions import Fraction
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import PI, Formula, Negative, Number, Power, Product, Quotient, multiply
 from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript
@@ -252,7 +253,8 @@ def _side_by_side(name: str) -> str | None:
 def unit_for(dimension: Dimension, kind: str | None = None) -> Unit:
     """The SI unit by the habits of mechanics; `kind` tells what the dimension alone does not: "torque" is in N m."""
     found = kind_of(dimension, kind)
-    return Unit(base_unit_text(dimension) if found is None else found.unit, Fraction(1), 0, dimension)
+    written = replace(dimension, angle=max(dimension.angle, 0))  # of (kg m²)² nobody writes that it is per rad⁴
+    return Unit(base_unit_text(written) if found is None else found.unit, Fraction(1), 0, dimension)
 
 
 def number_in_unit(formula: Formula, unit: Unit) -> Formula:
