@@ -247,7 +247,8 @@ class SpaceEquations(SceneEquations, dict=True):
             raise NotYet(message, path.span, OF_QUANTITY if steady else help)
         own, kind = dynamics.moment.ask("precession", path.owner), QUANTITIES["precession"]
         root = self.registry.ask(SceneQuantity("precession", path.owner, state, term.modifier, "Omega", kind.dimension))
-        written = (*dynamics.equations(), *(law for found in self.restated.values() for law in found))
+        restated = (law for found in self.restated.values() for law in found)
+        written = (*map(self.put_in_order, dynamics.equations()), *restated)
         laws = [
             law for law in written if law.law in ROTATING and law.section == state and own.symbols() & law.symbols()
         ]
@@ -258,7 +259,7 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def beside_extreme(self, law: Equation, own: str, root: Formula, word: str, state: str) -> Iterator[Equation]:
         """A law with a letter of its own for one root, and those of the forces in it, which have letters of their own for that root too."""
-        others = [item for item in self.dynamics[state].equations() if item.law != RATE_IN_AXES]
+        others = [self.put_in_order(item) for item in self.dynamics[state].equations() if item.law != RATE_IN_AXES]
         named: dict[str, Formula] = {own: root}
         taken, waiting = [law], sorted(of_kinds(law.symbols(), ("force",)))
         while waiting:
