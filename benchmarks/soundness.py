@@ -1,11 +1,12 @@
 """Whether a scene is answered right, or refused by name: random compositions of all elements, and what must hold of them.
 
-    python benchmarks/soundness.py [--scenes N] [--seed S] [--first K] [--jobs J] [--failures FOLDER] [--write]
+    python benchmarks/soundness.py [--scenes N] [--seed S] [--first K] [--jobs J] [--failures FOLDER] [--space] [--write]
 
 Bodies of all kinds are held, joined, driven, told of and asked at random (benchmarks/compositions). Each scene is answered, and the answer
 confirmed by the independent assembly of all bodies' equations; or it is refused. One that is answered must have the same answers said in
 another way (benchmarks/compositions/relations.py) and by other laws. What is wrong is written into FOLDER as a scene, as small as leaving
-out lines makes it. `--write` puts the table into docs/benchmarks.md.
+out lines makes it. `--space` does the same with bodies in space (benchmarks/compositions/space.py, turned.py). `--write` puts the table
+into docs/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
+from compositions import compose, space, turned
 from compositions.judge import (
     BROKEN,
     NAMED,
@@ -38,6 +40,7 @@ from trials.scene import Scene, read, written
 from trials.shrink import shrunk
 from trials.trial import Result
 
+IN_SPACE = "## The same in space: `python benchmarks/soundness.py --space`"
 HEAD = "## Answered right, or refused by name: `python benchmarks/soundness.py`"
 WRONG = (SAID, SILENT, SLOW, BROKEN)
 MEANING = {
@@ -67,7 +70,9 @@ def report(options: argparse.Namespace, result: Result, verdict: str) -> None:
     why = result.faults[0] if result.faults else ""
     print(f"scene {result.number} ({result.kind}): {verdict}: {why.splitlines()[0] if why else ''}", flush=True)
     options.failures.mkdir(parents=True, exist_ok=True)
-    text = written(smallest(read(result.text), verdict)) if result.text else ""
+    drawn = space.drawn if options.space else compose.drawn
+    scene = read(result.text) if result.text else drawn(options.seed, result.number)[1]
+    text = written(smallest(scene, verdict))
     head = "".join(f"# {line}\n" for line in (verdict, *why.splitlines()))
     file = options.failures / f"{verdict.split()[-1]}-{options.seed}-{result.number}.yaml"
     file.write_text(head + text, encoding="utf-8")
@@ -100,13 +105,18 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=2, help="processes (2)")
     parser.add_argument("--time-limit", type=float, default=20.0, help="seconds after which a scene is given up (20)")
     parser.add_argument("--failures", type=Path, default=Path("soundness-failures"), help="where wrong scenes go")
+    parser.add_argument("--space", action="store_true", help="scenes in space")
     parser.add_argument("--write", action="store_true", help="write the table into docs/benchmarks.md")
     options = parser.parse_args()
     counts: Counter[str] = Counter()
     reasons: Counter[str] = Counter()
     started = time.monotonic()
     for result in run_all(
-        run, options.seed, range(options.first, options.first + options.scenes), options.jobs, options.time_limit
+        turned.run if options.space else run,
+        options.seed,
+        range(options.first, options.first + options.scenes),
+        options.jobs,
+        options.time_limit,
     ):
         verdict = SLOW if result.outcome == "hang" else result.outcome
         counts[verdict] += 1
@@ -116,10 +126,17 @@ def main() -> None:
             reasons[plain(result.faults[0])] += 1
         if sum(counts.values()) % 500 == 0:
             print(f"{dict(counts)}, {time.monotonic() - started:.0f} s", flush=True)
-    page = "\n\n".join((HEAD, machine(), f"{options.scenes} scenes of seed {options.seed}:", table(counts, reasons)))
+    page = "\n\n".join(
+        (
+            IN_SPACE if options.space else HEAD,
+            machine(),
+            f"{options.scenes} scenes of seed {options.seed}:",
+            table(counts, reasons),
+        )
+    )
     print(page)
     if options.write:
-        write_section("soundness", page)
+        write_section("soundness-in-space" if options.space else "soundness", page)
     sys.exit(1 if any(counts[verdict] for verdict in (SILENT, SLOW, BROKEN)) else 0)
 
 

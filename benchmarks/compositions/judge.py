@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from compositions import freed
@@ -35,6 +35,7 @@ RIGHT, UNCONFIRMED, NAMED, UNTRUE, UNTELLABLE, SAID, SILENT, SLOW, BROKEN = (
     "too slow",
     "broken",
 )
+Retold = Callable[[Scene, Outcome, random.Random], Iterator[str]]
 VERDICTS = (RIGHT, UNCONFIRMED, NAMED, UNTRUE, UNTELLABLE, SAID, SILENT, SLOW, BROKEN)
 
 
@@ -46,8 +47,8 @@ def run(seed: int, number: int) -> Result:
     return Result(number, ", ".join(choice), verdict, found.seconds, (why,) if why else (), written(scene))
 
 
-def judged(scene: Scene, found: Outcome, chance: random.Random) -> tuple[str, str]:
-    """The verdict about a scene, with its reason."""
+def judged(scene: Scene, found: Outcome, chance: random.Random, retold: Retold | None = None) -> tuple[str, str]:
+    """The verdict about a scene, with its reason; `retold` says how it is answered otherwise when it is said otherwise."""
     if found.kind == BAD and IDLE in found.message:
         return NAMED, found.message.splitlines()[0]
     if found.kind in (INTERNAL, BAD):
@@ -56,7 +57,7 @@ def judged(scene: Scene, found: Outcome, chance: random.Random) -> tuple[str, st
         return SLOW, f"{found.seconds:.1f} s"
     if found.kind in (NOT_YET, UNSOLVABLE):
         return refused(found.message, scene, list(scene["find"]))
-    differing = next(differences(scene, found, chance), "")
+    differing = next((retold or differences)(scene, found, chance), "")
     if differing:
         return SILENT, differing
     assert found.solution is not None

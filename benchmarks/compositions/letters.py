@@ -9,6 +9,8 @@ RANGES = {  # unit: smallest and largest size, so that what is drawn is of one s
     "m": (0.3, 2.0),
     "m/s": (0.5, 5.0),
     "rad/s": (0.5, 6.0),
+    "rad/s^2": (0.5, 6.0),
+    "kg m^2": (0.5, 0.95),  # of three any two are more than the third
     "N": (1.0, 40.0),
     "N m": (0.5, 12.0),
     "N s": (0.5, 8.0),

@@ -14,8 +14,17 @@ from trials.alike import mirrored, renamed, reordered
 from trials.scene import Scene, changed
 
 Relation = Callable[[Scene, random.Random], Iterator[Scene]]
-IN_OTHERS = {"kg": ("g", 3), "m": ("cm", 2), "m/s": ("cm/s", 2), "N": ("mN", 3), "s": ("ms", 3), "N/m": ("N/cm", -2)}
-WRITTEN = re.compile(r"(?P<number>\d+(?:\.\d+)?) (?P<unit>[a-zA-Z/]+)")
+IN_OTHERS = {
+    "kg": ("g", 3),
+    "m": ("cm", 2),
+    "m/s": ("cm/s", 2),
+    "N": ("mN", 3),
+    "s": ("ms", 3),
+    "N/m": ("N/cm", -2),
+    "kg m^2": ("g m^2", 3),
+    "N m": ("N cm", 2),
+}
+WRITTEN = re.compile(r"(?P<number>\d+(?:\.\d+)?) (?P<unit>[a-zA-Z/^2 ]+)")
 
 
 def other_units(scene: Scene, chance: random.Random) -> Iterator[Scene]:
@@ -75,12 +84,16 @@ def with_forces_halved(scene: Scene, chance: random.Random) -> Iterator[Scene]:
     asked = str(scene["find"])
     for name, action in list(scene.get("actions", {}).items()):
         word = next((word for word in ("force", "couple") if word in action), "")
-        if word and action[word] != "unknown" and name not in asked:
-            half = {**action, word: f"({action[word]})/2"}
+        if word and action[word] not in ("unknown", "any") and name not in asked:
+            half = {**action, word: changed(action[word], halved)}
             result["actions"][name] = half
-            result["actions"][f"{name}_again"] = dict(half)
+            result["actions"][f"{name}_again"] = copy.deepcopy(half)
     if result != scene:
         yield result
+
+
+def halved(text: str) -> str:
+    return text if text == "0" else f"({text})/2"
 
 
 RELATIONS: dict[str, Relation] = {
