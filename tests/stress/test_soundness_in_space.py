@@ -6,6 +6,7 @@ import random
 from dataclasses import replace
 
 import pytest
+
 from compositions.judge import BROKEN, RIGHT, SILENT, VERDICTS, judged
 from compositions.relations import RELATIONS
 from compositions.space import TABLES, drawn
