@@ -14,21 +14,25 @@ from rotsolve.grading.course.sheet import from_answers, read_sheet
 from rotsolve.grading.course.table import read_table
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target
+from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.matrices import read_matrix
+from rotsolve.grading.reading.records import AnswerError, Names
 from rotsolve.grading.verdict import RIGHT, WRONG, Paper
 from rotsolve.language.problem import Published
 from solutions import solved
 
 PROBLEMS = sorted((Path(__file__).resolve().parents[2] / "problems" / "space").glob("*.yaml"))
 PARTS = {"L_x": "L", "L_y": "L", "L_z": "L"}
+COMMAS = (", ", ",")  # how components are parted
 APART = 0.05  # what numbers differ by that are surely not the same to a tolerance of 1 %
 
 
-def shown(parts: Sequence[str], unit: str = "") -> str:
+def shown(parts: Sequence[str], unit: str = "", comma: str = ", ") -> str:
     """One value, or several as a vector or as a matrix of three rows."""
     if len(parts) == 1:
         return f"{parts[0]} {unit}".strip()
-    rows = [", ".join(parts[first : first + 3]) for first in range(0, len(parts), 3)]
-    whole = f"({rows[0]})" if len(rows) == 1 else f"[{', '.join(f'[{row}]' for row in rows)}]"
+    rows = [comma.join(parts[first : first + 3]) for first in range(0, len(parts), 3)]
+    whole = f"({rows[0]})" if len(rows) == 1 else f"[{comma.join(f'[{row}]' for row in rows)}]"
     return f"{whole} {unit}".strip()
 
 
@@ -75,12 +79,15 @@ def test_published_answers_are_right_and_their_likes_wrong(file: Path) -> None:
         if target.word or not numbers + list(formulas):
             continue
         if formulas:
-            assert outcome(entry.name, shown([to_text(formula) for formula in formulas])) == RIGHT, entry.name
+            for comma in COMMAS:
+                typed = shown([to_text(formula) for formula in formulas], comma=comma)
+                assert outcome(entry.name, typed) == RIGHT, typed
             turned = shown([f"-({to_text(formula)})" for formula in formulas])
             assert outcome(entry.name, turned) != RIGHT or target.either or not any(numbers), turned
         if numbers:
-            typed = shown([f"{number:.6g}" for number in numbers], unit)
-            assert outcome(entry.name, typed) == RIGHT, typed
+            for comma in COMMAS:
+                typed = shown([f"{number:.6g}" for number in numbers], unit, comma)
+                assert outcome(entry.name, typed) == RIGHT, typed
             for other in wrong_numbers(numbers, target):
                 typed = shown([f"{number:.6g}" for number in other], unit)
                 assert outcome(entry.name, typed) == WRONG, typed
@@ -111,3 +118,60 @@ def test_a_vector_the_other_way_goes_by_the_sign_that_is_declared(sign: str, exp
     judge = Judge(solve(f"{text}marking: {{tau: {{sign: {sign}}}}}\n"))
     marked = judge.mark(Paper("one", {"tau": "(0, -785, 0) N m"}))
     assert marked.parts[0].verdict.outcome == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "components", "expected"),
+    [
+        ("(1,0,-1)", 3, ["(1, 0, −1)"]),
+        ("m a (1,0,2)", 3, ["m a (1, 0, 2)"]),
+        ("(m a/12,0,-m a/12)", 3, ["(m a/12, 0, −m a/12)"]),
+        ("(18.3,0,0) N", 3, ["(18.3, 0, 0) N"]),
+        ("(0,3.6,0) N m", 3, ["(0, 3.6, 0) N m"]),
+        ("(1,5, 2,5, 3) N", 3, ["(1.5, 2.5, 3) N"]),
+        ("(1,5; 2; 3) N", 3, ["(1.5, 2, 3) N"]),
+        ("(1,200,000, 0, 3) N", 3, ["(1200000, 0, 3) N"]),
+        ("[0,5,1,2] N", 3, ["(0.5, 1, 2) N", "(0, 5.1, 2) N", "(0, 5, 1.2) N"]),
+        ("(3,4) N", 2, ["(3, 4) N", "3.4 N"]),
+        ("m a (3,4)", 2, ["m a (3, 4)", "m a (17/5)"]),
+        ("m a (3,4)", 0, ["m a (17/5)"]),
+        ("(3,5; 4) N", 2, ["(3.5, 4) N"]),
+        ("(1,5, 2) m/s", 2, ["(1.5, 2) m/s"]),
+        ("(1,5,2) m/s", 2, ["(1, 5, 2) m/s", "(1.5, 2) m/s", "(1, 5.2) m/s"]),
+        ("(1,5,2) m/s", 0, ["(1, 5, 2) m/s"]),
+    ],
+)
+def test_commas_between_digits_go_by_how_many_components_are_asked(
+    text: str, components: int, expected: list[str]
+) -> None:
+    """By hand: n commas of which k are decimal part n + 1 − k components."""
+    readings = read_line(text, Names(frozenset("ma"), asked="F", components=components))
+    assert [reading.text for reading in readings] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("[[10,0,0],[0,6,-1],[0,-1,6]]", ["[(10, 0, 0), (0, 6, −1), (0, −1, 6)]"]),
+        ("diag(1,2,3)", ["[(1, 2, 3)]"]),
+        ("\\begin{pmatrix}1,5&0&0\\\\0&2&0\\\\0&0&3\\end{pmatrix}", ["[(1.5, 0, 0), (0, 2, 0), (0, 0, 3)]"]),
+        ("[[1,5,0], [0, 2, 0], [0, 0, 3]]", ["[(1, 5, 0), (0, 2, 0), (0, 0, 3)]"]),
+        (
+            "[[-1,5,0,-2],[0,2,0],[0,0,3]]",
+            ["[(−1.5, 0, −2), (0, 2, 0), (0, 0, 3)]", "[(−1, 5.0, −2), (0, 2, 0), (0, 0, 3)]"],
+        ),
+    ],
+)
+def test_rows_of_a_matrix_are_read_in_all_ways_that_fit(text: str, expected: list[str]) -> None:
+    readings = read_matrix(text, Names(frozenset("ma"), asked="F", components=3))
+    assert [reading.text for reading in readings] == expected
+
+
+def test_what_has_no_direction_is_told_the_axes_there_are() -> None:
+    """In space a third component is said back though nothing is written of it."""
+    three = Names(frozenset("ma"), asked="F", components=3)
+    assert read_line("3 i + 4 j", three)[0].text == "(3, 4, 0)"
+    with pytest.raises(AnswerError, match="write i, j or k behind it"):
+        read_line("3 i + 4", three)
+    with pytest.raises(AnswerError, match="write i or j behind it"):
+        read_line("3 i + 4", Names(frozenset("ma"), asked="F", components=2))

@@ -46,8 +46,6 @@ def vector_judged(
     if reading.kind != VECTOR:
         return size_judged(reading, whole)
     typed = component_readings(reading)
-    if reading.basis and len(typed) + 1 == len(parts):
-        typed.append(LineReading(NUMBER, "0", ZERO, typed[0].unit))  # what stands along no axis
     wanted = [*parts, *([zero_component(parts[0])] if len(parts) == 2 and len(typed) == 3 else [])]
     if len(typed) != len(wanted):
         return found(WRONG, "form", f"{len(wanted)} components are asked for, not {len(typed)}")

@@ -65,21 +65,21 @@ class Texts:
             return JudgedText(None, direction_judged(without_letter(text), target))
         if target.parts and self._names_components(target, text):
             return self._in_axes(target, text, defined)
-        told = clause(text, self.names(target.name))
+        told = clause(text, self.names(target))
         if told is not None:
             text, defined = told[0], (*defined, told[1:])
-        return self._in_axes(target, without_asides(text, self.names(target.name)), defined)
+        return self._in_axes(target, without_asides(text, self.names(target)), defined)
 
     @remembered
-    def names(self, asked: str) -> Names:
-        """The letters that an answer may hold."""
-        return Names(self.letters.givens, self.letters.told, asked)
+    def names(self, target: Target, more: frozenset[str] = frozenset()) -> Names:
+        """The letters that an answer may hold, those of the scene and more, and how many components it has."""
+        return Names(self.letters.givens | more, self.letters.told, target.name, len(target.parts) // target.rows)
 
     def _names_components(self, target: Target, text: str) -> bool:
         """Whether a text tells a vector or matrix by the names of its components."""
         from rotsolve.grading.reading.matrices import told_components  # only vectors and matrices need it
 
-        return any(told_components(text, self.names(target.name), target.labels))
+        return any(told_components(text, self.names(target), target.labels))
 
     def _in_axes(self, target: Target, text: str, defined: Defined) -> JudgedText:
         """What is found in an answer, along the axes that are asked or those that the student names."""
@@ -113,7 +113,7 @@ class Texts:
             from rotsolve.grading.reading.matrices import named_components
 
             try:
-                told = named_components(text, self.names(target.name), target.labels)
+                told = named_components(text, self.names(target), target.labels)
             except AnswerError as error:
                 return unreadable(error)
             if told is not None:
@@ -123,7 +123,7 @@ class Texts:
             bare = self._value(target, f"({without_letter(text)})", defined)
             if bare.reading is not None and bare.reading.kind == VECTOR:
                 return bare
-        chain = chain_members(text, self.names(target.name)) if target.rows == 1 else ()
+        chain = chain_members(text, self.names(target)) if target.rows == 1 else ()
         if chain:
             return chain_judged([self._value(target, member, defined) for member in chain], chain)
         return self._value(target, text, defined)
@@ -135,7 +135,7 @@ class Texts:
             return best
         line, direction = cut_direction(text)
         try:
-            readings = self._with_letters(line, target.name, dict(defined))
+            readings = self._with_letters(line, target, dict(defined))
         except AnswerError as error:
             return unreadable(error)
         return self._best(target, text, with_direction(readings, direction))
@@ -152,10 +152,10 @@ class Texts:
             return best
         from rotsolve.grading.reading.quantities import quantity_readings  # a right answer seldom needs it
 
-        others = quantity_readings(line, self.names(target.name), self.letters.dimensions, best.reading is not None)
+        others = quantity_readings(line, self.names(target), self.letters.dimensions, best.reading is not None)
         if best.reading is None:
             try:
-                others = (*others, *self._with_laws(line, target.name))
+                others = (*others, *self._with_laws(line, target))
             except AnswerError as error:  # knows more letters, so that it blames the right one
                 best = unreadable(error)
         if not others:
@@ -166,23 +166,23 @@ class Texts:
     def _readings(self, target: Target, line: str) -> tuple[LineReading, ...]:
         """All readings that a line allows by the letters of the scene."""
         if target.rows == 1:
-            return read_line(line, self.names(target.name))
+            return read_line(line, self.names(target))
         from rotsolve.grading.reading.matrices import read_matrix
 
-        return read_matrix(line, self.names(target.name))
+        return read_matrix(line, self.names(target))
 
-    def _with_laws(self, line: str, asked: str) -> tuple[LineReading, ...]:
+    def _with_laws(self, line: str, target: Target) -> tuple[LineReading, ...]:
         """The readings of a line with letters that no motion has to be solved for, I for the moment of inertia, in terms of the givens."""
-        names = Names(self.letters.givens | self.letters.constants, self.letters.told, asked)
+        names = self.names(target, self.letters.constants)
         return tuple(
             replace(reading, written=reading.text, formula=formula)
             for reading in read_line(line, names)
             if reading.formula is not None and (formula := self.letters.spelled_out(reading.formula)) is not None
         )
 
-    def _with_letters(self, line: str, asked: str, defined: Definitions) -> tuple[LineReading, ...]:
+    def _with_letters(self, line: str, target: Target, defined: Definitions) -> tuple[LineReading, ...]:
         """The readings of a line with letters that the student brought in."""
-        names = Names.of((*self.letters.givens, *defined), self.letters.told, asked)
+        names = self.names(target, frozenset(defined))
         return tuple(
             replace(reading, written=reading.text, formula=reading.formula.substitute(defined))
             for reading in read_line(line, names)

@@ -130,8 +130,8 @@ class AnswerParser:
             return polar_vector(self.pointed(line.tokens), angle, line.polar, self.forks)
         axes = by_axes(line.tokens, self.names.letters)
         if axes is not None:
-            return read_axes(self.text, axes, self.forks, self.value)
-        listed = read_list(self.text, line.tokens, self.forks, self.value)
+            return read_axes(self.text, axes, self.names.components, self.forks, self.value)
+        listed = read_list(self.text, line.tokens, self.names.components, self.forks, self.value)
         if listed is not None:
             return listed
         value, direction = self.pointed(line.tokens), line.direction

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import islice, product
 
 from msgspec.structs import replace
 
@@ -27,6 +28,7 @@ DIAGONAL = re.compile(r"(?:\\operatorname\{diag\}|\\?\bdiag)\s*(?:\\left\s*)?[\[
 NESTED = re.compile(r"[\[(]\s*(?P<inside>[\[(].*[\])])\s*[\])]", re.DOTALL)
 FLAT = re.compile(r"[\[(](?P<inside>[^\[\]()]*;[^\[\]()]*)[\])]")
 LARGEST = 4000  # characters of a matrix
+MOST_MATRICES = 64  # that the readings of its rows make together
 OPEN, CLOSE = "[(", "])"
 BLANK = ("", "*", "\\ast", "\\cdot", "\\cdots")  # an entry that stands on the other side of the diagonal
 
@@ -34,21 +36,21 @@ MatrixRow = tuple[str, int]  # the entries of one row between brackets, and wher
 
 
 def read_matrix(text: str, names: Names) -> tuple[LineReading, ...]:
-    """The one reading of a matrix, its rows as vectors; AnswerError where it can not be read."""
+    """The readings of a matrix, its rows as vectors; AnswerError where it can not be read."""
     start = value_start(text, names)
     forms = (LATEX, DIAGONAL, NESTED, FLAT) if len(text) <= LARGEST else ()
     shape = next((match for form in forms if (match := form.search(text, start)) is not None), None)
     if shape is None:
         raise AnswerError("a matrix is written row by row: `[[1, 0], [0, 2]] kg m²`", 0, len(text))
-    whole = LineReading(VECTOR, text.strip(), parts=tuple(written_rows(shape, text[shape.end() :].strip(), names)))
+    wholes = written_matrices(shape, text[shape.end() :].strip(), names)
     front = re.sub(r"(?:[\s$*·⋅×]|\\cdot|\\times)+$", "", text[start : shape.start()])
     if not front.strip(" $"):
-        return (whole,)
+        return wholes
     readings = read_line(front, Names(names.givens, names.answers))
     factor = next((one for one in readings if one.kind in (NUMBER, FORMULA)), None)
     if factor is None:
         raise AnswerError("what stands in front of the matrix is no factor", start, shape.start())
-    return (with_factor_in_front(factor, whole),)
+    return tuple(with_factor_in_front(factor, whole) for whole in wholes)
 
 
 def value_start(text: str, names: Names) -> int:
@@ -63,19 +65,29 @@ def value_start(text: str, names: Names) -> int:
     return signs[-1].end()
 
 
-def written_rows(shape: re.Match[str], unit: str, names: Names) -> Sequence[LineReading]:
-    """The rows of a matrix as it is written, with the unit behind it."""
+def written_matrices(shape: re.Match[str], unit: str, names: Names) -> tuple[LineReading, ...]:
+    """The matrix as it is written, with the unit behind it, in each way in which its rows can be read together."""
     inside, start = shape["inside"], shape.start("inside")
-    if shape.re is DIAGONAL:
-        return on_diagonal(read_row(inside, start, unit, names))
-    rows = latex_rows(inside, start) if shape.re is LATEX else bracketed_rows(inside, start) or flat_rows(inside, start)
-    return mirrored([read_row(*row, unit, names) for row in rows])
+    rows: Iterator[MatrixRow] | list[MatrixRow] = [(inside, start)]
+    if shape.re is LATEX:
+        rows = latex_rows(inside, start)
+    elif shape.re is not DIAGONAL:
+        rows = bracketed_rows(inside, start) or flat_rows(inside, start)
+    ways = [read_row(*row, unit, names) for row in rows]
+    tried = list(islice(product(*ways), MOST_MATRICES + 1))
+    cut = len(tried) > MOST_MATRICES or any(row.cut for way in ways for row in way)
+    result = []
+    for read in tried[:MOST_MATRICES]:
+        parts = on_diagonal(read[0]) if shape.re is DIAGONAL else mirrored(read)
+        written = f"[{', '.join(row.text for row in read)}]"
+        result.append(LineReading(VECTOR, written, parts=tuple(parts), cut=cut))
+    return tuple(result)
 
 
-def read_row(text: str, start: int, unit: str, names: Names) -> LineReading:
-    """One row, with the unit behind the whole matrix."""
+def read_row(text: str, start: int, unit: str, names: Names) -> tuple[LineReading, ...]:
+    """The readings of one row, with the unit behind the whole matrix."""
     try:
-        return read_line(f"({text}) {unit}".strip(), names)[0]
+        return read_line(f"({text}) {unit}".strip(), names)
     except AnswerError as error:
         first, end = start - 1 + error.start, start - 1 + error.end
         raise AnswerError(error.message, first, end, error.suggestion, error.unknown) from None
@@ -91,7 +103,7 @@ def latex_rows(inside: str, start: int) -> Iterator[MatrixRow]:
         if all(blank):
             continue
         first, last = blank.index(False), len(blank) - blank[::-1].index(False)
-        yield ",".join(cells[first:last]), place + sum(len(cell) + 1 for cell in cells[:first])
+        yield ";".join(cells[first:last]), place + sum(len(cell) + 1 for cell in cells[:first])
 
 
 def flat_rows(inside: str, start: int) -> Iterator[MatrixRow]:

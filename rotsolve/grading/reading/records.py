@@ -24,13 +24,15 @@ FORMULA, NUMBER, VECTOR, EQUATION = "formula", "number", "vector", "equation"
 class Names(Struct, frozen=True, dict=True):
     """Letters that the scene declares, by their ASCII names: its givens, and the quantities that it asks for.
 
-    `asked` is the one that the line is to tell: `a = …` may stand in front. Without it a line with `=` is an equation.
+    `asked` is the one that the line is to tell: `a = …` may stand in front. Without it a line with `=` is an equation. `components` is
+    how many it has where it is a vector, or in a row where it is a matrix; 0 where it is a number, or where that is not known.
     Where the time is among the letters, t means it unless t is declared.
     """
 
     givens: frozenset[str]
     answers: frozenset[str] = frozenset()
     asked: str = ""
+    components: int = 0
 
     @classmethod
     def of(cls, givens: Iterable[str], answers: Iterable[str] = (), asked: str = "") -> Names:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection
 from fractions import Fraction
+from itertools import combinations
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -74,10 +75,11 @@ def closing_bracket(tokens: list[Token]) -> int:
     return -1
 
 
-def list_components(tokens: list[Token], forks: Forks) -> list[list[Token]]:
+def list_components(tokens: list[Token], asked: int, forks: Forks) -> list[list[Token]]:
     """What stands in the brackets of a list: its components, each with an `end`; one alone where it is no list.
 
-    Semicolons part them; else commas, of which those between digits may be decimal ones where others have a space behind.
+    Semicolons part them; else commas, of which those between digits may be decimal ones. `asked` is how many components the answer
+    has, 0 where that is not known.
     """
     level = 0
     marks: list[int] = []
@@ -88,14 +90,34 @@ def list_components(tokens: list[Token], forks: Forks) -> list[list[Token]]:
     if any(tokens[index].kind == ";" for index in marks):
         marks = [index for index in marks if tokens[index].kind == ";"]
     else:
-        tight = [index for index in marks if between_digits(tokens, index)]
-        if tight and len(tight) < len(marks):
-            marks = [index for index in marks if index not in tight]
-        elif len(tight) == len(marks) == 1 and not forks.choose(True):
-            marks = []
+        decimal = decimal_commas(tokens, marks, asked, forks)
+        marks = [index for index in marks if index not in decimal]
     starts = [0, *(index + 1 for index in marks)]
     ends = [*marks, len(tokens) - 1]
     return [[*tokens[start:end], end_at(tokens[end])] for start, end in zip(starts, ends, strict=True)]
+
+
+def decimal_commas(tokens: list[Token], marks: list[int], asked: int, forks: Forks) -> Collection[int]:
+    """The commas of a list that belong to numbers: as many as leave the components asked for, else those without a space where others
+    have one.
+
+    Which of them, the list leaves open, `(1,5,2)` for two components: the leftmost are tried first.
+    """
+    tight = [index for index in marks if between_digits(tokens, index)]
+    if len(tight) == len(marks) == 1:
+        return () if forks.choose(True) else tight
+    counts = (3, 2) if asked == 2 and len(tight) == len(marks) else (asked,)  # in the plane, a third may be written
+    surplus = [len(marks) + 1 - count for count in counts if asked and len(marks) < 2 * MOST_COMPONENTS]
+    ways = [way for size in surplus if size >= 0 for way in combinations(tight, size) if make_numbers(tokens, way)]
+    for way in ways:
+        if way is ways[-1] or forks.choose(True):
+            return way
+    return tight if len(tight) < len(marks) else ()
+
+
+def make_numbers(tokens: list[Token], commas: tuple[int, ...]) -> bool:
+    """Whether numbers can have these commas within: one alone, or several between groups of three digits."""
+    return all(index - 2 not in commas or len(tokens[index + 1].text.partition(".")[0]) == 3 for index in commas)
 
 
 def between_digits(tokens: list[Token], index: int) -> bool:
@@ -105,21 +127,24 @@ def between_digits(tokens: list[Token], index: int) -> bool:
     return joined and "." not in before.text
 
 
-def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading | None:
-    """A vector in brackets, perhaps with a factor in front of or behind it, and a unit; None where the line is none."""
-    front, listed, behind = around_list(tokens)
+def read_list(text: str, tokens: list[Token], asked: int, forks: Forks, read: ReadValue) -> LineReading | None:
+    """A vector in brackets, perhaps with a factor in front of or behind it, and a unit; None where the line is none.
+
+    `asked` is how many components the answer has, 0 where that is not known.
+    """
+    front, listed, behind = around_list(tokens, asked)
     if listed and (behind[0].kind in ("/", "*") or not looks_like_unit(behind)):
         behind = (
             behind if behind[0].kind in ("/", "*") else [Token("*", "*", behind[0].start, behind[0].start), *behind]
         )
-        whole = read_list(text, [*front[:-1], *listed, end_at(behind[0])], forks, read)
+        whole = read_list(text, [*front[:-1], *listed, end_at(behind[0])], asked, forks, read)
         return None if whole is None else with_factor_in_front(read(with_one(behind)), whole)
     if not listed:
         return None
     if front:
-        whole = read_list(text, [*listed, *behind], forks, read)
+        whole = read_list(text, [*listed, *behind], asked, forks, read)
         return None if whole is None else with_factor_in_front(read(with_one(front)), whole)
-    inside = list_components([*listed[1:-1], end_at(listed[-1])], forks)
+    inside = list_components([*listed[1:-1], end_at(listed[-1])], asked, forks)
     if len(inside) == 1:
         return None
     if len(inside) > MOST_COMPONENTS:
@@ -134,7 +159,7 @@ def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
     return vector_of(parts, unit)
 
 
-def around_list(tokens: list[Token]) -> tuple[list[Token], list[Token], list[Token]]:
+def around_list(tokens: list[Token], asked: int) -> tuple[list[Token], list[Token], list[Token]]:
     """A line as a factor in front of a list (with an `end`; nothing where there is none), the list in its brackets, and what is behind."""
     if all(token.kind not in (",", ";") for token in tokens):
         return [], [], tokens
@@ -147,19 +172,21 @@ def around_list(tokens: list[Token]) -> tuple[list[Token], list[Token], list[Tok
         ):  # brackets round a matrix that has its own
             listed = listed[1:-1]
         front = tokens[: start - 1] if start and tokens[start - 1].kind == "*" else tokens[:start]
-        if listed and is_listed(listed, front):
+        if listed and is_listed(listed, front, asked):
             return [*front, end_at(tokens[start])] if front else [], listed, tokens[last + 1 :]
         start = max(start, last) + 1
     return [], [], tokens
 
 
-def is_listed(tokens: list[Token], front: list[Token]) -> bool:
-    """Whether commas or semicolons part what stands in brackets, behind a factor not the arguments of a function or a decimal number."""
+def is_listed(tokens: list[Token], front: list[Token], asked: int) -> bool:
+    """Whether commas or semicolons part what stands in brackets, behind a factor not the arguments of a function, nor a decimal number
+    where not two components are asked for."""
     marks = [index for index, token in enumerate(tokens) if token.kind in (",", ";")]
     if not front:
         return bool(marks)
     called = front[-1].kind == "name" and front[-1].text.endswith(CALLED)
-    return bool(marks) and not called and not (len(marks) == 1 and between_digits(tokens, marks[0]))
+    decimal = asked != 2 and len(marks) == 1 and between_digits(tokens, marks[0])
+    return bool(marks) and not called and not decimal
 
 
 def with_factor_in_front(factor: LineReading, reading: LineReading) -> LineReading:
@@ -231,10 +258,10 @@ def _split_axis(token: Token, letters: frozenset[str], known: Collection[str]) -
     return [front, Token("axis", UNIT_VECTORS[name], cut, token.end)]
 
 
-def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading:
+def read_axes(text: str, tokens: list[Token], asked: int, forks: Forks, read: ReadValue) -> LineReading:
     """`3i + 4j` with a unit in its terms, behind it, or behind its bracket; the tokens have their axes told apart.
 
-    What is not written is nothing.
+    What is not written is nothing; a third component is there where it is written or three are `asked` for.
     """
     start = next((index for index, token in enumerate(tokens) if token.kind in OPENING), 0)
     last = start + closing_bracket(tokens[start:])
@@ -242,7 +269,7 @@ def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
     if inside and start:
         sign = [] if tokens[start - 1].kind != "*" else tokens[start - 1 : start]
         front = [*tokens[: start - len(sign)], end_at(tokens[start])]
-        return with_factor_in_front(read(with_one(front)), read_axes(text, tokens[start:], forks, read))
+        return with_factor_in_front(read(with_one(front)), read_axes(text, tokens[start:], asked, forks, read))
     if inside and looks_like_unit(tokens[last + 1 :]):
         behind = tokens[last + 1 :]
         tokens = [*tokens[1:last], end_at(tokens[last])]
@@ -254,7 +281,7 @@ def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
     found: dict[int, LineReading] = {}
     bases = set()
     for term in axis_terms(tokens):
-        axis, coefficient = axis_and_coefficient(term)
+        axis, coefficient = axis_and_coefficient(term, asked)
         place, basis = PLACES[axis.text], next(names for names in BASES if axis.text in names)
         if place in found:
             raise FormulaError(f"two components along {axis.text}", axis.start, axis.end)
@@ -265,7 +292,7 @@ def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
         found[place] = with_remarks(read(pointed), remarks)
     shared = next((part.unit for part in found.values()), None)
     nothing = LineReading(NUMBER, "0", ZERO, shared)
-    whole = vector_of([found.get(place, nothing) for place in range(3 if 2 in found else 2)], unit)
+    whole = vector_of([found.get(place, nothing) for place in range(3 if asked == 3 or 2 in found else 2)], unit)
     return replace(whole, basis=basis[0])
 
 
@@ -281,11 +308,12 @@ def axis_terms(tokens: list[Token]) -> list[list[Token]]:
     return [[*tokens[start:end], end_at(tokens[end])] for start, end in zip(cuts, ends, strict=True)]
 
 
-def axis_and_coefficient(term: list[Token]) -> tuple[Token, list[Token]]:
+def axis_and_coefficient(term: list[Token], asked: int) -> tuple[Token, list[Token]]:
     """The axis of a term, and what stands before it (1 where nothing does)."""
     places = [index for index, token in enumerate(term) if token.kind == "axis"]
     if not places:
-        raise FormulaError("this term has no direction: write i or j behind it", term[0].start, term[-1].end)
+        axes = "i, j or k" if asked == 3 else "i or j"
+        raise FormulaError(f"this term has no direction: write {axes} behind it", term[0].start, term[-1].end)
     if len(places) > 1:
         axis = term[places[1]]
         raise FormulaError("two directions in one term", axis.start, axis.end)

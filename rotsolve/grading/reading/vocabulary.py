@@ -42,7 +42,7 @@ INDICES = frozenset(SUBSCRIPTS.values())  # of which no name begins
 REMEMBERED = 4096  # runs: students write the same few over and over
 MOST_STRANGE = 2  # letters at a run's end that are told to be strange by themselves: x in mgx, but not orce in force
 LONGEST_RUN = 24  # of a run in which the strange part is looked for
-MOST_READINGS = 8
+MOST_READINGS = 16  # two terms as 1/2 m r² w have four each
 MOST_TRIES, MOST_TOKENS = 24, 1500  # of a line, and of all its tries together
 
 Found = TypeVar("Found")
