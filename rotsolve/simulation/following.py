@@ -7,7 +7,9 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.flints import fmpq
 from rotsolve.algebra.tape import Exact
+from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
@@ -198,8 +200,11 @@ class Follower(Struct, dict=True):
         return changed
 
     def _coordinates(self, system: System, state: Sequence[Scalar], time: float) -> dict[str, Exact]:
-        """The places at a moment, where a state that is still ahead may count from them."""
-        return {name: ball.mid() for name, ball in self._read(system, state, time).items()} if self.ahead else {}
+        """The time and the places at a moment, where a state that is still ahead may count from them."""
+        if not self.ahead:
+            return {}
+        places = {name: ball.mid() for name, ball in self._read(system, state, time).items()}
+        return {**places, TIME: fmpq(*time.as_integer_ratio())}
 
     def _read(self, system: System, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from rotsolve.algebra.flints import fmpq
-from rotsolve.algebra.formula import PI, Formula, call
+from rotsolve.algebra.formula import PI, Formula, Symbol, call
 from rotsolve.algebra.tape import ONE, Exact, Unwritable
 from rotsolve.core.facts import Couple, Facts, Force
-from rotsolve.core.symbols import COURSE
+from rotsolve.core.symbols import COURSE, TIME
 from rotsolve.core.writing import spoken
 from rotsolve.equations.states import RATE_OF
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
@@ -131,6 +131,8 @@ def of_state(state: State, system: PlanarSystem, since: Mapping[str, Exact]) -> 
         path = condition.path
         if path is not None and path.quantity in PASSED and condition.value is not None:
             place = passed(path, condition.value, system, since)
+        elif path is not None and path.quantity == "time" and condition.value is not None:
+            place = time_gone(condition.value, system, since)
         else:
             value = state_gap(condition, system)
             place = place_on_tape(system, value) if value is not None and is_told(system, value) else None
@@ -150,6 +152,12 @@ def passed(path: Path, value: Formula, system: PlanarSystem, since: Mapping[str,
     return system.tape.sum([(gone, fmpq(sense)), (wanted, -ONE)])
 
 
+def time_gone(value: Formula, system: System, since: Mapping[str, Exact]) -> int:
+    """The time since the state before, less what it is to be."""
+    ahead = system.tape.formula(Symbol(TIME) - value, system.letters)
+    return system.tape.sum([(ahead, ONE), (system.tape.number(since[TIME]), -ONE)])
+
+
 def state_gap(condition: Condition, system: PlanarSystem) -> Formula | None:
     """What is zero where a line of a state holds."""
     path = condition.path
@@ -161,8 +169,6 @@ def state_gap(condition: Condition, system: PlanarSystem) -> Formula | None:
         return formula_at(Path(path.owner, ZERO_THERE[condition.word]), system)
     if condition.value is None:
         return None
-    if path.quantity == "time":
-        return system.moment.time() - condition.value
     found = formula_at(path, system)
     if found is None:
         return None

@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, ANGULAR_VELOCITY, Dimension
 from rotsolve.core.equation import IN_TIME, PART_IN_TIME, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME, has_quantities
+from rotsolve.core.symbols import TIME, has_quantities, phase_midst
 from rotsolve.core.vectors.triple import (
     AS_DRAWN,
     AXES,
@@ -49,24 +49,21 @@ from rotsolve.space.passing import left_alone
 class Lapse:
     """What happens from the moment of `before` up to a later one, with no event between; `intact`: what holds bodies does so on the way.
 
-    `laws` are what defines the letters of all that has been asked so far.
+    `laws` are what defines the letters of all that has been asked so far. `whole` is the time that passes by way of states between.
     """
 
-    def __init__(self, before: SpaceLaws, later: SpaceMoment, *, intact: bool) -> None:
-        self.before, self.later, self.held, self.intact = before, later, later.held, intact
+    def __init__(self, before: SpaceLaws, later: SpaceMoment, *, intact: bool, whole: Formula | None = None) -> None:
+        self.before, self.later, self.held, self.intact, self.whole = before, later, later.held, intact, whole
         self.laws: dict[Equation, None] = {}
 
     def passed(self) -> Formula | None:
-        """The time that has passed, t − t₀; None where the states do not tell it."""
-        start, end = self.before.moment.clock(), self.later.clock()
-        if start is None or end is None:
-            return None
-        time = simplify(add(end, negate(start)))
-        if self.held.signs.by_numbers(time) == -1:
-            line = self.later.line("", "time")
-            message = f"`{self.later.when}` is not after `{self.before.moment.when}`: states are in the order of time"
-            raise Unsolvable(message, span=None if line is None else line.span)
-        return time
+        """The time that has passed: as the later state tells it, t − t₀ in the midst of a phase; None where nothing tells it."""
+        if self.whole is not None:
+            return self.whole
+        if not phase_midst(self.later.at):
+            return self.later.time_told()
+        start = self.before.moment.clock()
+        return None if start is None else simplify(add(Symbol(TIME), negate(start)))
 
     def letter(self, name: str, kind: str, letter: str, dimension: Dimension, value: Formula, words: str) -> Formula:
         """A letter of a body at the earlier moment, for what stays as it is from then on, with what it stands for."""
@@ -126,7 +123,7 @@ class Lapse:
             return None
         earlier = self.before.moment.onward
         if earlier is not None and earlier.turns_freely(name):
-            whole = earlier.up_to(self.later)
+            whole = earlier.up_to(self)
             found = whole.attitude(name)
             self.laws.update(dict.fromkeys(whole.laws))
             return found
@@ -139,9 +136,11 @@ class Lapse:
             return self.cone(name, start, way, time)
         return self.elliptic(name, start, time)
 
-    def up_to(self, later: SpaceMoment) -> Lapse:
-        """From the same moment to a later one than this."""
-        return Lapse(self.before, later, intact=self.intact)
+    def up_to(self, further: Onward) -> Lapse:
+        """From the same moment on, through what comes after it."""
+        times = self.passed(), further.passed()
+        assert times[0] is not None and times[1] is not None
+        return Lapse(self.before, further.later, intact=self.intact, whole=simplify(add(*times)))
 
     def momentum(self, name: str) -> Triple:
         """L at the earlier moment, in the axes of the body, as letters."""

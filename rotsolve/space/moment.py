@@ -289,7 +289,7 @@ class SpaceMoment(TellingMoment):
         told = self.told(name, "angle")
         if told is not None or self.onward is None or not self.onward.hinged(name):
             return told
-        self.line("", "time")
+        self.hangs_on_time()
         return self.ask("angle", name)
 
     def hangs_on_hinge(self, name: str) -> bool:
@@ -476,7 +476,7 @@ class SpaceMoment(TellingMoment):
             return self.named_axes(seen, name).to(IN_SPACE, vector)
         flown = self.onward.centre_velocity(name) if self.onward is not None and word == "velocity" else None
         if flown is not None:
-            self.line("", "time")
+            self.hangs_on_time()
             return flown
         steady = self.state.steady and not self.held.of_body(name) and not self.held.falls(name)
         if self.held.bodies[name].moved or (word == "acceleration" and steady):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, add
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
@@ -67,18 +67,33 @@ class TellingMoment:
         if TIME not in value.symbols():
             return value
         clock = self.clock()
-        self.line("", "time")
+        self.hangs_on_time()
         return value if clock is None else value.substitute({TIME: clock})
 
     def clock(self) -> Formula | None:
-        """The time at this moment: the running one in the midst of a phase, else as told; 0 at the first state where others tell theirs."""
+        """The running time at this moment: its letter in the midst of a phase; at the first state as told, else 0 where others tell theirs;
+        at a later one that of the state before and what has passed since, through an event as before."""
         if phase_midst(self.at):
             return Symbol(TIME)
         if self.before is not None:
             return self.before.clock()
+        told = self.time_told()
+        if self.first:
+            return told if told is not None else ZERO if self.timed else None
+        start = None if self.onward is None else self.onward.before.moment.clock()
+        return None if told is None or start is None else add(start, told)
+
+    def time_told(self) -> Formula | None:
+        """The `time` of the state: at a later one so long after the state before."""
         paths = ((line.path, line.value) for line in self.state.conditions if line.path is not None)
-        told = next((value for path, value in paths if (path.owner, path.quantity) == ("", "time")), None)
-        return told if told is not None else ZERO if self.first and self.timed else None
+        return next((value for path, value in paths if (path.owner, path.quantity) == ("", "time")), None)
+
+    def hangs_on_time(self) -> None:
+        """Take note that something hangs on the times of this state and of those before."""
+        self.line("", "time")
+        earlier = self.before if self.onward is None else self.onward.before.moment
+        if earlier is not None:
+            earlier.hangs_on_time()
 
     def goes_on(self, name: str) -> bool:
         """Whether it is told in closed form how a body stands and turns, by the time that has passed."""
@@ -90,7 +105,7 @@ class TellingMoment:
         except Unsolvable:  # it does, but not in a form that is solved
             return True
         if found:
-            self.line("", "time")
+            self.hangs_on_time()
         return found
 
     def keeps_momentum(self, name: str) -> bool:

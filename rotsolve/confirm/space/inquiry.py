@@ -84,18 +84,20 @@ class Inquiry:
     @cached_property
     def timed(self) -> bool:
         """Whether times pass from the first state on, which then is at 0: a later one tells its time, or functions of time are asked."""
-        later = any(clock_of(state) is not None for state in self.problem.states[1:])
+        later = any(time_told(state) is not None for state in self.problem.states[1:])
         return later or any(find.runs for find in self.problem.finds)
 
     def clock(self, state: State) -> float | None:
-        """The time of a state as told, through a blow as before; 0 at the first one where times pass."""
-        told, states = clock_of(state), self.problem.states
-        if told is not None:
-            return self.rig.value(told)
+        """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as
+        told, else 0 where times pass."""
+        told, states = time_told(state), self.problem.states
         event = next((item for item in self.problem.events if item.to == state.name), None)
         if event is not None:
             return self.clock(next(item for item in states if item.name == event.from_))
-        return 0.0 if states and state is states[0] and self.timed else None
+        start = self.clock(states[states.index(state) - 1]) if state is not states[0] else 0.0
+        if told is None or start is None:
+            return 0.0 if state is states[0] and self.timed else None
+        return start + self.rig.value(told)
 
     @cached_property
     def driven(self) -> bool:
@@ -110,12 +112,7 @@ class Inquiry:
         events = any(event.to == name for event in self.problem.events)
         if not place or events or self.driven:
             return False
-        return self.passed(self.problem.states[place - 1], self.problem.states[place]) is not None
-
-    def passed(self, before: State, state: State) -> float | None:
-        """The time from one state to another, where both tell theirs."""
-        ends = [self.clock(item) for item in (before, state)]
-        return None if None in ends else ends[1] - ends[0]  # type: ignore[operator]
+        return time_told(self.problem.states[place]) is not None
 
     def ways(self, name: str | None) -> list[Manner]:
         """The ways in which all moves at a state, in which all its lines hold."""
@@ -150,7 +147,8 @@ class Inquiry:
         if not place or any(phase.without for phase in self.problem.phases):
             raise LeftOpen(OPEN)
         state = self.problem.states[place]
-        passed = self.passed(self.problem.states[place - 1], state)
+        told = time_told(state)
+        passed = None if told is None else self.rig.value(told)
         return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
 
     def kept(self, key: str, follow: Callable[[], Any]) -> Any:
@@ -360,8 +358,8 @@ def for_part(term: Term, part: str) -> Term:
     return replace(term, path=replace(term.path, component=part if whole is None else f"{whole} {part}"))
 
 
-def clock_of(state: State) -> Formula | None:
-    """The time that a state tells."""
+def time_told(state: State) -> Formula | None:
+    """The time that a state tells: a later one how long after the state before it is."""
     lines = (line for line in state.conditions if line.path is not None and line.path.quantity == "time")
     return next((line.value for line in lines), None)
 

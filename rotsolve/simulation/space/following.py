@@ -29,7 +29,7 @@ class SpaceFollower(Follower):
 
     def looked_for(self, system: System, ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
         assert isinstance(system, SpaceSystem)
-        return watches_in_space(system, ahead)
+        return watches_in_space(system, ahead, since)
 
     def _reconfigured(self, state: State) -> bool:
         """Nothing begins or ends to act in space; an event is not followed."""

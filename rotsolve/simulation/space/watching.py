@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from rotsolve.algebra.formula import Formula, Symbol, negate
-from rotsolve.algebra.tape import HALF, ONE
-from rotsolve.core.symbols import TIME
+from rotsolve.algebra.formula import Formula, negate
+from rotsolve.algebra.tape import HALF, ONE, Exact
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import EXTREMES, Condition, State
@@ -14,13 +13,13 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.series import rough_value
 from rotsolve.simulation.space.compiling import SpaceSystem
 from rotsolve.simulation.space.outputs import Tilting
-from rotsolve.simulation.watches import BREAKS, REACHED, Watch, changing
+from rotsolve.simulation.watches import BREAKS, REACHED, Watch, changing, time_gone
 from rotsolve.space.attitude import IN_SPACE
 
 
-def watches_in_space(system: SpaceSystem, ahead: State | None) -> list[Watch]:
-    """All that may happen in a system; `ahead` is the state of the scene that comes next."""
-    return changing(system, list(of_floors(system)), [] if ahead is None else list(coming(ahead, system)))
+def watches_in_space(system: SpaceSystem, ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
+    """All that may happen in a system; `ahead` is the state of the scene that comes next, `since` what was told at the last one."""
+    return changing(system, list(of_floors(system)), [] if ahead is None else list(coming(ahead, system, since)))
 
 
 def of_floors(system: SpaceSystem) -> Iterator[Watch]:
@@ -38,22 +37,22 @@ def of_floors(system: SpaceSystem) -> Iterator[Watch]:
             yield Watch(BREAKS, system.tape.formula(sine, system.letters), f"{spoken(name)} falls flat on `{floor}`")
 
 
-def coming(state: State, system: SpaceSystem) -> Iterator[Watch]:
+def coming(state: State, system: SpaceSystem, since: Mapping[str, Exact]) -> Iterator[Watch]:
     """When a state is reached: where the first of its lines that tells a single number holds."""
     for line in state.conditions:
-        place = gap_in_space(line, system)
+        place = gap_in_space(line, system, since)
         if place is not None:
             yield Watch(REACHED, place, state.name, falls=line.word in EXTREMES)
             return
 
 
-def gap_in_space(line: Condition, system: SpaceSystem) -> int | None:
+def gap_in_space(line: Condition, system: SpaceSystem, since: Mapping[str, Exact]) -> int | None:
     """The place of what is zero where a line holds; where a tilt is largest or smallest, of what falls through zero."""
     path, tape = line.path, system.tape
     if path is None or path.component or path.point or line.axes or line.relative:
         return None
     if path.quantity == "time" and line.value is not None:
-        return tape.formula(Symbol(TIME) - line.value, system.letters)
+        return time_gone(line.value, system, since)
     if path.quantity == "tilt" and system.moment.held.axis(path.owner) is not None:
         return tape.formula(gap_of_tilt(line, Tilting(system.moment, path.owner)), system.letters)
     if line.value is None:
