@@ -14,7 +14,6 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, ANGULAR_VELOCITY, Dimension
 from rotsolve.core.equation import IN_TIME, PART_IN_TIME, Equation
-from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import TIME, has_quantities, phase_midst
@@ -38,7 +37,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.arrangement import ANGLES, RATES
-from rotsolve.space.attitude import AXIAL, BODY, NODE, Attitude, Axes
+from rotsolve.space.attitude import AXIAL, BODY, NODE, Attitude, Axes, Onward
 from rotsolve.space.free import along_momentum, symmetric_way, turns_freely
 from rotsolve.space.inertia import CM, entry_along
 from rotsolve.space.laws import SpaceLaws
@@ -91,6 +90,12 @@ class Lapse:
         return self.intact and self.passed() is not None and turns_freely(self.before, name)
 
     @remembered
+    def keeps_vertical(self, name: str) -> bool:
+        """Whether what turns about a fixed point keeps its angular momentum about the vertical: the weight has no torque about that."""
+        joint = self.held.main(name)
+        return joint is not None and joint.free and not self.held.pointlike(name) and self.alone(name)
+
+    @remembered
     def steady(self, name: str) -> bool:
         """Whether a body of which Euler angles are told precesses steadily from the earlier moment on."""
         moment = self.before.moment
@@ -138,9 +143,9 @@ class Lapse:
 
     def up_to(self, further: Onward) -> Lapse:
         """From the same moment on, through what comes after it."""
-        times = self.passed(), further.passed()
-        assert times[0] is not None and times[1] is not None
-        return Lapse(self.before, further.later, intact=self.intact, whole=simplify(add(*times)))
+        first, then = self.passed(), further.passed()
+        assert first is not None and then is not None
+        return Lapse(self.before, further.later, intact=self.intact, whole=simplify(add(first, then)))
 
     def momentum(self, name: str) -> Triple:
         """L at the earlier moment, in the axes of the body, as letters."""

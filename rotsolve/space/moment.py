@@ -176,16 +176,7 @@ class SpaceMoment(TellingMoment):
     @remembered
     def nodding(self, name: str) -> Nodding:
         """The Euler angles of a body and their rates: what the state tells; φ = ψ = 0 where it does not, so that e₁ lies along x."""
-        angles = triple(
-            [
-                told
-                if (told := self.told(name, word)) is not None
-                else self.ask(word, name)
-                if word == "tilt"
-                else ZERO
-                for word in ANGLES
-            ]
-        )
+        angles = triple([self.angle_of(name, number) for number in range(len(ANGLES))])
         rests, steady = self.rests(name), self.state.steady or self.extreme_tilt(name)
         still = {
             "precession": rests,

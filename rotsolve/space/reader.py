@@ -105,8 +105,10 @@ class SpaceReader:
         kind = QUANTITIES[path.quantity]
         unwritten = self.dynamics.unwritten
         refused = next((unwritten[owner] for owner in self.concerned(path.owner) if owner in unwritten), None)
-        if refused is not None and path.quantity not in AT_REST:
-            raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
+        if path.quantity not in AT_REST and not self.told_onward(path, term):
+            if refused is not None:
+                raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
+            self.refuse_nodding_on(path)
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
@@ -140,9 +142,31 @@ class SpaceReader:
         return tidied_part(found[AXES.index(component[0])])
 
     def stays(self, path: Path, term: Term) -> bool:
-        """Whether an angular momentum is asked that has stayed in space since the state before."""
+        """Whether an angular momentum is asked that has stayed in space since the state before, or its part along the vertical."""
+        onward = self.moment.onward
         asked = path.quantity == "angular_momentum" and term.about is None and term.axes in (None, "", "space")
-        return asked and path.owner in self.bodies and self.moment.keeps_momentum(path.owner)
+        if not asked or path.owner not in self.bodies or onward is None:
+            return False
+        return onward.turns_freely(path.owner) or (path.component == "z" and onward.keeps_vertical(path.owner))
+
+    def told_onward(self, path: Path, term: Term) -> bool:
+        """Whether the time that has passed tells what is asked, however the body turns by then: what stays, or flies."""
+        onward, name = self.moment.onward, path.owner
+        if onward is None or name not in self.bodies or term.relative or term.axes not in (None, "", "space"):
+            return False
+        if path.quantity == "kinetic_energy":
+            return onward.turns_freely(name) and onward.centre_velocity(name) is not None
+        flown = path.quantity in ("velocity", "momentum", "speed") and path.point in (None, CM)
+        return self.stays(path, term) or (flown and onward.centre_velocity(name) is not None)
+
+    def refuse_nodding_on(self, path: Path) -> None:
+        """Refuse what hangs on how a body that nods stands where the state tells nothing but its time; ω₃ and the energy stay."""
+        moment, name = self.moment, path.owner
+        if name not in self.bodies or path.quantity in ("axial_rate", "energy") or not moment.tells_time_alone():
+            return
+        if moment.nods(name) and not moment.keeps_momentum(name) and not moment.goes_on(name):
+            message = f"how `{name}`, which nods, stands and turns when time has passed is not solved"
+            raise NotYet(message, path.span, "`rotsolve simulate` follows it")
 
     def asked_axes(self, path: Path, term: Term) -> Axes:
         """The axes that a question names, those of space where it names none."""

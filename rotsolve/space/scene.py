@@ -170,16 +170,15 @@ class SpaceEquations(SceneEquations, dict=True):
                 yield tuple(words)
 
     def unread_lines(self) -> Iterator[Condition]:
-        """The lines of states that no moment has read."""
+        """The lines of states that no moment has read; a time alone says of what moment is asked, though the answer may not hang on it."""
         for laws in self.dynamics.values():
-            lines = laws.moment.state.conditions
+            lines = () if laws.moment.tells_time_alone() else laws.moment.state.conditions
             yield from (line for number, line in enumerate(lines) if number not in laws.moment.used)
 
     def conventions(self, used: Collection[Equation]) -> Iterator[Words]:
         """Along which axes the components are that are not those of space; what the numbers of the scene make special."""
         for name in self.held.order:
-            axes = [laws.moment.axes(name).name for laws in self.dynamics.values()]
-            if NODE in axes:
+            if any(axes_named(laws, name) == NODE for laws in self.dynamics.values()):
                 told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
                 turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
                 yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
@@ -361,6 +360,14 @@ def first_of_each(laws: Iterable[Equation]) -> list[Equation]:
     for one in laws:
         found.setdefault(one.law, one)
     return list(found.values())
+
+
+def axes_named(laws: SpaceLaws, name: str) -> str:
+    """The name of the axes of a body; '' where how it turns is not solved."""
+    try:
+        return laws.moment.axes(name).name
+    except Unsolvable:
+        return ""
 
 
 def axial_rules(dynamics: SpaceLaws) -> Iterator[Equation]:

@@ -88,10 +88,18 @@ class TellingMoment:
         paths = ((line.path, line.value) for line in self.state.conditions if line.path is not None)
         return next((value for path, value in paths if (path.owner, path.quantity) == ("", "time")), None)
 
+    def tells_time_alone(self) -> bool:
+        """Whether a later state tells its time and nothing else, so that it is some moment of the motion from the state before."""
+        paths = [line.path for line in self.state.conditions]
+        alone = bool(paths) and all(path is not None and (path.owner, path.quantity) == ("", "time") for path in paths)
+        return alone and self.onward is not None and not self.state.steady
+
     def hangs_on_time(self) -> None:
-        """Take note that something hangs on the times of this state and of those before."""
-        self.line("", "time")
-        earlier = self.before if self.onward is None else self.onward.before.moment
+        """Take note that something hangs on the times of this state and of those before; an event takes none."""
+        earlier = self.before
+        if earlier is None:
+            self.line("", "time")
+            earlier = None if self.onward is None else self.onward.before.moment
         if earlier is not None:
             earlier.hangs_on_time()
 
@@ -103,7 +111,7 @@ class TellingMoment:
         try:
             found = onward.steady(name) or onward.hinged(name) or onward.attitude(name) is not None
         except Unsolvable:  # it does, but not in a form that is solved
-            return True
+            found = True
         if found:
             self.hangs_on_time()
         return found

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.space.arrows import STILL, crossed, scaled, sum_of, times_arrow
+from rotsolve.confirm.space.arrows import STILL, TINY, Z, arrow_length, crossed, scaled, sum_of, times_arrow
 from rotsolve.confirm.space.efforts import Efforts, lever
 from rotsolve.confirm.space.rig import Lines, Rig, Told, way_along
 from rotsolve.confirm.space.stance import Stance
@@ -34,11 +34,17 @@ def after_blow(rig: Rig, event: Event, before: Manner, state: State | None, put:
 
 
 def stance_kept(rig: Rig, before: Stance, lines: Lines) -> Stance:
-    """All bodies as they stood, with what another state tells."""
+    """All bodies as they stood, with what another state tells; what leans and was spoken of by its tilt has one still."""
+    lines.nodding = {name for name in rig.bodies if before.lines.nods(name) and leans(before, name)}
     stance = Stance(rig, lines)
     for name in rig.bodies:
         stance.put(name, before.turned(name), before.place(name))
     return stance
+
+
+def leans(stance: Stance, name: str) -> bool:
+    """Whether the axis of a body is not upright, so that it has a line of nodes."""
+    return arrow_length(crossed(Z, stance.nodes(name).third)) > TINY
 
 
 def struck_bodies(efforts: Efforts, event: Event, before: Rates) -> Iterator[Tie]:
