@@ -178,7 +178,7 @@ class SpaceEquations(SceneEquations, dict=True):
     def conventions(self, used: Collection[Equation]) -> Iterator[Words]:
         """Along which axes the components are that are not those of space; what the numbers of the scene make special."""
         for name in self.held.order:
-            if any(axes_named(laws, name) == NODE for laws in self.dynamics.values()):
+            if any(kind_of_axes(laws, name) == NODE for laws in self.dynamics.values()):
                 told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
                 turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
                 yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
@@ -362,7 +362,7 @@ def first_of_each(laws: Iterable[Equation]) -> list[Equation]:
     return list(found.values())
 
 
-def axes_named(laws: SpaceLaws, name: str) -> str:
+def kind_of_axes(laws: SpaceLaws, name: str) -> str:
     """The name of the axes of a body; '' where how it turns is not solved."""
     try:
         return laws.moment.axes(name).name

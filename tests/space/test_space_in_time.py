@@ -392,14 +392,6 @@ REFUSED = {  # a scene, and what is said of it
         f"{NODDING}find: {{th: top.tilt at later}}\n",
         "how `top`, which nods, stands and turns when time has passed is not solved",
     ),
-    "the time of what an event leads to": (
-        "gravity: none\n"
-        + STRUCK.replace("2 kg m^2, 3 kg", "1 kg m^2, 1 kg")
-        + "states: {before: at rest, after: {time: 1 s}, later: {time: 2 s}}\n"
-        "events: {hit: {impulse: 2 N s, on: b.P, direction: [0, 0, -1], from: before, to: after}}\n"
-        "find: {v: b.velocity at later}\n",
-        "what the state says of `time` says nothing here",
-    ),
     "node axes": (
         f"gravity: none\n{SYMMETRIC_BODY}states: {{start: {{b.tilt: 30 deg, b.precession: 1 rad/s, b.spin: 2 rad/s, b.nutation: 0 rad/s, "
         "b.velocity: [0, 0, 0]}, later: {time: 2 s}}\nfind: {v: b.angular_velocity at later in node axes}\n",

@@ -84,13 +84,13 @@ class Inquiry:
     @cached_property
     def timed(self) -> bool:
         """Whether times pass from the first state on, which then is at 0: a later one tells its time, or functions of time are asked."""
-        later = any(time_told(state) is not None for state in self.problem.states[1:])
+        later = any(time_after(state) is not None for state in self.problem.states[1:])
         return later or any(find.runs for find in self.problem.finds)
 
     def clock(self, state: State) -> float | None:
         """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as
         told, else 0 where times pass."""
-        told, states = time_told(state), self.problem.states
+        told, states = time_after(state), self.problem.states
         event = next((item for item in self.problem.events if item.to == state.name), None)
         if event is not None:
             return self.clock(next(item for item in states if item.name == event.from_))
@@ -112,7 +112,7 @@ class Inquiry:
         events = any(event.to == name for event in self.problem.events)
         if not place or events or self.driven:
             return False
-        return time_told(self.problem.states[place]) is not None
+        return time_after(self.problem.states[place]) is not None
 
     def ways(self, name: str | None) -> list[Manner]:
         """The ways in which all moves at a state, in which all its lines hold."""
@@ -147,7 +147,7 @@ class Inquiry:
         if not place or any(phase.without for phase in self.problem.phases):
             raise LeftOpen(OPEN)
         state = self.problem.states[place]
-        told = time_told(state)
+        told = time_after(state)
         passed = None if told is None else self.rig.value(told)
         return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
 
@@ -358,7 +358,7 @@ def for_part(term: Term, part: str) -> Term:
     return replace(term, path=replace(term.path, component=part if whole is None else f"{whole} {part}"))
 
 
-def time_told(state: State) -> Formula | None:
+def time_after(state: State) -> Formula | None:
     """The time that a state tells: a later one how long after the state before it is."""
     lines = (line for line in state.conditions if line.path is not None and line.path.quantity == "time")
     return next((line.value for line in lines), None)

@@ -35,14 +35,14 @@ def after_blow(rig: Rig, event: Event, before: Manner, state: State | None, put:
 
 def stance_kept(rig: Rig, before: Stance, lines: Lines) -> Stance:
     """All bodies as they stood, with what another state tells; what leans and was spoken of by its tilt has one still."""
-    lines.nodding = {name for name in rig.bodies if before.lines.nods(name) and leans(before, name)}
+    lines.nodding = {name for name in rig.bodies if before.lines.nods(name) and off_upright(before, name)}
     stance = Stance(rig, lines)
     for name in rig.bodies:
         stance.put(name, before.turned(name), before.place(name))
     return stance
 
 
-def leans(stance: Stance, name: str) -> bool:
+def off_upright(stance: Stance, name: str) -> bool:
     """Whether the axis of a body is not upright, so that it has a line of nodes."""
     return arrow_length(crossed(Z, stance.nodes(name).third)) > TINY
 
