@@ -85,10 +85,8 @@ find: {nu: top.nutation at after, p: top.precession at after, w: top.axial_rate 
 
 def numbers(solution: Solution) -> dict[str, list[float]]:
     """All answers, each with its parts."""
-    return {
-        item.name: [float(part.value.refine(20)) for part in item.components or (item,)]
-        for item in solution.derivation.answers
-    }
+    answers = ((item.name, item.components or (item,)) for item in solution.derivation.answers)
+    return {name: [float(part.value.refine(20)) for part in parts if part.value is not None] for name, parts in answers}
 
 
 def confirmed(solution: Solution) -> set[str]:
@@ -136,7 +134,8 @@ def test_a_time_counts_from_a_state_to_which_an_angle_leads() -> None:
 @pytest.mark.parametrize("text", [IN_PLANE, IN_SPACE], ids=["plane", "space"])
 def test_a_simulation_comes_to_each_state_so_long_after_the_one_before(text: str) -> None:
     run = simulate(text, 6)
-    assert [(item.state, item.time) for item in run.events] == [("mid", pytest.approx(1)), ("end", pytest.approx(4))]
+    assert [item.state for item in run.events] == ["mid", "end"]
+    assert [item.time for item in run.events] == pytest.approx([1, 4])
 
 
 def test_what_letters_leave_open_of_a_struck_box_takes_nothing_else_with_it() -> None:
