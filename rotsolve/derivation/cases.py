@@ -107,7 +107,10 @@ class CaseTeller(Struct, frozen=True):
         """What holds on edges alone, with the conditions under which it does."""
         groups: list[tuple[Edge, Answer, list[Region]]] = []
         for edge, case, answer in alone:
-            put = answer_put(answer, edge, self.space)
+            try:
+                put = answer_put(answer, edge, self.space)
+            except ZeroDivisionError:  # its form has no value there: of that edge nothing is told
+                continue
             like = (found for other, told, found in groups if other.equality == edge.equality and same_form(told, put))
             regions = next(like, None)
             if regions is None:

@@ -208,3 +208,20 @@ states: {start: {fly.angular_velocity: w0}, end: {fly.angular_velocity: w1}}
 find: {t: time from start to end, n: fly.rotation from start to end, a: fly.angular_acceleration at end}
 """)
     assert all(item.holds for item in found.derivation.confirmed)
+
+
+def test_of_an_edge_on_which_a_form_has_no_value_nothing_is_told() -> None:
+    """N = m g/(cos β − μ sin β) has none at μ = cot β, where no level push is large enough."""
+    scene = """
+title: Level push that holds a crate on a slope
+given: {m: kg, beta: rad, mu: number, F: unknown}
+surfaces: {ramp: {slope: beta, down: left}}
+bodies: {crate: {mass: m}}
+connections: {base: {contact: [crate, ramp], friction: mu}}
+actions: {push: {force: F, on: crate, direction: right}}
+states: {rest: {balance: true}}
+find: {F: largest F where base sticks, N: base.normal_force at rest}
+"""
+    answers = solve(scene).answers
+    assert answers["N"].exact == "m g/(cos β − μ sin β)"
+    assert answers["N"].conditions == answers["F"].conditions == ("μ < cos β/sin β",)
