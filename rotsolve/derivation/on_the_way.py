@@ -42,47 +42,55 @@ def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]
             continue
         beside = Beside(search.apart().settled, search.signs)
         needs = [need for need in passage.midst.requirements if not (need.kind.grips or need.kind.placed)]
-        running = running_in(passage, interval, search, beside) if needs else None
-        if running is not None:
-            yield interval.end, tuple(least for need in needs for least in least_of(need, running, beside))
+        found = (least for need in needs for least in least_of(need, passage, interval, search, beside))
+        yield interval.end, tuple(found)
 
 
-def running_in(passage: Passage, interval: Interval, search: Search, beside: Beside) -> Running | None:
-    """What runs in a phase; None where nothing tells its ends."""
-    ends: tuple[Formula | None, Formula | None] = (None, None)
-    letter = ""
-    for travel in passage.travels:
-        if travel.pace == TIME:
-            instants = (search.scene.instant(state) for state in (interval.start, interval.end))
-            letter, ends = TIME, tuple(instant.time() for instant in instants)  # type: ignore[assignment]
-        elif travel.pace == POSITION and isinstance(travel.coordinate, Symbol) and not letter:
-            letter = travel.coordinate.name
-            ends = (None if end is None else signed(end, travel.sense) for end in (travel.start, travel.end))  # type: ignore[assignment]
-    start, end = (None if value is None else in_numbers(beside.settle(value), beside) for value in ends)
-    if start is None or end is None:
-        return None
-    try:
-        return Running(letter, start, end) if beside.side(end - start) > 0 else Running(letter, end, start)
-    except NotYet:
-        return None
-
-
-def in_numbers(value: Formula | None, beside: Beside) -> Formula | None:
-    """A value with the numbers of all letters that have one."""
-    return None if value is None else value.substitute(dict(beside.signs.values))
-
-
-def least_of(need: Requirement, running: Running, beside: Beside) -> Iterator[Requirement]:
+def least_of(
+    need: Requirement, passage: Passage, interval: Interval, search: Search, beside: Beside
+) -> Iterator[Requirement]:
     """A requirement at each place within a phase at which it has least to spare; none where the laws do not tell that."""
-    margin = beside.settle(need.left - need.right)
-    if margin is None or running.letter not in margin.symbols():
+    letter = running_letter(passage)
+    margin = beside.settle(need.left - need.right) if letter else None
+    if margin is None or letter not in margin.symbols():
         return
-    in_time = simplify(margin.substitute({running.letter: Symbol(TIME)}))  # Beside looks at functions of time
+    in_time = simplify(margin.substitute({letter: Symbol(TIME)}))  # Beside looks at functions of time
     try:
-        for least in least_values(in_time, running, beside):
+        running = running_in(passage, interval, search, beside)
+        for least in least_values(in_time, running, beside) if running is not None else ():
             yield Requirement(need.owner, ON_THE_WAY, least, ZERO, need.kept, f"{need.otherwise} on the way to")
     except NotYet:
         return
+
+
+def running_letter(passage: Passage) -> str:
+    """The letter of what runs in a phase: the time, else the coordinate by which its forces go; '' where nothing does."""
+    if any(travel.pace == TIME for travel in passage.travels):
+        return TIME
+    places = (travel.coordinate for travel in passage.travels if travel.pace == POSITION)
+    return next((place.name for place in places if isinstance(place, Symbol)), "")
+
+
+def running_in(passage: Passage, interval: Interval, search: Search, beside: Beside) -> Running | None:
+    """What runs in a phase, between its ends in order; None where nothing tells them."""
+    letter = running_letter(passage)
+    if letter == TIME:
+        clock = [told(search.scene.instant(state).time(), beside) for state in (interval.start, interval.end)]
+        return None if clock[0] is None or clock[1] is None else Running(TIME, clock[0], clock[1])
+    for travel in passage.travels:
+        if travel.coordinate == Symbol(letter) and travel.start is not None and travel.end is not None:
+            start, end = (told(signed(value, travel.sense), beside) for value in (travel.start, travel.end))
+            if start is None or end is None:
+                return None
+            return Running(letter, start, end) if beside.side(end - start) > 0 else Running(letter, end, start)
+    return None
+
+
+def told(value: Formula, beside: Beside) -> Formula | None:
+    """An end as the laws tell it; as a number where all its letters have one."""
+    found = beside.settle(value)
+    number = None if found is None else found.substitute(dict(beside.signs.values))
+    return found if number is None or number.symbols() else number
 
 
 def least_values(margin: Formula, running: Running, beside: Beside) -> Iterator[Formula]:
