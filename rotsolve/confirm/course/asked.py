@@ -154,10 +154,11 @@ class Asker:
         """The meaning of a path at a state; Astray for what goes by the forces there where something that only pushes or pulls would do
         the opposite."""
         at, dimension = self.course.node(state), QUANTITIES[term.path.quantity].dimension
-        own = term.path.owner if dimension in OF_FORCES else ""  # its own push says by its sign that it lets go
-        letting = [owner for owner, _ in at.moment.lifted if owner != own]
-        if dimension in (*OF_RATES, *OF_FORCES) and letting:
-            raise Astray(f"`{letting[0]}` lets go at `{state}`" if state else f"`{letting[0]}` lets go")
+        if dimension in (*OF_RATES, *OF_FORCES):
+            own = term.path.owner if dimension in OF_FORCES else ""  # its own push says by its sign that it lets go
+            letting = [owner for owner, _ in at.moment.lifted if owner != own]
+            if letting:
+                raise Astray(f"`{letting[0]}` lets go at `{state}`" if state else f"`{letting[0]}` lets go")
         return reading(at, term.path, term)
 
     def over(self, term: Term) -> Reckoned:
