@@ -215,7 +215,7 @@ def test_many_values_are_those_of_solving_again_or_marked() -> None:
                 many = solve(text).evaluate_many({name: math.radians(other)})
             except NotForMany:
                 continue
-            told = {key: float(value) for key, value in many.items() if not math.isnan(value)}
+            told = {key: float(value) for key, value in many.items() if "." not in key and not math.isnan(value)}
             again = numbers_of(solve(text, settings={name: f"{other} deg"})) if told else {}
             assert all(near(value, again[key][0]) for key, value in told.items()), (file.stem, told, again)
 

@@ -180,6 +180,29 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "",
     ),
     "blow to the side of a line": (HUNG, ""),
+    "asymmetric body after a time": (
+        "given: {a: 1 kg m^2, b: 2 kg m^2, c: 2.5 kg m^2, T: 2 s}\nup: z\ngravity: none\n"
+        "bodies: {egg: {mass: 1 kg, inertia: {principal: [a, b, c]}, points: {P: [1 m, 0, 0]}}}\n"
+        "states: {start: {egg.angular_velocity in body axes: [1 rad/s, 2 rad/s, 1 rad/s], egg.velocity: [0, 0, 0]}, "
+        "later: {time: T}}\nfind: {v: egg.P.velocity at later}\n",
+        "",
+    ),
+    "top that nods after a time": (
+        "given: {M: 0.2 kg, l: 5 cm, A: 6e-4 kg m^2, C: 8e-5 kg m^2, T: 2 s}\nup: z\n"
+        "bodies: {top: {mass: M, inertia: {about: tip, principal: [A, A, C]}, axis: z, points: {tip: [0, 0, -l]}}}\n"
+        "connections: {floor: {ball: top.tip}}\n"
+        "states: {start: {top.tilt: 20 deg, top.axial_rate: 400 rad/s, top.precession: 0 rad/s, top.nutation: 0 rad/s}, "
+        "later: {time: T}}\nfind: {th: top.tilt at later}\n",
+        "",
+    ),
+    "pendulum after a time": (
+        "given: {m: 2 kg, T: 1 s, l: 1 m}\nup: z\n"
+        "bodies: {rod: {shape: rod, mass: m, length: l, points: {P: [l/4, 0, 0]}}}\n"
+        "connections: {pin: {hinge: rod.start, along: y}}\n"
+        "states: {start: {rod.angle: 0 deg, rod.angular_velocity: 0 rad/s}, later: {time: T}}\n"
+        "find: {v: rod.P.velocity at later}\n",
+        "",
+    ),
 }
 
 
