@@ -35,7 +35,7 @@ NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleratio
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
 which-pair-of-angles"""
 NO_COORDINATES = """force-off-the-centre spherical-top plate-that-wobbles-in-time pole-of-the-earth-in-time
-tennis-racket wing-nut"""  # of ω along own axes
+tennis-racket wing-nut between-both-cases"""  # of ω along own axes
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop"
 
