@@ -25,6 +25,7 @@ from rotsolve.language.problem import Condition, State
 
 NEWTON, EXACT, SAMPLES = 30, 1e-13, (0.35, 0.7, 1.0)
 HALVINGS = 24  # of the way between two places on either side of the one at which it is slowest
+MOST_LOOKS = 1000  # on one way between states: an angle told by mistake may be 10³⁰ degrees
 LOOKS = 8  # places at which it is seen whether what only pushes would have to pull
 MISSING = 1e-6  # share of the energy that is missing where a place is not reached
 
@@ -127,6 +128,8 @@ def parts_of(first: Node, line: Condition, gap: float) -> Sequence[float]:
     """Shares of the way at which it is looked how it goes: at eighths where something only pushes, of angles at each radian."""
     pushes = any(row.push for row in first.moment.rows.values())
     looks = max(LOOKS if pushes else 0, math.ceil(abs(gap)) if line.path and line.path.quantity == "angle" else 0)
+    if looks > MOST_LOOKS:
+        raise NotConfirmed("the way to its state is too long to be looked at")
     return [number / looks for number in range(1, looks + 1)] if looks > len(SAMPLES) else SAMPLES
 
 
