@@ -256,19 +256,20 @@ class Statements(Struct):
         return False
 
     def _clock(self, state: State) -> None:
-        """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
+        """The clock shows 0 at the first state, or the time that it says; a later one that says a time comes so long after the one before,
+        an event takes none."""
         fresh, parts = self.fixed.instant(state.name), self.configuration.timeline.since(state.name)
+        told = state.time_told
         if not parts:
-            self.fixed.fix(fresh.time(), ZERO)
+            self.fixed.fix(fresh.time(), ZERO if told is None else told)
             return
         last = self.fixed.instant(parts[0].start).time()
         if parts[0].event is not None:
             self.fixed.fix(fresh.time(), last)
-        for line in state.conditions:
-            if line.path is not None and line.path.quantity == "time" and line.value is not None:
-                self.fixed.fix(fresh.time(), simplify(last + line.value))
-                if len(parts) == 1:
-                    self.fixed.fix(fresh.ask("time", "", when=parts[0].name), line.value)
+        if told is not None:
+            self.fixed.fix(fresh.time(), simplify(last + told))
+            if len(parts) == 1:
+                self.fixed.fix(fresh.ask("time", "", when=parts[0].name), told)
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""

@@ -73,6 +73,12 @@ class State(Struct, frozen=True):
     opened: str = ""
     senses: tuple[tuple[str, int], ...] = ()
 
+    @property
+    def time_told(self) -> Formula | None:
+        """The `time` that it tells: so long after the state before; at the first one what the clock shows."""
+        lines = (line for line in self.conditions if line.path is not None and line.path.quantity == "time")
+        return next((line.value for line in lines if line.value is not None), None)
+
 
 class Phase(Struct, frozen=True):
     """The motion from one state to the next; `without` names connections that do not act in it."""

@@ -65,7 +65,10 @@ class Follower(Struct, dict=True):
     tell: Callable[[float], None] = lambda part: None  # is told which part has been followed
 
     def __post_init__(self) -> None:
-        first = self.configuration.timeline.after(self.configuration.timeline.states[0].name)
+        begins = self.configuration.timeline.states[0]
+        if begins.time_told is not None:
+            raise NotYet("a motion is followed from t = 0 on", begins.span, "leave out the `time` of the first state")
+        first = self.configuration.timeline.after(begins.name)
         if first is not None and first.event is not None:
             raise NotYet(f"the motion begins with the event `{first.name}`, which is not simulated yet")
         self.found = Followed()

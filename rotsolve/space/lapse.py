@@ -60,7 +60,7 @@ class Lapse:
         if self.whole is not None:
             return self.whole
         if not phase_midst(self.later.at):
-            return self.later.time_told()
+            return self.later.state.time_told
         start = self.before.moment.clock()
         return None if start is None else simplify(add(Symbol(TIME), negate(start)))
 

@@ -77,16 +77,11 @@ class TellingMoment:
             return Symbol(TIME)
         if self.before is not None:
             return self.before.clock()
-        told = self.time_told()
+        told = self.state.time_told
         if self.first:
             return told if told is not None else ZERO if self.timed else None
         start = None if self.onward is None else self.onward.before.moment.clock()
         return None if told is None or start is None else add(start, told)
-
-    def time_told(self) -> Formula | None:
-        """The `time` of the state: at a later one so long after the state before."""
-        paths = ((line.path, line.value) for line in self.state.conditions if line.path is not None)
-        return next((value for path, value in paths if (path.owner, path.quantity) == ("", "time")), None)
 
     def tells_time_alone(self) -> bool:
         """Whether a later state tells its time and nothing else, so that it is some moment of the motion from the state before."""

@@ -116,6 +116,8 @@ def test_what_can_not_be_simulated_is_refused_by_name() -> None:
         simulate(PROBLEMS / "hinged" / "conical-pendulum.yaml")
     with pytest.raises(Unsolvable, match="`carpet` changes on the way: not simulated yet"):
         simulate(PROBLEMS / "rolling" / "carpet-unrolls.yaml")
+    with pytest.raises(Unsolvable, match="a motion is followed from t = 0 on"):
+        simulate(DRIVEN_PULLEY.replace("start: at rest", "start: {time: 2 s, at rest: all}"), 1)
     with pytest.raises(Unsolvable, match="the angle of `rod` at first is not told"):
         simulate(PROBLEMS / "swings" / "swinging-rod.yaml")
 

@@ -190,7 +190,8 @@ class Course:
         return self.node(name)
 
     def _alone(self, model: Model) -> Node:
-        at = placed(model, stir=self.stir)
+        told = model.acting.state.time_told if model.acting.state.name == self.names[0] else None
+        at = placed(model, time=0.0 if told is None else model.value(told), stir=self.stir)
         if at.clash:
             raise NotConfirmed("what the state says can not be fulfilled")
         first = Node(model, at, self.budget)

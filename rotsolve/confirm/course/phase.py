@@ -77,10 +77,8 @@ class NextState:
             raise NotConfirmed(f"nothing tells when `{state.name}` is")
 
     def told_time(self) -> float | None:
-        for line in self.state.conditions:
-            if line.path is not None and line.path.quantity == "time" and line.value is not None:
-                return self.first.time + self.model.value(line.value)
-        return None
+        told = self.state.time_told
+        return None if told is None else self.first.time + self.model.value(told)
 
     def phase(self) -> FollowedPhase:
         """TimeStep by step, until the state is reached."""

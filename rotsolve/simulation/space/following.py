@@ -61,8 +61,6 @@ def refuse_unfollowed(configuration: Configuration) -> None:
         if line.path is not None and line.path.quantity == "vertical":
             help = f"tell the `tilt` of `{line.path.owner}`, or how it is `turned`"
             raise NotYet("how a body stands by its `vertical` alone is not followed in time yet", line.span, help)
-        if line.path is not None and line.path.quantity == "time":
-            raise NotYet("a motion is followed from t = 0 on", line.span, "leave out the `time` of the first state")
 
 
 def unfollowed(joint: Joint, held: JointedBodies) -> str:
