@@ -27,7 +27,6 @@ IN_SPACE = [
 NOT_CONFIRMED = {
     "gyroscope-by-fast-spin": {"Omega"},  # an approximation
     "pole-of-the-earth-in-time": {"T_w"},  # periods of a motion that takes too long to be followed
-    "tennis-racket": {"T_r", "flip"},
     "wing-nut": {"flip"},
 }
 NO_SENSE = {"cube-corner": {"e"}}  # a principal axis points both ways

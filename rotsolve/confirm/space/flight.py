@@ -32,6 +32,7 @@ from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import NODAL, Lines, Rig
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
+from rotsolve.confirm.space.unheld import gains_unheld
 from rotsolve.confirm.space.worlds import Moving, Unfit, World
 from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import EXTREMES, Condition, State, Term
@@ -40,6 +41,7 @@ STRIDE = 0.9  # radians that the fastest goes in a step
 FINER = (2, 4, 6, 8, 10, 12, 14, 16)  # midpoint steps that are carried to the limit
 EACH = 14  # numbers of a body
 LOOKS = 900  # how often the equations are solved on a way
+WRITTEN_OUT = 3  # times as many where they are written out: a look costs a tenth then
 ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a time, and how nearly both have to agree
 BOTH = 80  # looks that a step takes at least, both ways
 TWICE = 6  # times as many looks where it is
@@ -72,7 +74,9 @@ class Flight:
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
         self.origins = {name: self.start_angle(name) for name in rig.bodies}
         self.turns = 0  # how often the motion went the other way
-        self.looks, self.most, self.exact = 0, LOOKS, EXACT
+        self.unheld = gains_unheld(rig)
+        self.limit = LOOKS if self.unheld is None else WRITTEN_OUT * LOOKS
+        self.looks, self.most, self.exact = 0, self.limit, EXACT
 
     def axis_of(self, name: str) -> Arrow:
         """The own direction of a body about which its spin is kept as an angle: that of its hinge on the ground, else its axis."""
@@ -103,20 +107,28 @@ class Flight:
             found += self.start.now.arrow(SPEED, name)
         return found
 
-    def moving(self, numbers: Numbers) -> Moving:
-        """All that can be said at a moment."""
+    def look(self) -> None:
+        """One more look at the equations; no more than a limit."""
         self.looks += 1
         if self.looks > self.most:
             raise NotConfirmed(TOO_FAR)
+
+    def rows(self, number: int, name: str, numbers: Numbers) -> Turned:
+        """How a body is turned."""
+        own = numbers[EACH * number : EACH * number + 5]
+        return product_of(rows_of_quaternion(own[:4]), rotation_about(self.axes[name], own[4]))
+
+    def moving(self, numbers: Numbers) -> Moving:
+        """All that can be said at a moment."""
+        self.look()
         lines = Lines(self.rig, None, {})
         lines.nodding = self.nodding
         stance = Stance(self.rig, lines)
         ties: list[Tie] = []
         for number, name in enumerate(self.rig.bodies):
             own = numbers[EACH * number : EACH * number + EACH]
-            rows = product_of(rows_of_quaternion(own[:4]), rotation_about(self.axes[name], own[4]))
             stance.swung[name] = self.origins[name] + own[4]
-            stance.put(name, rows, as_arrow(own[5:8]) if name in self.free else None)
+            stance.put(name, self.rows(number, name, numbers), as_arrow(own[5:8]) if name in self.free else None)
             ties += three_ties(of_turning(name), as_arrow(own[8:11]), None)
             if name in self.free:
                 ties += three_ties(point_terms(name, STILL), as_arrow(own[11:14]), None)
@@ -124,18 +136,31 @@ class Flight:
 
     def slope(self, numbers: Numbers) -> Numbers:
         """How fast all of them change."""
+        result: Numbers = []
+        for number, (name, (rows, omega, speed, alpha, gain)) in enumerate(self.motions(numbers)):
+            third = times_arrow(rows, self.axes[name])
+            spin = inner_product(omega, third)
+            result += turned_on(less(omega, scaled(spin, third)), numbers[EACH * number : EACH * number + 4])
+            result += [spin, *speed, *alpha, *gain]
+        return result
+
+    def motions(self, numbers: Numbers) -> Iterator[tuple[str, tuple[Turned, Arrow, Arrow, Arrow, Arrow]]]:
+        """Of each body its rotation, ω, the velocity of its centre of mass, α and the acceleration."""
+        if self.unheld is not None:
+            self.look()
+            for number, name in enumerate(self.rig.bodies):
+                own = numbers[EACH * number : EACH * number + EACH]
+                rows, omega = self.rows(number, name, numbers), as_arrow(own[8:11])
+                yield name, (rows, omega, as_arrow(own[11:14]), *self.unheld(name, rows, omega))
+            return
         moving = self.moving(numbers)
         now = moving.rates([0.0] * len(moving.moving.free))
         equations, solved = moving.forced(now, moving.idle)
         found = equations.named(solved.values)
-        result: Numbers = []
-        for number, name in enumerate(self.rig.bodies):
-            omega = now.arrow(TURNING, name)
-            third = times_arrow(moving.stance.turned(name), self.axes[name])
-            spin = inner_product(omega, third)
-            result += turned_on(less(omega, scaled(spin, third)), numbers[EACH * number : EACH * number + 4])
-            result += [spin, *now.arrow(SPEED, name), *found.arrow(TURNING, name), *found.arrow(SPEED, name)]
-        return result
+        for name in self.rig.bodies:
+            omega, speed = now.arrow(TURNING, name), now.arrow(SPEED, name)
+            alpha, gain = found.arrow(TURNING, name), found.arrow(SPEED, name)
+            yield name, (moving.stance.turned(name), omega, speed, alpha, gain)
 
     def world(self, numbers: Numbers) -> World:
         moving = self.moving(numbers)
@@ -242,7 +267,7 @@ class Flight:
         if time < 0:
             raise Unfit("its time is before that of the state that leads to it")
         count = max(1, math.ceil(time / self.stride()))
-        if count * BOTH > TWICE * LOOKS:
+        if count * BOTH > TWICE * self.limit:
             raise NotConfirmed(TOO_FAR)
 
         def carried() -> Numbers:
@@ -255,7 +280,7 @@ class Flight:
 
     def agreed(self, followed: Callable[[], Numbers]) -> Numbers:
         """What comes of following the motion finely, where it is much the same roughly: near an unstable motion small errors grow."""
-        self.most = TWICE * LOOKS
+        self.most = TWICE * self.limit
         found: list[Numbers] = []
         for self.exact in (ROUGH, FINE):
             found.append(followed())
