@@ -41,7 +41,7 @@ from rotsolve.solving import solved
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
-    from rotsolve.core.derivation import Answer, AnswerConfirmation
+    from rotsolve.core.derivation import AnswerConfirmation
 
 DIGITS, MOST_DIGITS = 4, 1000
 SolveFor = Callable[[tuple[Find, ...]], Solution]  # solves for some of a problem's questions
@@ -123,54 +123,13 @@ def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | No
     def solve(finds: tuple[Find, ...]) -> Solution:
         return solved_as_far(replace(problem, finds=finds), law, digits, at)
 
-    return left_open(problem, solve) or each_where_answered(problem, solve)
+    if len(problem.finds) > 1 and any(find.where is not None or find.extreme for find in problem.finds):
+        from rotsolve.seeking import left_open
 
-
-def left_open(problem: Problem, solve: SolveFor) -> Solution | None:
-    """The solution without questions that seek an open letter, where conditions of the others hang on it; None of other scenes.
-
-    For `F where N = P` the letter stands for one value, in all else that is asked for any.
-    """
-    plain = {given.name for given in problem.givens if given.value is None and not given.asked}
-    if not plain or len(problem.finds) < 2 or all(find.where is None and not find.extreme for find in problem.finds):
-        return None
-    from rotsolve.search.letterspace import ranged_over
-
-    seeking = {
-        find.group: letters for find in problem.finds if (letters := (ranged_over(find) | sought_by(find)) & plain)
-    }
-    others = tuple(
-        find for find in problem.finds if find.group not in seeking and not find.formula.symbols() & seeking.keys()
-    )
-    if not seeking or not others:
-        return None
-    try:
-        solution = each_where_answered(replace(problem, finds=others), solve)
-    except (Unsolvable, SceneError):
-        return None
-    hangs = {name for answer in solution.derivation.answers for name in letters_of_conditions(answer)}
-    hanging = sorted(hangs & {name for letters in seeking.values() for name in letters})
-    if not hanging:
-        return None
-    words = f"what else is asked holds only for some values of `{', '.join(hanging)}`, of which this seeks one"
-    left = [find for find in problem.finds if find not in others]
-    refused = [
-        Refusal(find.group, Fault(words, find.span, "ask for it in a scene of its own", "unsolvable")) for find in left
-    ]
-    finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
-    derivation = replace(solution.derivation, refused=(*solution.derivation.refused, *refused), finds=finds)
-    return replace(solution, problem=problem, derivation=derivation)
-
-
-def sought_by(find: Find) -> set[str]:
-    """The letter of `x where Q is smallest`."""
-    return {find.formula.name} if find.where is not None and isinstance(find.formula, Symbol) else set()
-
-
-def letters_of_conditions(answer: Answer) -> set[str]:
-    """The letters on which it hangs whether an answer holds, in any of its cases."""
-    cases = (answer, *answer.otherwise)
-    return {name for case in cases for one in case.conditions for name in (one.left - one.right).symbols()}
+        alone = left_open(problem, lambda finds: each_where_answered(replace(problem, finds=finds), solve))
+        if alone is not None:
+            return alone
+    return each_where_answered(problem, solve)
 
 
 def each_where_answered(problem: Problem, solve: SolveFor) -> Solution:
@@ -396,6 +355,7 @@ def may_be(problem: Problem, configuration: Configuration, numbers: Mapping[str,
     settings = {
         item.name: f"{numbers[item.name]!r} {base_unit_text(item.dimension) if item.dimension else ''}"
         for item in open_
+        if item.name in numbers  # that of a letter which a question seeks is its answer
     }
     try:
         read_text("\n".join(problem.lines), problem.file, settings)

@@ -211,8 +211,9 @@ def not_so(name: str, why: str, problem: Problem, numbers: Numbers) -> AnswerCon
 
 
 def numbers_told(numbers: Numbers, problem: Problem) -> str:
-    """m = 0.806, R = 1.01: the letters that have no number."""
-    return ", ".join(f"{given.name} = {numbers[given.name]:g}" for given in letters_open(problem))
+    """m = 0.806, R = 1.01: the letters that have no number in the scene."""
+    told = (given.name for given in letters_open(problem) if given.name in numbers)
+    return ", ".join(f"{name} = {numbers[name]:g}" for name in told)
 
 
 def pairs(verdict: AnswerConfirmation) -> Iterator[tuple[float, float]]:

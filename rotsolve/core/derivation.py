@@ -103,7 +103,8 @@ class Answer(Struct, frozen=True):
     `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
     size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.
     Of letters it holds under `conditions`; `otherwise` has the answers under others. `weighed` is what a choice compared, in its order;
-    `until` is the state on the way up to which a function of time holds.
+    `until` is the state on the way up to which a function of time holds. Of a letter of the scene `rivals` are other roots of the equation
+    that gave it.
     """
 
     name: str
@@ -124,6 +125,7 @@ class Answer(Struct, frozen=True):
     otherwise: tuple[Answer, ...] = ()
     weighed: tuple[Formula, ...] = ()
     until: str = ""
+    rivals: tuple[Formula, ...] = ()
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:

@@ -22,6 +22,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.rubs import rubs
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.planning import families_for
+from rotsolve.search.within import seeks
 
 if TYPE_CHECKING:
     from rotsolve.core.facts import Requirement
@@ -92,15 +93,25 @@ def sign_of(gap: Formula | None, need: Requirement, place: str, search: Search, 
 def margin_of(need: Requirement, search: Search, laws: tuple[str, ...]) -> tuple[Settling, Formula | None]:
     """What tells the letters of a requirement, and by how much it is met: what was found on the way, else some laws, else all."""
     gap = need.left - need.right
-    found = search.solver.with_found(gap)
+    sought = values_sought(search)
+
+    def told(value: Formula) -> Formula:
+        return search.solver.with_found(value).substitute(sought)
+
+    found = told(gap)
     if not has_quantities(found):
-        return search.solver.with_found, found
-    aside = search.beside_by(laws)
-    settled = aside.settled(gap)
-    if settled is not None:
-        return aside.settled, settled
-    other = search.apart()
-    return other.settled, other.settled(gap)
+        return told, found
+    for other in (search.beside_by(laws), search.apart()):
+        settled = other.settled(gap)
+        if settled is not None:
+            break
+    return other.settled, None if settled is None else settled.substitute(sought)
+
+
+def values_sought(search: Search) -> dict[str, Formula]:
+    """What the answers make of letters that stand for any value in the laws, and for one in the question that seeks it: `x where N = P`."""
+    found = {letter: search.solver.solved.get(symbol) for letter, symbol in seeks(search).items() if symbol != letter}
+    return {letter: item.formula for letter, item in found.items() if item is not None and item.formula is not None}
 
 
 def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:

@@ -145,7 +145,13 @@ class Results(Struct, frozen=True):
             closed=found.formula,
             positive=self._positive(answered),
             until=self._until(answered),
+            rivals=self._rivals(asked),
         )
+
+    def _rivals(self, asked: Asked) -> tuple[Formula, ...]:
+        """What else the equation lets a letter of the scene be that a question settles."""
+        roots = (self.search.solver.with_found(root) for root in self.search.rivals.get(asked.letter, ()))
+        return tuple(root for root in roots if not has_quantities(root))
 
     def _when(self, answered: Answered) -> Words:
         """The time at which a function of time has the value that is printed, between which states it does, or that it is no time of its

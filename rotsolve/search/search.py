@@ -95,6 +95,9 @@ class Search(Struct, dict=True):
     chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     swung: set[str] = field(default_factory=set)  # sections of the harmonic motions that have been written
+    rivals: dict[str, tuple[Formula, ...]] = field(
+        default_factory=dict
+    )  # other roots for letters of the scene that answers settle
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
     # the places of extrema, by (quantity, letter, word)
@@ -128,6 +131,13 @@ class Search(Struct, dict=True):
         return self.another(families)
 
     def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
+        """Which of several roots of an equation is meant, and why; the others of a letter of the scene are remembered."""
+        picked = self.picked_root(name, roots, period)
+        if picked is not None and name in self.givens:
+            self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
+        return picked
+
+    def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
         from rotsolve.search.roots import RootChoice
 

@@ -88,6 +88,8 @@ def confirmations_in_plane(
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)) or (kind == OWN and cases <= seen):
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit)}
+        if any(one.rivals for answer in answers for one in (answer, *answer.otherwise)):
+            found = without_rivals(found, answers, problem, known_at(answers, problem, numbers, solved), limits)
         if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
             continue
         if kind == ON:
@@ -156,14 +158,8 @@ def at_numbers(
     answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved, budget: Budget
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of each answer at one set of numbers."""
-    finds: dict[str, list[Find]] = {}
-    for find in problem.finds:
-        finds.setdefault(find.group, []).append(find)
-    known = {**numbers, **asked_letters(problem, numbers, solved)}
-    for several in answers:  # an answer is that of the case to which the numbers belong
-        own = holding(several, numbers) if finds[several.name][0].formula == Symbol(several.name) else None
-        size = number_of(own, numbers) if own is not None else None
-        known |= {several.name: size} if size is not None else {}
+    finds = {find.group: find for find in reversed(problem.finds)}
+    known = known_at(answers, problem, numbers, solved)
     asker = Asker(problem, Course(problem, known, budget))
     for several in answers:
         answer = holding(several, known)
@@ -172,24 +168,51 @@ def at_numbers(
             yield AnswerConfirmation(several.name, None, NO_CASE)
             continue
         if not said:
-            yield judged(finds[answer.name][0], said, asker, numbers)
+            yield judged(finds[answer.name], said, asker, numbers)
             continue
-        verdict = judged(finds[answer.name][0], said, asker, numbers, answer.direction)
+        verdict = judged(finds[answer.name], said, asker, numbers, answer.direction)
         if (
             verdict.holds is False and (closer := said_of(answer, known, closely_valued)) != said
         ):  # arcsin next to 1 has few digits
             said = closer
-            verdict = judged(finds[answer.name][0], said, asker, numbers, answer.direction)
+            verdict = judged(finds[answer.name], said, asker, numbers, answer.direction)
         if (
             verdict.holds is False and (verdict.found or verdict.why == OTHER_WAY) and problem.states[1:]
         ):  # the forces of the last state may be those of the phase before it
             ended = Asker(problem, Course(problem, known, budget, ending=True))
-            other = judged(finds[answer.name][0], said, ended, numbers, answer.direction)
+            other = judged(finds[answer.name], said, ended, numbers, answer.direction)
             verdict = other if other.holds and not asker.course.holds_at_last() else verdict
         if verdict.holds is False and verdict.why in (OTHERWISE, OTHER_WAY) and (slips := asker.course.slips()):
             told = not_so(verdict.name, slips, problem, numbers)  # letters may have others, with which nothing slips
             verdict = replace(verdict, holds=told.holds, why=told.why, astray=told.astray)
         yield verdict
+
+
+def known_at(answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved) -> Numbers:
+    """The numbers of all letters, those that are asked for by the answers."""
+    finds = {find.group: find for find in reversed(problem.finds)}
+    known = {**numbers, **asked_letters(problem, numbers, solved)}
+    for several in answers:  # an answer is that of the case to which the numbers belong
+        own = holding(several, numbers) if finds[several.name].formula == Symbol(several.name) else None
+        size = number_of(own, numbers) if own is not None else None
+        known |= {several.name: size} if size is not None else {}
+    return known
+
+
+def without_rivals(
+    found: dict[str, AnswerConfirmation],
+    answers: Sequence[Answer],
+    problem: Problem,
+    known: Numbers,
+    limits: Callable[[], Iterable[Limit]],
+) -> dict[str, AnswerConfirmation]:
+    """The verdicts, where no letter has a value that other values rival."""
+    from rotsolve.confirm.course.rivals import rivalled
+
+    def judge(find: Find, said: dict[str, float | str], numbers: Numbers) -> AnswerConfirmation:
+        return judged(find, said, Asker(problem, Course(problem, numbers, Budget(BUDGET))), numbers)
+
+    return rivalled(found, answers, problem, known, fits_of(tuple(limits())), judge)
 
 
 def judged_in_plane(
