@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from math import ceil, floor
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate, period_of
 from rotsolve.algebra.exact.normal import simplify
@@ -18,6 +19,9 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.facts import ON_THE_WAY, Requirement, signed
 from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, TIME
+from rotsolve.laws.energy import conservation
+from rotsolve.laws.table import OverPhase
+from rotsolve.motion.passages import passage as passage_between
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.functions_of_time import Beside
@@ -40,10 +44,24 @@ def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]
         interval = search.scene.configuration.timeline.interval(name)
         if interval is None:
             continue
-        beside = Beside(search.apart().settled, search.signs)
+        beside = Beside(informed(search, passage, interval).settled, search.signs)
         needs = [need for need in passage.midst.requirements if not (need.kind.grips or need.kind.placed)]
         found = (least for need in needs for least in least_of(need, passage, interval, search, beside))
         yield interval.end, tuple(found)
+
+
+def informed(search: Search, passage: Passage, interval: Interval) -> Search:
+    """A search beside one that knows too how fast all moves at any place of a phase: K₁ + U₁ + W = K + U, from its start up to there."""
+    other, scene = search.apart(), search.scene
+    if running_letter(passage) not in ("", TIME):
+        start = (scene.instant(interval.start), passage.start)
+        place = (scene.instant(interval.start, generic=True), passage.midst)
+        so_far = passage_between(interval, start, place, place)
+        works = tuple(work if work.spelled is None else replace(work, amount=work.spelled) for work in so_far.works)
+        over = OverPhase(replace(so_far, works=works), interval.name, (), passage.midst, {}, {})
+        for kept in conservation(over):
+            other.planner.extend(kept)
+    return other
 
 
 def least_of(
@@ -101,25 +119,32 @@ def least_values(margin: Formula, running: Running, beside: Beside) -> Iterator[
     bend = differentiate(slope, TIME)
     places = solve_polynomial(slope, TIME) or solve_trig(slope, TIME)
     period = period_of(slope, TIME)
-    if all(beside.signs.by_letters(simplify(bend.substitute({TIME: place}))) == -1 for place in places) and not period:
-        return  # largest there
-    for mark in zeros_between(slope, places, period, running, beside):
+    doubtful = [place for place in places if may_be_least(margin, bend, place, beside)]
+    if places and not doubtful:
+        return
+    for mark in zeros_between(slope, doubtful, period, running, beside):
         least = simplify(margin.substitute({TIME: mark}))
         if beside.signs.by_letters(least) != 1 and beside.side(bend.substitute({TIME: mark})) == 1:
             yield least
 
 
+def may_be_least(margin: Formula, bend: Formula, place: Formula, beside: Beside) -> bool:
+    """Whether letters leave it open that a margin is least at a place, and not positive there."""
+    if beside.signs.by_letters(simplify(bend.substitute({TIME: place}))) == -1:
+        return False  # largest there
+    return beside.signs.by_letters(simplify(margin.substitute({TIME: place}))) != 1
+
+
 def zeros_between(
     slope: Formula, places: list[Formula], period: Formula | None, running: Running, beside: Beside
 ) -> list[Formula]:
-    """The zeros of a slope between the ends of a way: those of places without letters whole periods apart too."""
-    told = [*places, running.low, running.high, *([period] if period is not None else [])]
-    if period is None or any(value.symbols() for value in told):
+    """The zeros of a slope between the ends of a way, at these places and whole periods from them; of a slope without period all."""
+    if period is None:
         return beside.zeros(slope, running.low, running.high)
     found: list[Formula] = []
     for place in places:
         first, last = (beside.number((end - place) / period) for end in (running.low, running.high))
-        repeats = range(ceil(first), floor(last) + 1)
+        repeats = range(ceil(first) - 1, floor(last) + 2)  # with those next to the ends, which letters may let in
         if len(repeats) > MOST_PLACES:
             raise NotYet("it is least at too many places")
         found += [simplify(place + number * period) for number in repeats]

@@ -236,6 +236,12 @@ class Course:
         self.node(end)
         return self._blows.get(end) if self.event(start, end) is not None else None
 
+    def idle_event(self) -> bool:
+        """Whether nothing changes in some event: a blow that is none, as one root of its equations mostly is."""
+        blows = [self.blow(event.from_, event.to) for event in self.problem.events if event.from_ and event.to]
+        told = [(blow.before.placed.speed, blow.after.placed.speed) for blow in blows if blow is not None]
+        return any(all(abs(a - b) <= 1e-9 * max(1.0, abs(a)) for a, b in zip(*ends, strict=True)) for ends in told)
+
     def brought(self, start: str, end: str) -> list[tuple[Node, Node]]:
         """The instants before the events between two states, each with what the event joins as it was put before and where it meets."""
         names = self.names[self.names.index(start) : self.names.index(end) + 1]

@@ -210,7 +210,9 @@ def without_rivals(
     from rotsolve.confirm.course.rivals import rivalled
 
     def judge(find: Find, said: dict[str, float | str], numbers: Numbers) -> AnswerConfirmation:
-        return judged(find, said, Asker(problem, Course(problem, numbers, Budget(BUDGET))), numbers)
+        course = Course(problem, numbers, Budget(BUDGET))
+        verdict = judged(find, said, Asker(problem, course), numbers)
+        return replace(verdict, holds=False) if verdict.holds and course.idle_event() else verdict
 
     return rivalled(found, answers, problem, known, fits_of(tuple(limits())), judge)
 
