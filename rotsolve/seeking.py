@@ -61,8 +61,7 @@ def without(left: list[Find], letters: list[str], problem: Problem, solution: So
 
 def letters_sought(find: Find) -> set[str]:
     """The letter of `F where N = P` and of `x where Q is smallest`, and the places over which an extremum is sought."""
-    own = {find.formula.name} if find.where is not None and isinstance(find.formula, Symbol) else set()
-    return ranged_over(find) | own if find.where is not None or find.extreme else set()
+    return ranged_over(find) | ({find.seeks} if find.seeks else set())
 
 
 def letters_of_answer(answer: Answer, sought: Mapping[str, set[str]]) -> set[str]:

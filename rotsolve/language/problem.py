@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span as Span
 from rotsolve.core.letters import Given as Given
 from rotsolve.language.bodies import Body as Body
@@ -156,6 +156,13 @@ class Find(Struct, frozen=True):
     def group(self) -> str:
         """The name under which the scene asks for it."""
         return self.whole or self.name
+
+    @property
+    def seeks(self) -> str:
+        """The letter whose value it seeks: `F where N = P`; '' of other questions."""
+        return (
+            self.formula.name if self.where is not None and isinstance(self.formula, Symbol) and not self.terms else ""
+        )
 
     @property
     def extreme(self) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
@@ -11,13 +9,11 @@ from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_und
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import CONDITION
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.equations.scene_equations import term_of
-from rotsolve.language.problem import EXTREMES, Find
-from rotsolve.motion.limits import limits_of_scene
+from rotsolve.language.problem import Find
 from rotsolve.paths.meaning import NotYet, label_of
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import NoAnswer
@@ -106,7 +102,7 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     roots = roots or [
         root for root in squared if search.signs.decide(curve.substitute({letter: root}) - value) in (0, None)
     ]
-    picked = root_asked_for(search, letter, roots, modifier_of(find)) if len(roots) > 1 else PickedRoot(0)
+    picked = search.choose_root(letter, roots, asked=find) if len(roots) > 1 else PickedRoot(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
     search.rivals[own.name] = search.rivals.pop(letter, ())
@@ -115,27 +111,6 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     by_condition(search, question, root, Conclusion(said, equation, picked.words), quantity, aside=False)
     if given.asked:
         forget(quantity, search)
-
-
-def root_asked_for(search: Search, letter: str, roots: Sequence[Formula], modifier: str) -> PickedRoot | None:
-    """The root of a condition that is meant: the `largest` or the `smallest` that the letter can be, where that is asked."""
-    picked = search.choose_root(letter, roots)
-    if modifier not in EXTREMES or picked is None or search.numbers.of(roots[picked.root]) is None:
-        return picked
-    limits = [limit.gap for limit in limits_of_scene(search.scene.configuration) if letter in limit.gap.symbols()]
-    size = [Symbol(letter)] if search.givens[letter].dimension not in (None, ANGLE) else []
-    able = [
-        index
-        for index, root in enumerate(roots)
-        if search.numbers.of(root) is not None
-        and all(search.numbers.side(gap.substitute({letter: root})) != -1 for gap in (*limits, *size))
-    ]
-    if not able:
-        return picked
-    sign = -1 if modifier == "largest" else 1
-    best = able[search.numbers.least([sign * roots[index] for index in able])]
-    search.rivals[letter] = tuple(root for index, root in enumerate(roots) if index != best)
-    return PickedRoot(best, (f"the {modifier}",))
 
 
 def condition_label(phrase: Find) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -16,11 +17,15 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Given
+from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.expected import Expected
 from rotsolve.search.first_reached import FirstReached
 from rotsolve.search.numbers import Numbers
 from rotsolve.solver.steps import PickedRoot
+
+if TYPE_CHECKING:
+    from rotsolve.search.search import Search
 
 SAME = 1e-9  # relative difference up to which two places lie equally far to either side
 
@@ -86,11 +91,11 @@ class RootChoice(Struct, frozen=True):
         sign, words = self._expected(name)
         fitting = [entry for entry in real if entry[1] * sign > 0]
         if fitting:
-            return PickedRoot(self._smallest(fitting, roots), words)
+            return PickedRoot(self._smallest(fitting, roots), words, guessed=len(fitting) > 1)
         if self._is_angle(name):
-            return PickedRoot(self._smallest(real, roots), ("the smallest angle",))
+            return PickedRoot(self._smallest(real, roots), ("the smallest angle",), guessed=True)
         positive = [entry for entry in real if entry[1] >= 0]
-        return PickedRoot(self._smallest(positive or real, roots), ("the positive root",))
+        return PickedRoot(self._smallest(positive or real, roots), ("the positive root",), guessed=len(positive) != 1)
 
     def _left(self, name: str, real: list[tuple[int, float]], roots: Sequence[Formula]) -> list[tuple[int, float]]:
         """Without the place from which a motion along a line sets out from rest, where it is looked for at rest again."""
@@ -216,3 +221,21 @@ def nearest_to_zero(entries: Sequence[tuple[int, float]]) -> int:
     if len(entries) > 1:
         decided_by_size()
     return near[0][0]
+
+
+def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, word: str, search: Search) -> PickedRoot:
+    """The `largest` or the `smallest` root that a letter of the scene can be; the picked one where numbers do not tell."""
+    numbers, given = search.numbers, search.givens[name]
+    limits = [limit.gap for limit in limits_of_scene(search.scene.configuration) if name in limit.gap.symbols()]
+    limits += [] if given.dimension is None or is_angle(given) else [Symbol(name)]
+    able = [
+        index
+        for index, root in enumerate(roots)
+        if numbers.of(root) is not None
+        and all(numbers.side(numbers.with_answers(gap.substitute({name: root}))) != -1 for gap in limits)
+    ]
+    if not able:
+        return picked
+    sign = -1 if word == "largest" else 1
+    best = able[numbers.least([sign * roots[index] for index in able])]
+    return PickedRoot(best, (f"the {word}",), guessed=True)

@@ -20,7 +20,7 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import POSITION, RATE, RATES, has_quantities, is_key, key_of, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Find
+from rotsolve.language.problem import EXTREMES, Find
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
@@ -130,11 +130,23 @@ class Search(Struct, dict=True):
         """The search by some laws that goes on beside this one: what it has worked out once serves whoever asks next."""
         return self.another(families)
 
-    def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
-        """Which of several roots of an equation is meant, and why; the others of a letter of the scene are remembered."""
+    def choose_root(
+        self, name: str, roots: Sequence[Formula], period: Formula | None = None, *, asked: Find | None = None
+    ) -> PickedRoot | None:
+        """Which of several roots of an equation is meant, and why; the others of a letter of the scene are remembered.
+
+        A question that seeks the letter, `asked` or the only one, may say that its `largest` or `smallest` value is meant.
+        """
         picked = self.picked_root(name, roots, period)
         if picked is not None and name in self.givens:
-            self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
+            seeking = (find for find in self.scene.configuration.problem.finds if find.seeks == name)
+            asked = asked or next(seeking, None)
+            if asked is not None and asked.modifier in EXTREMES:
+                from rotsolve.search.roots import extreme_root
+
+                picked = extreme_root(name, roots, picked, asked.modifier, self)
+            if picked.guessed:
+                self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
         return picked
 
     def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:

@@ -33,8 +33,8 @@ def seeks(search: Search) -> dict[str, str]:
     problem = search.scene.configuration.problem
     asked = {item.name: item.name for item in problem.givens if item.asked}
     for find in problem.finds:
-        if find.where is not None and isinstance(find.formula, Symbol) and find.formula.name in search.givens:
-            asked.setdefault(find.formula.name, asked_symbol(find.name))
+        if find.seeks in search.givens:
+            asked.setdefault(find.seeks, asked_symbol(find.name))
     return asked
 
 
