@@ -124,9 +124,9 @@ def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | No
         return solved_as_far(replace(problem, finds=finds), law, digits, at)
 
     if len(problem.finds) > 1 and any(find.where is not None or find.extreme for find in problem.finds):
-        from rotsolve.seeking import left_open
+        from rotsolve.seeking import left_without_seeking
 
-        alone = left_open(problem, lambda finds: each_where_answered(replace(problem, finds=finds), solve))
+        alone = left_without_seeking(problem, lambda finds: each_where_answered(replace(problem, finds=finds), solve))
         if alone is not None:
             return alone
     return each_where_answered(problem, solve)

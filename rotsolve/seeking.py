@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 SolveFor = Callable[[tuple["Find", ...]], "Solution"]  # solves for some of a problem's questions
 
 
-def left_open(problem: Problem, solve: SolveFor) -> Solution | None:
+def left_without_seeking(problem: Problem, solve: SolveFor) -> Solution | None:
     """The solution without the questions that seek an open letter on which others hang: their conditions, or, where those seek another
     letter, their answers. None of other scenes."""
     plain = {given.name for given in problem.givens if given.value is None and not given.asked}
@@ -44,11 +44,11 @@ def left_open(problem: Problem, solve: SolveFor) -> Solution | None:
         letters = {name for find in left for name in sought.get(find.group, ())}
         hangs = {name for answer in solution.derivation.answers for name in letters_of_answer(answer, sought)}
         if hangs & letters:
-            return without(left, sorted(hangs & letters), problem, solution)
+            return without_seeking(left, sorted(hangs & letters), problem, solution)
     return None
 
 
-def without(left: list[Find], letters: list[str], problem: Problem, solution: Solution) -> Solution:
+def without_seeking(left: list[Find], letters: list[str], problem: Problem, solution: Solution) -> Solution:
     """The solution for the others, and why it has no answer to what is left."""
     words = f"what else is asked holds only for some values of `{', '.join(letters)}`, of which this seeks one"
     refused = [

@@ -443,7 +443,7 @@ def with_friction_found(search: Search) -> Problem | None:
     """
     problem, numbers = search.scene.configuration.problem, search.numbers
     found = {name: item.formula for name, item in search.solver.solved.items() if item.formula is not None}
-    check_settled(search, found.keys())
+    check_friction_settled(search, found.keys())
     asked = {given.name: given for given in problem.givens if given.asked and given.name in found}
     for name, given in asked.items():
         if given.trial is not None and numbers.side(found[name] - given.trial) != 0:
@@ -462,7 +462,7 @@ def with_friction_found(search: Search) -> Problem | None:
     return replace(problem, givens=tuple(givens))
 
 
-def check_settled(search: Search, found: Collection[str]) -> None:
+def check_friction_settled(search: Search, found: Collection[str]) -> None:
     """Unsolvable where whether a contact sticks hangs on a coefficient that is asked for and not found; but for one on the verge of it."""
     configuration, problem = search.scene.configuration, search.scene.configuration.problem
     open_ = {given.name for given in problem.givens if given.asked and given.trial is None} - set(found)

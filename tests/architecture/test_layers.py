@@ -34,6 +34,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("solution",),
     ("scene",),
     ("solving",),
+    ("seeking",),
     ("pipeline",),
     ("run",),
     ("keys",),

@@ -10,13 +10,13 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import Fits, Numbers, holding
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.verdicts import SAME, not_so, said_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation
 from rotsolve.language.problem import Find, Given, Problem
-from rotsolve.motion.positive import is_angle
 
 Said = dict[str, float | str]
 Judge = Callable[
@@ -47,7 +47,9 @@ def rivalled(
                 why = f"{given.name} = {value:g} in SI units makes it so too: {ASK[find.where is not None]}"
                 told = {several.name: several}
                 if given.asked:
-                    told |= {one.name: one for one in answers if hangs(one, finds[one.name], known, numbers, judge)}
+                    told |= {
+                        one.name: one for one in answers if changes_with(one, finds[one.name], known, numbers, judge)
+                    }
                 letters = {name: known[name] for name in known if name in answer.rivals[0].symbols()}
                 verdicts |= {name: not_so(name, why, problem, letters) for name in told}
                 break
@@ -57,7 +59,7 @@ def rivalled(
 def values_beside(answer: Answer, find: Find, given: Given, known: Numbers, said: float) -> Iterator[float]:
     """The values of the other roots that the letter can have: of the sign of a size, an angle like that of the answer; beyond the answer
     where the largest or the smallest is asked for."""
-    angle = is_angle(given)
+    angle = given.dimension == ANGLE
     for root in answer.rivals:
         try:
             value = float(value_of(root, known))
@@ -73,7 +75,7 @@ def values_beside(answer: Answer, find: Find, given: Given, known: Numbers, said
             yield value
 
 
-def hangs(answer: Answer, find: Find, known: Numbers, numbers: Numbers, judge: Judge) -> bool:
+def changes_with(answer: Answer, find: Find, known: Numbers, numbers: Numbers, judge: Judge) -> bool:
     """Whether an answer is another with other numbers."""
     own = holding(answer, known)
     said = {} if own is None else said_of(own, known)

@@ -89,7 +89,7 @@ def confirmations_in_plane(
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit)}
         if any(one.rivals for answer in answers for one in (answer, *answer.otherwise)):
-            found = without_rivals(found, answers, problem, known_at(answers, problem, numbers, solved), limits)
+            found = without_rivals(found, answers, problem, numbers_known(answers, problem, numbers, solved), limits)
         if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
             continue
         if kind == ON:
@@ -159,7 +159,7 @@ def at_numbers(
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of each answer at one set of numbers."""
     finds = {find.group: find for find in reversed(problem.finds)}
-    known = known_at(answers, problem, numbers, solved)
+    known = numbers_known(answers, problem, numbers, solved)
     asker = Asker(problem, Course(problem, known, budget))
     for several in answers:
         answer = holding(several, known)
@@ -188,7 +188,7 @@ def at_numbers(
         yield verdict
 
 
-def known_at(answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved) -> Numbers:
+def numbers_known(answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved) -> Numbers:
     """The numbers of all letters, those that are asked for by the answers."""
     finds = {find.group: find for find in reversed(problem.finds)}
     known = {**numbers, **asked_letters(problem, numbers, solved)}
