@@ -16,9 +16,12 @@ from rotsolve.algebra.calculus.derivative import differentiate, period_of
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.core.derivation import Words
 from rotsolve.core.facts import ON_THE_WAY, Requirement, signed
 from rotsolve.core.passage import Passage
+from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import POSITION, TIME
+from rotsolve.core.writing import spoken
 from rotsolve.laws.energy import conservation
 from rotsolve.laws.table import OverPhase
 from rotsolve.motion.passages import passage as passage_between
@@ -38,16 +41,44 @@ class Running(Struct, frozen=True):
     high: Formula
 
 
+class Least(Struct, frozen=True):
+    """A requirement at each place within a phase at which it has least to spare; None where neither laws nor letters tell these."""
+
+    interval: Interval
+    need: Requirement
+    found: tuple[Requirement, ...] | None
+
+
 def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
     """By the state at the end of a phase that forces and tensions are not negative where they are least within it."""
+    for least in pushes_on_the_way(search):
+        yield least.interval.end, least.found or ()
+
+
+def untold_pushes(search: Search) -> Iterator[tuple[Requirement, Words]]:
+    """What letters leave open of a phase: whether a string stays taut on the way, or friction suffices. Numbers are followed in time."""
+    for least in pushes_on_the_way(search) if search.signs.trials else ():
+        if least.found is None:
+            what = (
+                f"{spoken(least.need.owner)} {least.need.otherwise}" if least.need.kind.grips else least.need.otherwise
+            )
+            way = f"on the way from {spoken(least.interval.start)} to {spoken(least.interval.end)}"
+            yield least.need, (f"whether {what} {way}",)
+
+
+@remembered
+def pushes_on_the_way(search: Search) -> tuple[Least, ...]:
+    """What only pushes or pulls in each phase whose forces vary; of letters also what grips, which numbers are followed to."""
+    found: list[Least] = []
     for name, passage in search.scene.passages.items():
         interval = search.scene.configuration.timeline.interval(name)
-        if interval is None:
+        if interval is None or not running_letter(passage):
             continue
         beside = Beside(informed(search, passage, interval).settled, search.signs)
-        needs = [need for need in passage.midst.requirements if not (need.kind.grips or need.kind.placed)]
-        found = (least for need in needs for least in least_of(need, passage, interval, search, beside))
-        yield interval.end, tuple(found)
+        for need in passage.midst.requirements:
+            if not need.kind.placed and (search.signs.trials or not need.kind.grips):
+                found.append(Least(interval, need, least_of(need, passage, interval, search, beside)))
+    return tuple(found)
 
 
 def informed(search: Search, passage: Passage, interval: Interval) -> Search:
@@ -66,19 +97,25 @@ def informed(search: Search, passage: Passage, interval: Interval) -> Search:
 
 def least_of(
     need: Requirement, passage: Passage, interval: Interval, search: Search, beside: Beside
-) -> Iterator[Requirement]:
-    """A requirement at each place within a phase at which it has least to spare; none where the laws do not tell that."""
-    letter = running_letter(passage)
-    margin = beside.settle(need.left - need.right) if letter else None
-    if margin is None or letter not in margin.symbols():
-        return
+) -> tuple[Requirement, ...] | None:
+    """A requirement at each place within a phase at which it has least to spare; None where the laws or the letters do not tell that."""
+    letter, margin = running_letter(passage), beside.settle(need.left - need.right)
+    if margin is None:
+        return None
+    if letter not in margin.symbols():
+        return ()
     in_time = simplify(margin.substitute({letter: Symbol(TIME)}))  # Beside looks at functions of time
     try:
         running = running_in(passage, interval, search, beside)
-        for least in least_values(in_time, running, beside) if running is not None else ():
-            yield Requirement(need.owner, ON_THE_WAY, least, ZERO, need.kept, f"{need.otherwise} on the way to")
+        found = None if running is None else list(least_values(in_time, running, beside))
     except NotYet:
-        return
+        return None
+    words = f"{need.otherwise} on the way to"
+    return (
+        None
+        if found is None
+        else tuple(Requirement(need.owner, ON_THE_WAY, least, ZERO, need.kept, words) for least in found)
+    )
 
 
 def running_letter(passage: Passage) -> str:
@@ -114,7 +151,7 @@ def told(value: Formula, beside: Beside) -> Formula | None:
 def least_values(margin: Formula, running: Running, beside: Beside) -> Iterator[Formula]:
     """The values of a running margin where it is least within a phase; none where letters alone tell that it is positive there."""
     slope = simplify(differentiate(margin, TIME))
-    if margin.symbols() - set(beside.values) - {TIME} or TIME not in slope.symbols():
+    if margin.symbols() - set(beside.values) - {TIME} or beside.signs.by_letters(slope) is not None:
         return
     bend = differentiate(slope, TIME)
     places = solve_polynomial(slope, TIME) or solve_trig(slope, TIME)
@@ -122,6 +159,8 @@ def least_values(margin: Formula, running: Running, beside: Beside) -> Iterator[
     doubtful = [place for place in places if may_be_least(margin, bend, place, beside)]
     if places and not doubtful:
         return
+    if not places and period is not None:
+        raise NotYet("where it is least has no closed form")
     for mark in zeros_between(slope, doubtful, period, running, beside):
         least = simplify(margin.substitute({TIME: mark}))
         if beside.signs.by_letters(least) != 1 and beside.side(bend.substitute({TIME: mark})) == 1:

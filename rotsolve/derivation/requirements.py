@@ -66,6 +66,10 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                 yield Check(objection(need, place, search, letters), False)
             elif sign == 0 and not event and not need.kind.closed and not demanded(need, place, search):
                 yield Check(verge_words(need, place, search, letters), None)
+    if search.signs.trials and any(pushes_vary(passage) for passage in search.scene.passages.values()):
+        from rotsolve.derivation.on_the_way import untold_pushes
+
+        yield from (Check(words, None) for need, words in untold_pushes(search) if concerns(need, search))
 
 
 def grips_by_what_nothing_tells(need: Requirement, search: Search) -> bool:
@@ -142,7 +146,7 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
 def pushes_vary(passage: Passage) -> bool:
     """Whether forces that may let go vary in a phase with the time or with a place."""
     varies = any(travel.pace in (TIME, POSITION) for travel in passage.travels)
-    return varies and any(not (need.kind.grips or need.kind.placed) for need in passage.midst.requirements)
+    return varies and any(not need.kind.placed for need in passage.midst.requirements)
 
 
 def passing(state: str, search: Search) -> bool:
