@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -42,34 +42,42 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
         for need in needs:
             event = place in search.scene.encounters
             at = place if event or need.kind.placed else search.scene.section(place)
-            key = (
-                need.owner,
-                need.otherwise,
-                at,
-                need.left - need.right,
-            )  # each part of a string has a tension of its own
+            # each part of a string has a tension of its own
+            key = (need.owner, need.otherwise, at, need.left - need.right)
             if key in told or not (concerns(need, search) or (event and asked_after(need, place, search))):
                 continue
-            settled, gap = margin_of(need, search, families_for(NEWTON))
-            sign = sign_of(gap, need, place, search, letters)
-            if sign is None and need.kind.grips and not event and grips_by_what_nothing_tells(need, search):
-                told.add(key)
-                yield Check((f"whether {spoken(need.owner)} slips: nothing tells how hard it is pressed",), None)
-            if sign is None:
-                continue
-            told.add(key)
-            words = holding_words(need, search, letters, settled) if sign > 0 else ()
-            if words and words[-1] not in spoken_of and len(spoken_of) < 3:
-                spoken_of.append(words[-1])
-                yield Check(words)
-            elif sign < 0:
-                yield Check(objection(need, place, search, letters), False)
-            elif sign == 0 and not event and not need.kind.closed and not demanded(need, place, search):
-                yield Check(verge_words(need, place, search, letters), None)
+            for sought in values_sought(search):
+                for check in met_or_not(need, place, search, letters, sought):
+                    told.add(key)
+                    if not check.holds:
+                        yield check
+                    elif check.words and check.words[-1] not in spoken_of and len(spoken_of) < 3:
+                        spoken_of.append(check.words[-1])
+                        yield check
     if search.signs.trials and any(pushes_vary(passage) for passage in search.scene.passages.values()):
         from rotsolve.derivation.on_the_way import untold_pushes
 
         yield from (Check(words, None) for need, words in untold_pushes(search) if concerns(need, search))
+
+
+def met_or_not(
+    need: Requirement, place: str, search: Search, letters: Letters, sought: Mapping[str, Formula]
+) -> Iterator[Check]:
+    """What is said of a requirement at a state or in an event; nothing where the laws do not tell its margin."""
+    event = place in search.scene.encounters
+    settled, gap = margin_of(need, search, families_for(NEWTON), sought)
+    sign = sign_of(gap, need, place, search, letters)
+    if sign is None:
+        if need.kind.grips and not event and grips_by_what_nothing_tells(need, search):
+            yield Check((f"whether {spoken(need.owner)} slips: nothing tells how hard it is pressed",), None)
+    elif sign > 0:
+        yield Check(holding_words(need, search, letters, settled))
+    elif sign < 0:
+        yield Check(objection(need, place, search, letters), False)
+    elif not event and not need.kind.closed and not demanded(need, place, search):
+        yield Check(verge_words(need, place, search, letters), None)
+    else:
+        yield Check(())
 
 
 def grips_by_what_nothing_tells(need: Requirement, search: Search) -> bool:
@@ -94,10 +102,11 @@ def sign_of(gap: Formula | None, need: Requirement, place: str, search: Search, 
     return sign
 
 
-def margin_of(need: Requirement, search: Search, laws: tuple[str, ...]) -> tuple[Settling, Formula | None]:
+def margin_of(
+    need: Requirement, search: Search, laws: tuple[str, ...], sought: Mapping[str, Formula]
+) -> tuple[Settling, Formula | None]:
     """What tells the letters of a requirement, and by how much it is met: what was found on the way, else some laws, else all."""
     gap = need.left - need.right
-    sought = values_sought(search)
 
     def told(value: Formula) -> Formula:
         return search.solver.with_found(value).substitute(sought)
@@ -112,10 +121,12 @@ def margin_of(need: Requirement, search: Search, laws: tuple[str, ...]) -> tuple
     return other.settled, None if settled is None else settled.substitute(sought)
 
 
-def values_sought(search: Search) -> dict[str, Formula]:
-    """What the answers make of letters that stand for any value in the laws, and for one in the question that seeks it: `x where N = P`."""
-    found = {letter: search.solver.solved.get(symbol) for letter, symbol in seeks(search).items() if symbol != letter}
-    return {letter: item.formula for letter, item in found.items() if item is not None and item.formula is not None}
+def values_sought(search: Search) -> Iterator[dict[str, Formula]]:
+    """What the answers make of letters that stand for any value in the laws, and for one in the question that seeks it: `x where N = P`;
+    once for each of several questions that seek one letter."""
+    for symbols in seeks(search):
+        found = {letter: search.solver.solved.get(symbol) for letter, symbol in symbols.items() if symbol != letter}
+        yield {name: item.formula for name, item in found.items() if item is not None and item.formula is not None}
 
 
 def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
@@ -297,11 +308,12 @@ def validity(search: Search) -> Validity:
     for _, needs in requirements_by_state(search):
         for need in needs:
             if concerns(need, search):
-                gap = margin_of(need, search, families_for(None))[1]
-                if gap is None:
-                    decided[f"whether {spoken(need.owner)} holds"] = None
-                elif by_letters.by_letters(gap) not in (0, 1):
-                    bounds[gap] = None
+                for sought in values_sought(search):
+                    gap = margin_of(need, search, families_for(None), sought)[1]
+                    if gap is None:
+                        decided[f"whether {spoken(need.owner)} holds"] = None
+                    elif by_letters.by_letters(gap) not in (0, 1):
+                        bounds[gap] = None
     if rubs(search.scene.configuration):
         decided[SLIPS] = None
     if any(step.reason for step in search.solver.steps):

@@ -28,24 +28,30 @@ class Bound(Struct, frozen=True):
     asked: Given
 
 
-def seeks(search: Search) -> dict[str, str]:
-    """The letters that questions settle, with the symbols of their answers: those that are asked for, and that of `x where …`."""
+def seeks(search: Search) -> Iterator[dict[str, str]]:
+    """The letters that questions settle, with the symbols of their answers: those that are asked for, and that of `x where …`; where
+    several questions seek one letter, once for each of these."""
     problem = search.scene.configuration.problem
     asked = {item.name: item.name for item in problem.givens if item.asked}
+    sought: dict[str, list[str]] = {}
     for find in problem.finds:
-        if find.seeks in search.givens:
-            asked.setdefault(find.seeks, asked_symbol(find.name))
-    return asked
+        if find.seeks in search.givens and find.seeks not in asked:
+            sought.setdefault(find.seeks, []).append(asked_symbol(find.name))
+    first = asked | {letter: symbols[0] for letter, symbols in sought.items()}
+    yield first
+    yield from (first | {letter: symbol} for letter, symbols in sought.items() for symbol in symbols[1:])
 
 
 def bounds_of_asked(search: Search) -> Iterator[Bound]:
     """Where the letters that questions settle have to lie."""
-    sought = seeks(search)
-    for limit in limits_of_scene(search.scene.configuration) if sought else ():
-        names = sorted(limit.gap.symbols() & sought.keys())
-        if names:
-            gap = limit.gap.substitute({name: Symbol(sought[name]) for name in names})
-            yield Bound(gap, limit, search.givens[names[0]])
+    limits: list[Limit] | None = None
+    for sought in seeks(search):
+        limits = list(limits_of_scene(search.scene.configuration)) if limits is None and sought else limits
+        for limit in limits or ():
+            names = sorted(limit.gap.symbols() & sought.keys())
+            if names:
+                gap = limit.gap.substitute({name: Symbol(sought[name]) for name in names})
+                yield Bound(gap, limit, search.givens[names[0]])
 
 
 def out_of_bounds(search: Search) -> Iterator[Impossible]:

@@ -119,3 +119,26 @@ def test_questions_that_seek_letters_of_each_other_stand_alone() -> None:
     solution = rotsolve.solve(scene)
     assert list(solution.answers) == ["t"]
     assert "of which this seeks one" in str(solution.refused["s"])
+
+
+PLACED = """
+title: Masses at a place of a rod with which it sets out as told
+given: {M: kg, m: kg, L: m, x: m, a: rad/s^2, b: rad/s^2}
+bodies: {rod: {shape: rod, mass: M, length: L}, load: {mass: m}}
+connections: {pin: {hinge: rod.start}, place: {weld: [rod.at(x), load]}}
+states: {start: {rod.angle: 0, at rest: all}}
+find:
+  m1: m where rod.angular_acceleration = -a at start
+  m2: m where rod.angular_acceleration = -b at start
+"""
+
+
+def test_each_of_two_questions_that_seek_one_letter_has_its_own_bounds() -> None:
+    """m = M L (2 L a − 3 g)/(6 x (g − x a)) is positive, for each of both."""
+    answers = rotsolve.solve(PLACED).answers
+    for a in (5.0, 16.0, 25.0):
+        for b in (4.0, 17.0, 26.0):
+            known = {"M": 1.0, "L": 1.0, "x": 0.5, "a": a, "b": b, "g": 9.8}
+            for name, rate in (("m1", a), ("m2", b)):
+                possible = (2 * rate - 3 * 9.8) / (6 * 0.5 * (9.8 - 0.5 * rate)) > 0
+                assert possible or holding(answers[name].answer, known) is None
