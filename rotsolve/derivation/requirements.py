@@ -47,13 +47,12 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
             if key in told or not (concerns(need, search) or (event and asked_after(need, place, search))):
                 continue
             for sought in values_sought(search):
-                for check in met_or_not(need, place, search, letters, sought):
+                for holds, words in met_or_not(need, place, search, letters, sought):
                     told.add(key)
-                    if not check.holds:
-                        yield check
-                    elif check.words and check.words[-1] not in spoken_of and len(spoken_of) < 3:
-                        spoken_of.append(check.words[-1])
-                        yield check
+                    if words and holds and (words[-1] in spoken_of or len(spoken_of) == 3):
+                        continue
+                    spoken_of += words[-1:] if holds else ()
+                    yield from [Check(words, holds)] if words else []
     if search.signs.trials and any(pushes_vary(passage) for passage in search.scene.passages.values()):
         from rotsolve.derivation.on_the_way import untold_pushes
 
@@ -62,22 +61,22 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
 
 def met_or_not(
     need: Requirement, place: str, search: Search, letters: Letters, sought: Mapping[str, Formula]
-) -> Iterator[Check]:
+) -> Iterator[tuple[bool | None, Words]]:
     """What is said of a requirement at a state or in an event; nothing where the laws do not tell its margin."""
     event = place in search.scene.encounters
     settled, gap = margin_of(need, search, families_for(NEWTON), sought)
     sign = sign_of(gap, need, place, search, letters)
     if sign is None:
         if need.kind.grips and not event and grips_by_what_nothing_tells(need, search):
-            yield Check((f"whether {spoken(need.owner)} slips: nothing tells how hard it is pressed",), None)
+            yield None, (f"whether {spoken(need.owner)} slips: nothing tells how hard it is pressed",)
     elif sign > 0:
-        yield Check(holding_words(need, search, letters, settled))
+        yield True, holding_words(need, search, letters, settled)
     elif sign < 0:
-        yield Check(objection(need, place, search, letters), False)
+        yield False, objection(need, place, search, letters)
     elif not event and not need.kind.closed and not demanded(need, place, search):
-        yield Check(verge_words(need, place, search, letters), None)
+        yield None, verge_words(need, place, search, letters)
     else:
-        yield Check(())
+        yield True, ()
 
 
 def grips_by_what_nothing_tells(need: Requirement, search: Search) -> bool:
