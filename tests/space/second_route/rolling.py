@@ -1,0 +1,117 @@
+"""What rolls, and what turns about one axis only: heavy points on their cycloids, equations of one speed followed in time."""
+
+from __future__ import annotations
+
+from math import sqrt
+from types import SimpleNamespace as Numbers
+from typing import Any
+
+import numpy as np
+
+from second_route.following import first_passage, followed
+from second_route.particles import Cloud, Motion, X, Y, Z, derivatives, disc, ring, root, tensor, turn
+from second_route.tops import least_sleeping_spin
+
+Answers = dict[str, Any]
+SIZE = np.linalg.norm
+
+
+def cycloids(body: Cloud, radius: float, speed: float) -> Motion:
+    """A wheel in the plane x-y that rolls along x: it turns clockwise."""
+    rate = speed / radius
+    return Motion(body, lambda t: speed * t * X + body.places @ turn(-Z, rate * t).T, rate)
+
+
+def disc_about_a_point_of_its_line(n: Numbers) -> Answers:
+    """Clockwise is positive."""
+    motion = cycloids(disc(n.M, n.R), n.R, n.v)
+    about_floor, about_centre = (-motion.angular_momentum(place)[2] for place in (-n.R * Y, 0 * X))
+    return {"L_0": about_floor, "L_r": about_centre, "L_t": about_floor - about_centre}
+
+
+def rolling_energies(n: Numbers) -> Answers:
+    def point(angle: Any) -> Any:
+        return derivatives(lambda t: n.v * t * X + turn(-Z, n.v / n.R * t) @ angle, n.R / n.v)
+
+    _, top, _ = point(n.R * Y)
+    _, _, inward = point(-n.R * Y)
+    wheels = {"K_d": disc(n.M, n.R), "K_h": ring(n.M, n.R)}
+    energies = {name: cycloids(body, n.R, n.v).kinetic_energy() for name, body in wheels.items()}
+    return {**energies, "v_t": SIZE(top), "a_c": SIZE(inward)}
+
+
+def rolls(body: Cloud, radius: float, gravity: float, state: Any) -> Any:
+    """ė and ω̇ of a wheel with the axis e that rolls on a table: L̇ = c × M (v̇ + g z), v = −ω × c, with c from the centre down to the contact."""
+    axis, omega = state[:3], state[3:]
+    moments = tensor(body)
+    more = moments[2, 2] - moments[0, 0]
+    change = np.cross(omega, axis)
+    steep = Z - axis[2] * axis
+    up, length = steep / np.sqrt(steep @ steep), np.sqrt(steep @ steep)
+    tipped = -change[2] * axis - axis[2] * change
+    contact, moved = -radius * up, -radius * (tipped - (up @ tipped) * up) / length
+    inertia = moments[0, 0] * np.eye(3) + more * np.outer(axis, axis)
+    inertia = inertia + body.mass * (contact @ contact * np.eye(3) - np.outer(contact, contact))
+    carried = more * ((omega @ change) * axis + (omega @ axis) * change)
+    push = np.cross(contact, body.mass * (gravity * Z - np.cross(omega, moved)))
+    return np.concatenate([change, np.linalg.solve(inertia, push - carried)])
+
+
+def least_upright_speed(n: Numbers, body: Cloud) -> float:
+    """λ² = tr J²/2 of the linearized equations of what rolls upright: all other eigenvalues are zero."""
+
+    def growth(speed: float) -> float:
+        upright, step = np.concatenate([Y, speed / n.R * Y]), 1e-30
+        columns = [np.imag(rolls(body, n.R, n.g, upright + 1j * step * unit)) / step for unit in np.eye(6)]
+        slopes = np.array(columns).T
+        return float(np.trace(slopes @ slopes)) / 2
+
+    guess = sqrt(n.g * n.R)
+    return root(growth, guess / 5, guess)
+
+
+def hoop_that_stays_upright(n: Numbers) -> Answers:
+    return {"v_h": least_upright_speed(n, ring(n.M, n.R))}
+
+
+def wheel_that_stays_upright(n: Numbers) -> Answers:
+    return {"v_d": least_upright_speed(n, disc(n.M, n.R))}
+
+
+def skater_pulls_in(n: Numbers) -> Answers:
+    """ω̇ = −İ ω/I, and the work −½ ω² İ that pulls inwards; d(I ω₀)/dt = İ ω₀ of the one that is held."""
+    fall = -(n.I0 - n.If) / n.T
+
+    def slope(time: float, state: Any) -> Any:
+        return np.array([-fall * state[0] / (n.I0 + fall * time), -fall * state[0] ** 2 / 2])
+
+    start = np.array([n.w0, 0.0])
+    (omega, _), (last, work) = (followed(slope, start, time, steps=10) for time in (n.t, n.T))
+    return {"w": omega, "w_f": last, "W": work, "tau": fall * n.w0}
+
+
+def slows(n: Numbers) -> Any:
+    return lambda _, state: -n.c / n.I3 * state
+
+
+def top_that_slows_down(n: Numbers) -> Answers:
+    omega = float(followed(slows(n), np.array([n.w3]), n.t, steps=4)[0])
+    return {"w": omega, "Omega": n.M * n.g * n.l / (n.I3 * omega)}
+
+
+def top_that_wakes_up(n: Numbers) -> Answers:
+    """Down to the spin at which the linearized equations of a sleeping top lose it."""
+    least = least_sleeping_spin(n)
+    time, _ = first_passage(slows(n), np.array([n.w3]), lambda _, state: float(state[0]) - least, 5.0)
+    return {"t_s": time}
+
+
+CALCULATIONS = {
+    "disc-about-a-point-of-its-line": disc_about_a_point_of_its_line,
+    "hoop-that-stays-upright": hoop_that_stays_upright,
+    "rolling-energies": rolling_energies,
+    "skater-pulls-in": skater_pulls_in,
+    "top-that-slows-down": top_that_slows_down,
+    "top-that-wakes-up": top_that_wakes_up,
+    "wheel-that-stays-upright": wheel_that_stays_upright,
+}

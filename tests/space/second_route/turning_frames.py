@@ -1,0 +1,157 @@
+"""Rotors and particles on what turns: their places in a frame at rest as functions of time, and Newton's second law there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, pi, sin
+from types import SimpleNamespace as Numbers
+from typing import Any
+
+import numpy as np
+
+from second_route.particles import (
+    Cloud,
+    Motion,
+    X,
+    Y,
+    Z,
+    derivatives,
+    disc,
+    ring,
+    rod,
+    turn,
+    two_bearings,
+    with_moments,
+)
+
+Answers = dict[str, Any]
+Attitude = Callable[[Any], Any]
+SIZE = np.linalg.norm
+
+
+def turns(attitude: Attitude, rate: float) -> tuple[Any, Any]:
+    """Angular velocity and angular acceleration: the antisymmetric matrices Ṙ Rᵀ and its derivative."""
+    value, first, second = derivatives(attitude, 1 / rate)
+    once, twice = first @ value.T, second @ value.T + first @ first.T
+    return tuple(np.array([item[2, 1], item[0, 2], item[1, 0]]) for item in (once, twice))  # type: ignore[return-value]
+
+
+def carried(cloud: Cloud, carrier: Any, rate: float, axis: Any, spin: float) -> Motion:
+    """A rotor about an axis through the origin of a frame that turns steadily itself."""
+    return Motion.about_origin(cloud, lambda t: turn(carrier, rate * t) @ turn(axis, spin * t), abs(rate) + abs(spin))
+
+
+def wheel(inertia: float, axis: Any) -> Cloud:
+    """A ring of this moment about an axis that lies along x or y."""
+    return ring(inertia, 1.0).turned(turn(Y, pi / 2) if axis is X else turn(X, pi / 2))
+
+
+def disc_askew_on_a_fork(n: Numbers) -> Answers:
+    axle = (cos(n.beta), 0, sin(n.beta))
+    omega, alpha = turns(lambda t: turn(Z, n.W * t) @ turn(axle, n.p * t), n.p)
+    return {"om": omega, "al": alpha}
+
+
+def fan_with_two_blades(n: Numbers) -> Answers:
+    motion = Motion.about_origin(rod(n.m, n.L), lambda t: turn(Z, n.W * t) @ turn(Y, n.psi + n.s * t), n.s)
+    return {"tau": motion.torque()}
+
+
+def propeller(n: Numbers) -> Answers:
+    return {"tau": carried(wheel(n.m * n.k**2, X), Z, n.v / n.r, X, n.n).torque()}
+
+
+def propeller_that_turns_two_ways(n: Numbers) -> Answers:
+    screw = wheel(n.I, X)
+    return {"tau_1": carried(screw, Z, n.W, X, n.s).torque(), "tau_2": carried(screw, -Y, n.Q, X, n.s).torque()}
+
+
+def turbine_of_a_ship(n: Numbers) -> Answers:
+    motion = carried(wheel(n.m * n.k**2, X), Z, n.W, X, n.n)
+    _, fore = two_bearings(motion.force(), motion.torque(), X, -n.b / 2, n.b / 2)
+    return {"tau": motion.torque(), "F": SIZE(fore)}
+
+
+def train_on_a_curve(n: Numbers) -> Answers:
+    """To the left of x lies y: what rolls along x turns about it."""
+    motion = carried(wheel(n.I, Y), Z, n.v / n.r, Y, n.v / n.R)
+    left, right = two_bearings(0 * X, motion.torque(), Y, n.b / 2, -n.b / 2)
+    assert np.allclose(left, -right)
+    return {"tau": motion.torque(), "N": SIZE(left)}
+
+
+def rotor_in_a_turning_frame(n: Numbers) -> Answers:
+    body, end, field = disc(n.m, n.r).turned(turn(Y, pi / 2)), n.b * X, -n.g * Z
+
+    def places(t: Any) -> Any:
+        fork = turn(Z, n.W * t)
+        return (end + body.places @ turn(X, n.p * t).T) @ fork.T
+
+    motion = Motion(body, places, n.p)
+    return {"M": motion.torque(field, about=end), "F": motion.force(field)}
+
+
+def axis_brought_level(n: Numbers) -> Answers:
+    """L = J ω e, and the axis e goes evenly from z to x."""
+    rate = pi / 2 / n.T
+
+    def axis(t: Any) -> Any:
+        return np.sin(rate * t) * X + np.cos(rate * t) * Z
+
+    change = n.J * n.omega * (axis(n.T) - axis(0.0))
+    _, swing, _ = derivatives(lambda t: axis(n.theta / rate + t), 1 / rate)
+    sizes = {"dL": SIZE(change), "tau": SIZE(change) / n.T, "Omega": SIZE(swing), "tau_t": n.J * n.omega * SIZE(swing)}
+    return {"tau_m": change / n.T, **sizes}
+
+
+def wheel_in_body_axes(n: Numbers) -> Answers:
+    def attitude(t: Any) -> Any:
+        return turn(Z, n.Omega * t) @ turn(X, pi / 2) @ turn(Z, n.psi + n.s * t)
+
+    body, now = with_moments(1.0, n.I1, n.I1, n.I3), attitude(0.0)
+    torque = Motion.about_origin(body, attitude, n.s).torque()
+    return {"w": now.T @ turns(attitude, n.s)[0], "tau": now.T @ torque, "tau_0": SIZE(torque)}
+
+
+def particle_on_a_turntable(n: Numbers) -> Answers:
+    """Real forces of four particles: on it, at rest on it, at rest while it turns steadily, and while it starts."""
+
+    def force(speed: float, rate: float, growth: float) -> Any:
+        def place(t: Any) -> Any:
+            return turn(Z, rate * t + growth * t * t / 2) @ ((n.r + speed * t) * X)
+
+        return n.m * derivatives(place, 1 / n.w)[2]
+
+    whole, rest = force(n.vr, n.w, n.alpha), force(0, n.w, n.alpha)
+    parts = {"F_c": force(0, n.w, 0), "F_e": force(0, 0, n.alpha), "F_cor": whole - rest, "F_0": rest}
+    return {"F": whole, **{name: SIZE(part) for name, part in parts.items()}}
+
+
+def train_that_runs_north(n: Numbers) -> Answers:
+    """What is left of the acceleration when that of the train on an earth at rest, and that of a house, are taken off."""
+
+    def acceleration(rate: float, speed: float) -> Any:
+        def place(t: Any) -> Any:
+            latitude = getattr(n, "lambda") + speed * t / n.R
+            return turn(Z, rate * t) @ (n.R * (np.cos(latitude) * X + np.sin(latitude) * Z))
+
+        return derivatives(place, 1 / n.W)[2]
+
+    whole = acceleration(n.W, n.v)
+    coriolis = -n.m * (whole - acceleration(0, n.v) - acceleration(n.W, 0))
+    return {"F": coriolis, "S": n.m * whole[1]}
+
+
+CALCULATIONS = {
+    "axis-brought-level": axis_brought_level,
+    "disc-askew-on-a-fork": disc_askew_on_a_fork,
+    "fan-with-two-blades": fan_with_two_blades,
+    "particle-on-a-turntable": particle_on_a_turntable,
+    "propeller": propeller,
+    "propeller-that-turns-two-ways": propeller_that_turns_two_ways,
+    "rotor-in-a-turning-frame": rotor_in_a_turning_frame,
+    "train-on-a-curve": train_on_a_curve,
+    "train-that-runs-north": train_that_runs_north,
+    "turbine-of-a-ship": turbine_of_a_ship,
+    "wheel-in-body-axes": wheel_in_body_axes,
+}
