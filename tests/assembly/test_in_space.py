@@ -19,16 +19,12 @@ from rotsolve.core.quantity import DIRECTED
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_text
 from rotsolve.space.complete import configured_in_space
+from second_route.by_hand import UNCONFIRMED
 
 ROOT = Path(__file__).resolve().parents[2]
 IN_SPACE = [
     path for path in sorted((ROOT / "problems").rglob("*.yaml")) if "\nup: z" in path.read_text(encoding="utf-8")
 ]
-NOT_CONFIRMED = {
-    "gyroscope-by-fast-spin": {"Omega"},  # an approximation
-    "pole-of-the-earth-in-time": {"T_w"},  # periods of a motion that takes too long to be followed
-    "wing-nut": {"flip"},
-}
 NO_SENSE = {"cube-corner": {"e"}}  # a principal axis points both ways
 G = 9.8
 
@@ -334,7 +330,7 @@ def test_axes_along_z_are_as_in_the_plane(case: tuple[str, str, str, dict[str, s
 @pytest.mark.parametrize("path", IN_SPACE, ids=lambda path: path.stem)
 def test_bundled_problems_are_confirmed(path: Path) -> None:
     verdicts = solve(str(path)).derivation.confirmed
-    assert {item.name for item in verdicts if item.holds is not True} == NOT_CONFIRMED.get(path.stem, set())
+    assert {item.name for item in verdicts if item.holds is not True} == set(UNCONFIRMED.get(path.stem, ()))
 
 
 CHANGES = {"larger": 1.0002, "of the other sense": -1.0}

@@ -8,11 +8,19 @@ from typing import Any
 import mpmath
 import numpy as np
 
+from second_route.particles import root
+
 Array = Any
 Slope = Callable[[float, Array], Array]
 LEVELS = 9  # halves of steps: errors of the order (H/…)^18
 DIGITS = 30
 ORDER = 30
+
+
+def cross(one: Array, other: Array) -> Array:
+    """Of two vectors; NumPy's own is slow for two."""
+    (a, b, c), (d, e, f) = one, other
+    return np.array([b * f - c * e, c * d - a * f, a * e - b * d])
 
 
 def midpoint(slope: Slope, time: float, state: Array, step: float, parts: int) -> Array:
@@ -29,9 +37,8 @@ def stepped(slope: Slope, time: float, state: Array, step: float) -> Array:
     counts = [2 * (k + 1) for k in range(LEVELS)]
     row = [midpoint(slope, time, state, step, parts) for parts in counts]
     for level in range(1, LEVELS):
-        row = [
-            row[k + 1] + (row[k + 1] - row[k]) / ((counts[k + level] / counts[k]) ** 2 - 1) for k in range(len(row) - 1)
-        ]
+        ratios = [(counts[k + level] / counts[k]) ** 2 for k in range(len(row) - 1)]
+        row = [row[k + 1] + (row[k + 1] - row[k]) / (ratio - 1) for k, ratio in enumerate(ratios)]
     return row[0]
 
 
@@ -43,17 +50,13 @@ def followed(slope: Slope, state: Array, until: float, steps: int) -> Array:
     return state
 
 
-def first_passage(slope: Slope, state: Array, sign: Callable[[float, Array], float], step: float) -> tuple[float, Array]:
-    """When, and how, a quantity first changes its sign after the first step; no two changes may lie within a step."""
+def first_passage(slope: Slope, state: Array, height: Callable[[Array], float], step: float) -> tuple[float, Array]:
+    """When, and how, a height of the state first passes zero after the first step; no two passages may lie within a step."""
     time, state = step, stepped(slope, 0.0, state, step)
-    before = sign(time, state) > 0
-    while (sign(time + step, after := stepped(slope, time, state, step)) > 0) == before:
+    while (height(state) > 0) == (height(after := stepped(slope, time, state, step)) > 0):
         time, state = time + step, after
-    low, high = 0.0, step
-    while low < (middle := (low + high) / 2) < high:
-        same = (sign(time + middle, stepped(slope, time, state, middle)) > 0) == before
-        low, high = (middle, high) if same else (low, middle)
-    return time + low, stepped(slope, time, state, low)
+    part = root(lambda part: height(stepped(slope, time, state, part)), 0.0, step)
+    return time + part, stepped(slope, time, state, part)
 
 
 def euler_series(moments: list[Any], omega: list[Any]) -> list[list[Any]]:
@@ -62,9 +65,7 @@ def euler_series(moments: list[Any], omega: list[Any]) -> list[list[Any]]:
     shares = ((b - c) / a, (c - a) / b, (a - b) / c)
     rows = [[start] for start in omega]
     for n in range(ORDER):
-        for k, more in enumerate(
-            [shares[k] * sum(rows[k - 2][j] * rows[k - 1][n - j] for j in range(n + 1)) / (n + 1) for k in range(3)]
-        ):
+        for k, more in enumerate([shares[k] * mpmath.fdot(rows[k - 2], rows[k - 1][::-1]) / (n + 1) for k in range(3)]):
             rows[k].append(more)
     return rows
 
@@ -92,18 +93,19 @@ class FreeRotation:
                 left -= step
             return np.array([float(item) for item in omega])
 
-    def passages(self, component: int, count: int) -> tuple[float, Array]:
-        """When a component passes zero for the `count`-th time after the start, and ω then."""
+    def passages(self, component: int, count: int) -> list[tuple[float, Array]]:
+        """When a component passes zero after the start, and ω then, as many times as are asked for."""
+        found: list[tuple[float, Array]] = []
         with mpmath.workdps(DIGITS):
-            time, omega, left = mpmath.mpf(0), self.start, count
-            while True:
+            time, omega = mpmath.mpf(0), self.start
+            while len(found) < count:
                 rows = euler_series(self.moments, omega)
                 after = at_time(rows, self.step)
                 if omega[component] * after[component] < 0:
-                    left -= 1
-                    if not left:
-                        inside = mpmath.findroot(
-                            lambda t, rows=rows: mpmath.polyval(rows[component][::-1], t), (0, self.step), solver="anderson"
-                        )
-                        return float(time + inside), np.array([float(item) for item in at_time(rows, inside)])
+                    series = rows[component][::-1]
+                    part = mpmath.findroot(
+                        lambda t, row=series: mpmath.polyval(row, t), (0, self.step), solver="anderson"
+                    )
+                    found.append((float(time + part), np.array([float(item) for item in at_time(rows, part)])))
                 time, omega = time + self.step, after
+        return found

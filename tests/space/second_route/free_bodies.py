@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from second_route.following import FreeRotation, first_passage, followed
+from second_route.following import FreeRotation, cross, first_passage, followed
 from second_route.particles import (
     Cloud,
     X,
@@ -31,7 +31,7 @@ DAY = 86400.0
 
 def spin_change(inertia: Any, omega: Any) -> Any:
     """ω̇ in the body's axes of a body whose angular momentum stays in space."""
-    return np.linalg.solve(inertia, np.cross(inertia @ omega, omega))
+    return np.linalg.solve(inertia, cross(inertia @ omega, omega))
 
 
 def growth(inertia: Any, omega: Any) -> float:
@@ -155,8 +155,7 @@ def tennis_racket(n: Numbers) -> Answers:
     """ω₃ is zero at first, then when it has turned over, then when it is as it was."""
     moments, start = [n.I1, n.I2, n.I3], [n.w1, n.w2, 0.0]
     found = wobble(moments, start, "w", n.T)
-    half, over = FreeRotation(moments, start).passages(2, 1)
-    whole, back = FreeRotation(moments, start).passages(2, 2)
+    (half, over), (whole, back) = FreeRotation(moments, start).passages(2, count=2)
     assert np.allclose(over, [n.w1, -n.w2, 0]) and np.allclose(back, start)
     return {"w_1T": found["w_1T"], "w_3T": found["w_3T"], "T_r": whole, "flip": half}
 
@@ -164,7 +163,7 @@ def tennis_racket(n: Numbers) -> Answers:
 def wing_nut(n: Numbers) -> Answers:
     """ω₁ is zero at first, and when it has turned over."""
     moments, start = [n.I1, n.I2, n.I3], [0.0, n.w2, n.w3]
-    half, over = FreeRotation(moments, start).passages(0, 1)
+    ((half, over),) = FreeRotation(moments, start).passages(0, count=1)
     assert np.allclose(over, [0, -n.w2, n.w3])
     return {**wobble(moments, start, "w", n.T), "flip": half}
 
@@ -185,8 +184,8 @@ def pole_of_the_earth_in_time(n: Numbers) -> Answers:
         return spin_change(inertia, omega)
 
     later = n.w3 * followed(slope, start, n.T * n.w3, steps=10)
-    half, over = first_passage(slope, start, lambda _, omega: float(omega[1]), 0.3 / n.e)
-    rest, _ = first_passage(slope, over, lambda _, omega: float(omega[1]), 0.3 / n.e)
+    half, over = first_passage(slope, start, lambda omega: float(omega[1]), 0.3 / n.e)
+    rest, _ = first_passage(slope, over, lambda omega: float(omega[1]), 0.3 / n.e)
     return {"w": later, "T_w": (half + rest) / n.w3 / DAY}
 
 

@@ -52,13 +52,10 @@ def letters(file: Path) -> list[str]:
     return [name for name in whole if name not in givens(file) and whole[name] != "unknown"]
 
 
-def others(file: Path, kept: set[str], seed: int) -> dict[str, tuple[float, str]]:
-    """The givens near their own numbers; `kept` stay as they are."""
+def near(file: Path, seed: int) -> dict[str, tuple[float, str]]:
+    """The givens by up to `NEAR` of their own numbers away from these."""
     chance = random.Random(f"{file.stem} {seed}")
-    return {
-        name: (number if name in kept else round(number * chance.uniform(1 - NEAR, 1 + NEAR), 12 if abs(number) > 1e-3 else 60), unit)
-        for name, (number, unit) in givens(file).items()
-    }
+    return {name: (number * chance.uniform(1 - NEAR, 1 + NEAR), unit) for name, (number, unit) in givens(file).items()}
 
 
 def in_si(file: Path, numbers: dict[str, tuple[float, str]]) -> dict[str, float]:

@@ -1,7 +1,8 @@
 """Rigid bodies as heavy points, and Newton's second law for each of them: no tensor, no Euler equation, no axes that turn.
 
-A body is stood for by a few heavy points that have its mass, its centre and all its second moments: Gauss's nodes carry out the integrals of
-polynomials exactly. Where points are is told as a function of time, and velocities and accelerations are taken from that by Cauchy's integral.
+A body is stood for by a few heavy points that have its mass, its centre and all its second moments: Gauss's nodes carry out
+integrals of polynomials exactly. Where points are is told as a function of time, and velocities and accelerations are taken from
+that by Cauchy's integral.
 """
 
 from __future__ import annotations
@@ -169,7 +170,9 @@ def momenta(cloud: Cloud) -> Array:
     """The matrix from velocity of the origin and angular velocity to momentum and angular momentum about the origin."""
     columns = []
     for k in range(6):
-        velocities = np.tile(np.eye(3)[k], (len(cloud.masses), 1)) if k < 3 else np.cross(np.eye(3)[k - 3], cloud.places)
+        velocities = (
+            np.tile(np.eye(3)[k], (len(cloud.masses), 1)) if k < 3 else np.cross(np.eye(3)[k - 3], cloud.places)
+        )
         columns.append([*(cloud.masses @ velocities), *(cloud.masses @ np.cross(cloud.places, velocities))])
     return np.array(columns).T
 
@@ -193,9 +196,15 @@ def degrees_between(one: Array, other: Array) -> float:
 
 
 def root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function changes its sign: halving to the last digit."""
-    below = function(low) > 0
-    assert below != (function(high) > 0)
-    while low < (middle := (low + high) / 2) < high:
-        low, high = (middle, high) if (function(middle) > 0) == below else (low, middle)
-    return low
+    """Where a function changes its sign, to the last digits: chords, of which the end that stays counts half (Illinois)."""
+    below, above = function(low), function(high)
+    assert (below > 0) != (above > 0)
+    last, found = low, high
+    while abs(found - last) > 1e-15 * abs(found):
+        last, found = found, (low * above - high * below) / (above - below)
+        value = function(found)
+        if (value > 0) == (above > 0):
+            high, above, below = found, value, below / 2
+        else:
+            low, below, above = found, value, above / 2
+    return found

@@ -41,7 +41,7 @@ def rolling_energies(n: Numbers) -> Answers:
 
 
 def rolls(body: Cloud, radius: float, gravity: float, state: Any) -> Any:
-    """ė and ω̇ of a wheel with the axis e that rolls on a table: L̇ = c × M (v̇ + g z), v = −ω × c, with c from the centre down to the contact."""
+    """ė and ω̇ of a wheel with the axis e that rolls on a table: L̇ = c × M (v̇ + g z), v = −ω × c; c from the centre to the contact."""
     axis, omega = state[:3], state[3:]
     moments = tensor(body)
     more = moments[2, 2] - moments[0, 0]
@@ -102,7 +102,7 @@ def top_that_slows_down(n: Numbers) -> Answers:
 def top_that_wakes_up(n: Numbers) -> Answers:
     """Down to the spin at which the linearized equations of a sleeping top lose it."""
     least = least_sleeping_spin(n)
-    time, _ = first_passage(slows(n), np.array([n.w3]), lambda _, state: float(state[0]) - least, 5.0)
+    time, _ = first_passage(slows(n), np.array([n.w3]), lambda state: float(state[0]) - least, 5.0)
     return {"t_s": time}
 
 

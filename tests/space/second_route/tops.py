@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from second_route.following import first_passage, followed
+from second_route.following import cross, first_passage, followed
 from second_route.particles import (
     Cloud,
     Motion,
@@ -112,7 +112,7 @@ def nods(n: Numbers) -> Callable[[float, Any], Any]:
 
     def slope(_: float, state: Any) -> Any:
         axis, momentum = state[:3], state[3:]
-        return np.concatenate([np.cross(momentum, axis) / n.I1, np.cross(n.l * axis, -n.M * n.g * Z)])
+        return np.concatenate([cross(momentum, axis) / n.I1, cross(n.l * axis, -n.M * n.g * Z)])
 
     return slope
 
@@ -123,7 +123,7 @@ def let_go(n: Numbers, tilt: float, spin: float) -> Answers:
     axis = sin(tilt) * -Y + cos(tilt) * Z
     start = np.concatenate([axis, n.I3 * spin * axis])
     step = n.I1 / (n.I3 * spin) / 2  # a twelfth of a nod
-    _, end = first_passage(slope, start, lambda time, state: float(slope(time, state)[2]), step)
+    _, end = first_passage(slope, start, lambda state: float(slope(0.0, state)[2]), step)
     axis, change = end[:3], slope(0.0, end)[:3]
     rate = np.cross(axis, change)[2] / (axis[0] ** 2 + axis[1] ** 2)
     return {"theta_1": np.degrees(np.arctan2(np.hypot(axis[0], axis[1]), axis[2])), "Omega": rate}
@@ -141,7 +141,7 @@ def gyroscope_in_time(n: Numbers) -> Answers:
     """Begun as the steady motion needs; N = M (a + g) from the second derivative of the axis."""
     (rate,) = precessions(lambda rate: lacking(whole_top(n), pi / 2, n.s, rate, n.g), 1.0)
     slope, start = nods(n), np.concatenate([-Y, n.I1 * rate * Z - n.I3 * n.s * Y])
-    end = followed(slope, start, n.T, steps=60)
+    end = followed(slope, start, n.T, steps=30)
     axis, momentum, change = end[:3], end[3:], slope(0.0, end)
     second = (np.cross(change[3:], axis) + np.cross(momentum, change[:3])) / n.I1
     return {"phi": np.arctan2(axis[0], -axis[1]), "e": axis, "N": n.M * (n.l * second + n.g * Z)}
@@ -151,11 +151,11 @@ def gyroscope_by_fast_spin(n: Numbers) -> Answers:
     """Without L across the axis: I₃ ω₃ ė = l e × (−M g z) goes once round in a time that is followed."""
 
     def slope(_: float, axis: Any) -> Any:
-        return np.cross(n.l * axis, -n.M * n.g * Z) / (n.I3 * n.w3)
+        return cross(n.l * axis, -n.M * n.g * Z) / (n.I3 * n.w3)
 
     start = sin(n.theta) * -Y + cos(n.theta) * Z
-    half, over = first_passage(slope, start, lambda _, axis: float(axis[0]), 0.1)
-    rest, _ = first_passage(slope, over, lambda _, axis: float(axis[0]), 0.1)
+    half, over = first_passage(slope, start, lambda axis: float(axis[0]), 0.1)
+    rest, _ = first_passage(slope, over, lambda axis: float(axis[0]), 0.1)
     return {"Omega": 2 * pi / (half + rest)}
 
 
@@ -185,8 +185,8 @@ def kowalevskaya_top(n: Numbers) -> Answers:
 
     def slope(_: float, state: Any) -> Any:
         omega, upward = state[:3], state[3:]
-        twist = np.cross(inertia @ omega, omega) - np.cross(n.W * X, upward)
-        return np.concatenate([np.linalg.solve(inertia, twist), np.cross(upward, omega)])
+        twist = cross(inertia @ omega, omega) - cross(n.W * X, upward)
+        return np.concatenate([np.linalg.solve(inertia, twist), cross(upward, omega)])
 
     end = followed(slope, np.array([n.w1, n.w2, n.w3, n.n1, n.n2, n.n3]), 1.0, steps=20)
     omega, upward = end[:3], end[3:]
