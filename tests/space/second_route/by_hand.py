@@ -1,14 +1,28 @@
-"""Answers that the assembly does not confirm, with the reason, and a closed form of each, worked out by hand from conserved quantities."""
+"""Answers that the assembly does not confirm, with the reason, and a closed form of each, worked out by hand."""
 
 from __future__ import annotations
 
-from math import cos, pi, sqrt
+from collections.abc import Callable
+from math import atan2, cos, pi, sqrt
 from types import SimpleNamespace as Numbers
+from typing import Any
+
+import numpy as np
 
 DAY = 86400.0
 TOO_LONG = "the way to its state is too long to be followed"
 CHANGES = "`skater` changes on the way"
+TENSOR = "inertia tensor of a body"
+IN_SPACE = "an angular momentum in space, or that of a part"
+ABOUT_CENTRES = ["box", "cube", "cylinder", "ellipsoid", "hollow-sphere", "lamina", "solid-sphere", "tube"]
 UNCONFIRMED = {  # by problem and answer, in the words of the assembly
+    **{f"tensor-{name}": {"I_tensor": TENSOR} for name in ABOUT_CENTRES},  # of scenes in the plane
+    "box-about-a-point": {"I_A": TENSOR},
+    "two-spheres-tensor": {"x_com": "cm of a body", "I_tensor": TENSOR},
+    "particle-off-the-plane": {
+        "L": "its parts are not known to the assembly",
+        **dict.fromkeys(("L_perp", "angle_to_omega"), IN_SPACE),
+    },
     "gyroscope-by-fast-spin": {"Omega": "the scene asks for an approximation"},
     "pole-of-the-earth-in-time": {"T_w": TOO_LONG},
     "skater-pulls-in": dict.fromkeys(("w", "w_f", "W", "tau"), CHANGES),
@@ -68,10 +82,58 @@ def wing_nut(n: Numbers) -> dict[str, float]:
     return {"flip": there_and_back((n.I3, n.I2, n.I1), n.w2, n.w3) / 2}
 
 
-CLOSED_FORMS = {
+def box(mass: float, a: float, b: float, c: float) -> Any:
+    return np.diag([b * b + c * c, a * a + c * c, a * a + b * b]) * mass / 12
+
+
+def round_(mass: float, across: float, along: float, radius: float, length: float) -> Any:
+    """Of what is round about z: m (share R² + h²/12) across, m share R² along."""
+    level = across * radius**2 + length**2 / 12
+    return np.diag([level, level, along * radius**2]) * mass
+
+
+def parallel(mass: float, at: list[float]) -> Any:
+    """What the theorem of parallel axes adds."""
+    return mass * (np.dot(at, at) * np.eye(3) - np.outer(at, at))
+
+
+def box_about_a_point(n: Numbers) -> dict[str, Any]:
+    return {"I_A": box(n.m, n.w, n.h, n.d) + parallel(n.m, [n.xs, n.ys, n.zs])}
+
+
+def two_spheres_tensor(n: Numbers) -> dict[str, Any]:
+    """By the reduced mass."""
+    own, reduced = 0.4 * (n.m1 * n.r1**2 + n.m2 * n.r2**2), n.m1 * n.m2 / (n.m1 + n.m2)
+    tensor = own * np.eye(3) + parallel(reduced, [n.x2 - n.x1, 0, 0])
+    return {"x_com": n.x1 + n.m2 / (n.m1 + n.m2) * (n.x2 - n.x1), "I_tensor": tensor}
+
+
+def particle_off_the_plane(n: Numbers) -> dict[str, Any]:
+    """p = m r ω along y."""
+    momentum = n.m * n.r * n.omega
+    parts = np.array([-n.z * momentum, 0, n.r * momentum])
+    return {"L": parts, "L_perp": n.z * momentum, "angle_to_omega": atan2(n.z, n.r)}
+
+
+def of_centre(tensor: Callable[[Numbers], Any]) -> Callable[[Numbers], dict[str, Any]]:
+    return lambda n: {"I_tensor": tensor(n)}
+
+
+CLOSED_FORMS: dict[str, Callable[[Numbers], dict[str, Any]]] = {
+    "box-about-a-point": box_about_a_point,
     "gyroscope-by-fast-spin": gyroscope_by_fast_spin,
     "pole-of-the-earth-in-time": pole_of_the_earth_in_time,
+    "particle-off-the-plane": particle_off_the_plane,
     "skater-pulls-in": skater_pulls_in,
     "tennis-racket": tennis_racket,
+    "tensor-box": of_centre(lambda n: box(n.m, n.w, n.h, n.d)),
+    "tensor-cube": of_centre(lambda n: box(n.M, n.a, n.a, n.a)),
+    "tensor-cylinder": of_centre(lambda n: round_(n.m, 1 / 4, 1 / 2, n.r, n.h)),
+    "tensor-ellipsoid": of_centre(lambda n: box(12 / 5 * n.m, n.a, n.b, n.c)),  # ⟨x²⟩ = a²/5 instead of a²/12
+    "tensor-hollow-sphere": of_centre(lambda n: round_(n.m, 2 / 3, 2 / 3, n.r, 0)),
+    "tensor-lamina": of_centre(lambda n: box(n.M, n.a, n.b, 0)),
+    "tensor-solid-sphere": of_centre(lambda n: round_(n.m, 2 / 5, 2 / 5, n.r, 0)),
+    "tensor-tube": of_centre(lambda n: round_(n.m, 1 / 2, 1, n.r, n.h)),
+    "two-spheres-tensor": two_spheres_tensor,
     "wing-nut": wing_nut,
 }

@@ -99,6 +99,25 @@ def cone(mass: float, radius: float, height: float) -> Cloud:
     return together(*(disc(mass * 1.5 * w * d * d, radius * d).moved(-height * d * Z) for d, w in slices))
 
 
+def tube(mass: float, radius: float, length: float) -> Cloud:
+    places, shares = evenly(length)
+    return together(*(ring(mass * share, radius).moved(z * Z) for z, share in zip(places, shares, strict=True)))
+
+
+def sphere(mass: float, radius: float) -> Cloud:
+    """A thin one: rings, of which each has the share dz/(2 R) of the mass."""
+    heights, shares = evenly(2 * radius)
+    rings = zip(heights, shares, strict=True)
+    return together(*(ring(mass * share, np.sqrt(radius**2 - z * z)).moved(z * Z) for z, share in rings))
+
+
+def ball(mass: float, radius: float) -> Cloud:
+    """A solid sphere: thin ones, of which each has the share 3 r² dr/R³ of the mass."""
+    nodes, weights = np.polynomial.legendre.leggauss(3)
+    radii = (1 + nodes) / 2
+    return together(*(sphere(mass * 1.5 * w * r * r, radius * r) for r, w in zip(radii, weights, strict=True)))
+
+
 def with_moments(mass: float, first: float, second: float, third: float) -> Cloud:
     """Six points on the axes x, y and z that have these principal moments."""
     half = (first + second + third) / 2

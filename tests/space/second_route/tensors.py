@@ -2,14 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from types import SimpleNamespace as Numbers
 from typing import Any
 
 import numpy as np
 
-from second_route.particles import X, Y, Z, cone, cuboid, moment, points, rectangle, tensor, turn
+from second_route.particles import (
+    Cloud,
+    X,
+    Y,
+    Z,
+    ball,
+    cone,
+    cuboid,
+    cylinder,
+    degrees_between,
+    moment,
+    points,
+    rectangle,
+    sphere,
+    tensor,
+    together,
+    tube,
+    turn,
+)
 
 Answers = dict[str, Any]
+Calculation = Callable[[Numbers], Answers]
 
 
 def box_about_its_diagonal(n: Numbers) -> Answers:
@@ -66,13 +86,42 @@ def kinetic_energy_of_a_cube(n: Numbers) -> Answers:
     }
 
 
-CALCULATIONS = {
+def of_one(build: Callable[[Numbers], Cloud], name: str = "I_tensor") -> Calculation:
+    """The tensor of a body about the origin."""
+    return lambda n: {name: tensor(build(n))}
+
+
+def two_spheres_tensor(n: Numbers) -> Answers:
+    both = together(ball(n.m1, n.r1).moved(n.x1 * X), ball(n.m2, n.r2).moved(n.x2 * X))
+    centre = both.masses @ both.places / both.mass
+    return {"x_com": centre[0], "I_tensor": tensor(both.moved(-centre))}
+
+
+def particle_off_the_plane(n: Numbers) -> Answers:
+    bead = points((n.m, n.r * X + n.z * Z))
+    momentum = tensor(bead) @ (n.omega * Z)
+    angle = np.radians(degrees_between(momentum, Z))
+    return {"L": momentum, "L_axis": momentum[2], "L_perp": abs(momentum[0]), "angle_to_omega": angle}
+
+
+CALCULATIONS: dict[str, Calculation] = {
+    "box-about-a-point": of_one(lambda n: cuboid(n.m, n.w, n.h, n.d).moved(np.array([n.xs, n.ys, n.zs])), "I_A"),
     "box-about-its-diagonal": box_about_its_diagonal,
     "box-turned": box_turned,
     "cone-about-its-tip": cone_about_its_tip,
     "cube-corner": cube_corner,
     "kinetic-energy-of-a-cube": kinetic_energy_of_a_cube,
+    "particle-off-the-plane": particle_off_the_plane,
     "plate-about-a-corner": plate_about_a_corner,
     "rigid-rotator": rigid_rotator,
+    "tensor-box": of_one(lambda n: cuboid(n.m, n.w, n.h, n.d)),
+    "tensor-cube": of_one(lambda n: cuboid(n.M, n.a, n.a, n.a)),
+    "tensor-cylinder": of_one(lambda n: cylinder(n.m, n.r, n.h)),
+    "tensor-ellipsoid": of_one(lambda n: Cloud(ball(n.m, 1.0).masses, ball(n.m, 1.0).places * [n.a, n.b, n.c])),
+    "tensor-hollow-sphere": of_one(lambda n: sphere(n.m, n.r)),
+    "tensor-lamina": of_one(lambda n: rectangle(n.M, n.a, n.b)),
+    "tensor-solid-sphere": of_one(lambda n: ball(n.m, n.r)),
+    "tensor-tube": of_one(lambda n: tube(n.m, n.r, n.h)),
     "three-masses-tensor": three_masses_tensor,
+    "two-spheres-tensor": two_spheres_tensor,
 }
