@@ -13,7 +13,7 @@ from rotsolve.algebra.units.dimension import is_positive
 from rotsolve.arrays import NotForMany, checked, in_its_unit, program, single_answers
 from rotsolve.arrays.balls import ball_results
 from rotsolve.arrays.floats import float_results
-from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.symbols import TIME
 
 if TYPE_CHECKING:
@@ -34,16 +34,17 @@ def evaluate_by_cases(
     shape = np.broadcast_shapes(*(item.shape for item in inputs.values()))
     columns = {name: np.broadcast_to(item, shape).reshape(-1) for name, item in inputs.items()}
     limits = [limit for limit in valid.limits if limit.symbols() <= values.keys()]
-    left, found = within(limits, columns, known), dict[str, list[Any]]()
+    left, found, reason = within(limits, columns, known), dict[str, list[Any]](), ""
     for _ in range(MOST):
         if not left.any():
             break
         first = int(np.argmax(left))
-        point = {name: Number(Fraction(float(column[first]))) for name, column in columns.items() if name != TIME}
+        own = {name: repr(float(column[first])) for name, column in columns.items() if name != TIME}
+        point = {name: Number(Fraction(text)) for name, text in own.items()}  # 0.6 as it is typed: 0.6² + 0.8² = 1
         try:
             solution, signs = solve(point)
-        except (Unsolvable, SceneError):
-            left[first] = False
+        except (Unsolvable, SceneError) as error:
+            left[first], reason = False, reason or f": {first_fault(error).message}"
             continue
         here = np.zeros_like(left)
         here[left] = within(sides_of(signs), {name: column[left] for name, column in columns.items()}, known)
@@ -58,12 +59,16 @@ def evaluate_by_cases(
         for name, result in zip(forms, results, strict=True):
             parts = result if certified else (result,)
             whole = found.setdefault(name, [np.full(left.shape, np.nan) for _ in parts])
-            for own, part in zip(whole, parts, strict=True):
-                own[here] = part
+            for all_sets, part in zip(whole, parts, strict=True):
+                all_sets[here] = part
     if not found:
-        raise NotForMany("none of the sets has an answer")
+        raise NotForMany(f"none of the sets has an answer{reason}")
     told = {name: tuple(part.reshape(shape) for part in parts) for name, parts in found.items()}
     return told if certified else {name: parts[0] for name, parts in told.items()}
+
+
+def first_fault(error: Unsolvable | SceneError) -> Fault:
+    return error.fault if isinstance(error, Unsolvable) else error.faults[0]
 
 
 def sides_of(signs: Mapping[Formula, int]) -> list[Formula]:

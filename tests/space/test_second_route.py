@@ -46,7 +46,6 @@ OTHERS: dict[
 SOLVED_ANEW = {  # why its closed forms are not evaluated for many sets
     **dict.fromkeys(("between-both-cases", "tennis-racket", "wing-nut"), "elliptic functions"),
     "stability-of-three-axes": "a word is asked",
-    "kowalevskaya-top": "floats make no upward vertical whose length is exactly 1",
 }
 
 

@@ -71,3 +71,12 @@ def test_a_precession_that_is_not_possible_has_no_number() -> None:
     file = next(file for file in FILES if file.stem == "leaning-top")
     found = solved(file).evaluate_many({"w3": np.array([185.0, 187.0])})
     assert isnan(found["slow"][0]) and not isnan(found["slow"][1])
+
+
+def test_numbers_are_the_decimals_that_are_typed() -> None:
+    """0.48² + 0.6² + 0.64² is 1, which the binary fractions nearest to these are not; of what is no direction it is told why."""
+    top = solved(next(file for file in FILES if file.stem == "kowalevskaya-top"))
+    found = top.evaluate_many({"n1": np.array([0.6, 0.48]), "n2": np.array([0, 0.6]), "n3": np.array([0.8, 0.64])})
+    assert abs(found["L_z"][0] - 1.84) < ALIKE and abs(found["L_z"][1] - 2.072) < ALIKE
+    with pytest.raises(NotForMany, match=r"none of the sets has an answer: .* length 1"):
+        top.evaluate_many({"n1": np.array([0.5])})
