@@ -128,7 +128,7 @@ def test_what_the_assembly_does_not_confirm_is_listed(file: Path) -> None:
     assert {item.name: item.why for item in said if item.holds is not True} == UNCONFIRMED.get(file.stem, {})
     given = named(in_si(file, givens(file)))
     by_hand = CLOSED_FORMS[file.stem](given) if file.stem in CLOSED_FORMS else {}
-    assert by_hand.keys() == UNCONFIRMED.get(file.stem, {}).keys()
+    assert UNCONFIRMED.get(file.stem, {}).keys() <= by_hand.keys()
 
 
 def without_second_route(names: Iterable[str]) -> set[str]:
