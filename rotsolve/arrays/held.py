@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Number
 from rotsolve.arrays import NotForMany, single_answers
 from rotsolve.confirm.course.samples import with_givens
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.verdicts import judged_numbers
 from rotsolve.core.derivation import Answer
+from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.limits import limits_of_scene
 
 LOOKS = 12  # sets beside those with the smallest and the largest value of a given
 
@@ -32,25 +36,40 @@ def hold_sets(
     inputs = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in values.values()))
     columns = {name: column.reshape(-1) for name, column in zip(values, inputs, strict=True)}
     results = {name: np.asarray(result).reshape(-1) for name, result in found.items()}
-    whole = made_complete(problem)
+    scene = made_complete(problem)
+    whole, limits = scene.problem, tuple(limits_of_scene(scene))
     for row in rows_held(columns):
         point = {name: float(column[row]) for name, column in columns.items()}
+        hold_limits(limits, problem, point)
         for name, why in contradicted_at(
             whole, answers, letter, point, {key: float(one[row]) for key, one in results.items()}
         ):
-            numbers = ", ".join(f"{key} = {size:.4g}" for key, size in point.items())
             raise NotForMany(
-                f"an assembly of all bodies' equations contradicts `{name}` with {numbers}{why}: leave such sets out, or ask `as_decided`"
+                f"an assembly of all bodies' equations contradicts `{name}` with {said_numbers(point)}{why}: leave such sets out, or ask `as_decided`"
             )
 
 
-def made_complete(problem: Problem) -> Problem:
-    """The problem with letters for what it leaves out."""
+def hold_limits(limits: Iterable[Limit], problem: Problem, point: Mapping[str, float]) -> None:
+    """NotForMany, with the set and what is the matter, where no such scene can be: of moments that no body has."""
+    decimals = {name: Number(Fraction(repr(size))) for name, size in point.items() if math.isfinite(size)}
+    signs = SignOracle({**problem.values, **decimals})
+    for limit in limits:
+        sign = signs.by_numbers(limit.gap) if limit.gap.symbols() & decimals.keys() else None
+        if sign == -1 or (sign == 0 and limit.strict):
+            raise NotForMany(f"with {said_numbers(point)} {limit.words}: leave such sets out, or ask `as_decided`")
+
+
+def said_numbers(point: Mapping[str, float]) -> str:
+    return ", ".join(f"{key} = {size:.4g}" for key, size in point.items())
+
+
+def made_complete(problem: Problem) -> Configuration:
+    """The scene with letters for what it leaves out."""
     if problem.space:
         from rotsolve.space.complete import configured_in_space
 
-        return configured_in_space(problem).problem
-    return configured(problem).problem
+        return configured_in_space(problem)
+    return configured(problem)
 
 
 def rows_held(columns: Mapping[str, Any]) -> list[int]:

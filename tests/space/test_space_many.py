@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import isnan
 from pathlib import Path
 
@@ -17,6 +18,7 @@ FILES = sorted((Path(__file__).resolve().parents[2] / "problems" / "space").glob
 ELLIPTIC = "NumPy has no function ellip"  # balls have
 REFUSED = {
     "stability-of-three-axes": "`unstable` has no closed form",  # which of three bodies, a word
+    "gyroscope-let-go": "with M = 1.001 no body has the moments of inertia of `wheel`",  # I₃ = 2 (I₁ − M l²): of a thin disc
     **dict.fromkeys(("between-both-cases", "tennis-racket", "wing-nut"), ELLIPTIC),
 }
 ALIKE = 1e-9
@@ -80,3 +82,38 @@ def test_numbers_are_the_decimals_that_are_typed() -> None:
     assert abs(found["L_z"][0] - 1.84) < ALIKE and abs(found["L_z"][1] - 2.072) < ALIKE
     with pytest.raises(NotForMany, match=r"none of the sets has an answer: .* length 1"):
         top.evaluate_many({"n1": np.array([0.5])})
+
+
+MOMENTS = """
+    title: Moments
+    up: z
+    gravity: none
+    given: {I: 1 kg m^2, J: 2 kg m^2, w: 3 rad/s}
+    bodies: {body: {inertia: {principal: [I, I, J]}}}
+    states: {now: {body.angular_velocity: [w, 0, w]}}
+    find: {K: body.kinetic_energy.rotational}
+"""
+WASHER = """
+    title: Washer
+    given: {m: 2 kg, a: 0.1 m, b: 0.2 m, tau: 3 N m}
+    bodies: {washer: {shape: annulus, mass: m, radii: {inner: a, outer: b}}}
+    connections: {axle: {axle: washer}}
+    actions: {motor: {couple: tau, on: washer}}
+    find: {alpha: washer.angular_acceleration}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "letter", "sizes", "words"),
+    [
+        (MOMENTS, "J", (0.5, 1.9, 2.0), "no body has the moments of inertia of `body`"),
+        (WASHER, "a", (0.05, 0.1, 0.199), "`inner` must be smaller than `outer`"),
+    ],
+)
+def test_a_body_that_can_not_be_is_refused(text: str, letter: str, sizes: tuple[float, ...], words: str) -> None:
+    """As it is where the scene itself has these numbers: up to what can be there are answers."""
+    solution = solve(text)
+    for found in solution.evaluate_many({letter: np.array(sizes)}).values():
+        assert not np.isnan(found).any()
+    with pytest.raises(NotForMany, match=re.escape(words)):
+        solution.evaluate_many({letter: np.array([*sizes, 2.001])})
