@@ -202,7 +202,7 @@ class Solution(Struct, frozen=True, dict=True):
         open, or a sign on which the scene hangs be another. `certified` gives pairs of arrays, values and bounds on their errors. Where the
         numbers have decided more (what slips, which root is meant) each set is answered by the case that it is of, unless all are to be
         answered `as_decided` by those of the scene. Else some of the sets, the smallest and largest among them, are held against the
-        assembly of all bodies' equations: NotForMany with the set where it contradicts one.
+        assembly of all bodies' equations: NotForMany with the set where it contradicts one, or with which no such scene can be.
         """
         from rotsolve.arrays import NotForMany, evaluate_many
 

@@ -24,13 +24,14 @@ from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.limits import limits_of_scene
 
+WAY_OUT = "leave such sets out, or ask `as_decided`"
 LOOKS = 12  # sets beside those with the smallest and the largest value of a given
 
 
 def hold_sets(
     problem: Problem, answers: Sequence[Answer], letter: Any, values: Mapping[str, Any], found: Mapping[str, Any]
 ) -> None:
-    """NotForMany, with the set, where the assembly contradicts what some of the sets are answered; `found` in the answers' units."""
+    """NotForMany, with the set, where no such scene can be or the assembly contradicts its answers; `found` in the answers' units."""
     if TIME in values:
         return
     inputs = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in values.values()))
@@ -44,9 +45,8 @@ def hold_sets(
         for name, why in contradicted_at(
             whole, answers, letter, point, {key: float(one[row]) for key, one in results.items()}
         ):
-            raise NotForMany(
-                f"an assembly of all bodies' equations contradicts `{name}` with {said_numbers(point)}{why}: leave such sets out, or ask `as_decided`"
-            )
+            objection = f"an assembly of all bodies' equations contradicts `{name}` with {said_numbers(point)}{why}"
+            raise NotForMany(f"{objection}: {WAY_OUT}")
 
 
 def hold_limits(limits: Iterable[Limit], problem: Problem, point: Mapping[str, float]) -> None:
@@ -56,7 +56,7 @@ def hold_limits(limits: Iterable[Limit], problem: Problem, point: Mapping[str, f
     for limit in limits:
         sign = signs.by_numbers(limit.gap) if limit.gap.symbols() & decimals.keys() else None
         if sign == -1 or (sign == 0 and limit.strict):
-            raise NotForMany(f"with {said_numbers(point)} {limit.words}: leave such sets out, or ask `as_decided`")
+            raise NotForMany(f"with {said_numbers(point)} {limit.words}: {WAY_OUT}")
 
 
 def said_numbers(point: Mapping[str, float]) -> str:
