@@ -151,6 +151,16 @@ def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None
     return total([per_rate(term, free) for term in flat(given)]), total([per_rate(term, free) for term in flat(gained)])
 
 
+def turned_by(body: BodyFacts, facts: Facts, group: frozenset[str]) -> Formula | None:
+    """How fast a body of a group turns counterclockwise for its one free rate; None where it moves in several ways."""
+    bodies = [one for one in facts.bodies if one.name in group]
+    rates, allowed = freedom(facts, group, [term for one in bodies for term in (*gain(one), *supply(one))])
+    if allowed is None:
+        return None
+    free = next(name for name in rates if allowed.get(name) is None)
+    return per_rate(body.motion.spin.substitute(allowed), free)
+
+
 def freedom(facts: Facts, group: frozenset[str], terms: list[Formula]) -> tuple[list[str], dict[str, Formula] | None]:
     """The velocity letters of a group that the rules or `terms` speak of, and all of them by one; None where it moves in several ways."""
     rules = [rule for rule in facts.rules if group & set(rule.bodies)]

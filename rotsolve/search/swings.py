@@ -13,7 +13,8 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import HARMONIC, STABILITY, Equation
-from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.core.facts import BodyFacts, Facts
+from rotsolve.core.symbols import RATES, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.equations.swing import Swing
@@ -210,9 +211,9 @@ def on_shaft(name: str, scene: SceneEquations) -> list[Standing]:
 
 
 def balanced(name: str, scene: SceneEquations) -> list[Standing]:
-    """Bodies on an axis whose angle at a state in balance depends on a letter."""
+    """Bodies whose angle at a state in balance depends on a letter."""
     states = [state.name for state in scene.configuration.timeline.states if state.balance]
-    return [item for item in bodies_standing(name, states, scene) if item[0].motion.kind == "axis"]
+    return list(bodies_standing(name, states, scene))
 
 
 def bodies_standing(name: str, states: Iterable[str], scene: SceneEquations) -> Iterator[Standing]:
@@ -228,9 +229,14 @@ def bodies_standing(name: str, states: Iterable[str], scene: SceneEquations) -> 
 def stable_roots(name: str, roots: Sequence[Formula], scene: SceneEquations, signs: SignOracle) -> list[int]:
     """Places of the stable ones among values of a letter that the angle of a body in balance, or on a turning shaft, depends on."""
     for body, angle, facts in (*on_shaft(name, scene), *balanced(name, scene)):
-        balance = groups.drive(facts, frozenset((body.name,)))
-        if balance is not None:
-            slope = differentiate(balance[0] - balance[1], name) * differentiate(angle, name)
-            back = signed(slope, body.motion.sense)
+        group = frozenset((body.name,))
+        if body.motion.kind != "axis":
+            group = scene.configuration.component(body.name, facts.state)
+        balance, turned = groups.drive(facts, group), groups.turned_by(body, facts, group)
+        if balance is not None and turned is not None:
+            left = balance[0] - balance[1]
+            if body.motion.kind != "axis":  # in balance nothing moves
+                left = left.substitute(dict.fromkeys(of_kinds(left.symbols(), RATES), ZERO))
+            back = differentiate(left, name) * differentiate(angle, name) * turned
             return [place for place, root in enumerate(roots) if signs.of_sizes(back.substitute({name: root})) == -1]
     return []
