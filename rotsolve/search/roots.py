@@ -238,4 +238,4 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, word: 
         return picked
     sign = -1 if word == "largest" else 1
     best = able[numbers.least([sign * roots[index] for index in able])]
-    return PickedRoot(best, (f"the {word}",), guessed=True)
+    return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True)
