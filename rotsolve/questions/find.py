@@ -207,7 +207,8 @@ def question_for(
     find: Find, scene: SceneEquations, earlier: Earlier = MappingProxyType({}), beside: Beside | None = None
 ) -> Asked:
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
-    terms = [term for term in find.terms if term.path.quantity in OSCILLATING]
+    planar = not scene.configuration.problem.space
+    terms = [term for term in find.terms if term.path.quantity in OSCILLATING and planar]
     swings = tuple((scene.swing(term), term.path.quantity) for term in terms)
     question, altered = quantity_asked(find, scene, earlier, beside), scene.configuration.alteration
     return replace(question if altered is None else rewritten(question, altered), swings=swings)

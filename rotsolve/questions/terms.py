@@ -52,7 +52,7 @@ def magnitude(formula: Formula) -> Formula:
 
 def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
     """The meaning of a term with its sign, whether or not its size is asked."""
-    if term.path.quantity in OSCILLATING:
+    if term.path.quantity in OSCILLATING and not scene.configuration.problem.space:
         swing = scene.swing(term)
         return Meaning(swing.letters[term.path.quantity], QUANTITIES[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
@@ -62,6 +62,8 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
 
             phase = phases_of(term, scene)[0].name
             return scene.reader_in(phase).meaning(term.path, term), phase  # type: ignore[attr-defined]
+        if term.path.quantity in OSCILLATING:
+            return scene.small_swings(term)  # type: ignore[attr-defined, no-any-return]
         if start or term.during:
             return scene.between(term)  # type: ignore[attr-defined, no-any-return]
         return scene.steady_extreme(term) if term.modifier in EXTREMES else at_state(term, scene)  # type: ignore[attr-defined]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cached_property, reduce
 from itertools import chain
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -46,6 +47,9 @@ from rotsolve.space.passing import conserved, through
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.reader import SpaceReader
 from rotsolve.space.stability import limit_of, steady_limit
+
+if TYPE_CHECKING:
+    from rotsolve.equations.swing import Swing
 
 SIZE_OF_CHANGE = "size of change of"
 CHANGES = ("change of", "lost")
@@ -95,6 +99,11 @@ class SpaceEquations(SceneEquations, dict=True):
             laws.moment.at, laws.moment.first, laws.moment.later = f"{GENERIC}{interval.start}", False, True
             self.lead_on(interval, self.dynamics[interval.start], laws.moment)
         return found
+
+    @cached_property
+    def swings(self) -> dict[str, Swing]:
+        """None that the laws are written for: those of a steady motion are told by its effective potential."""
+        return {}
 
     def laws_at(self, state: State) -> SpaceLaws:
         """What the laws speak of at one moment."""
@@ -272,6 +281,12 @@ class SpaceEquations(SceneEquations, dict=True):
                 taken.append(item)
                 waiting += sorted(of_kinds(item.symbols(), ("force",)))
         yield from (item.renamed(named) for item in taken)
+
+    def small_swings(self, term: Term) -> tuple[Meaning, str]:
+        """The period or frequency of small swings about a steady motion."""
+        from rotsolve.space.swings import small_swings
+
+        return small_swings(self.dynamics, term)
 
     def steady_limit(self, owner: str, state: str) -> Equation | None:
         """Where the steady precession of a body is just possible; None where it has none with two roots."""

@@ -25,13 +25,17 @@ HANGS = "its centre of mass lies below the point that is held"
 
 
 def growth(laws: SpaceLaws, path: Path) -> Meaning:
-    """λ² of a free body that turns about one of its principal axes."""
+    """λ² of a free body that turns about one of its principal axes; of one that rolls or is held that of its own steady motion."""
     name, held = path.owner, laws.moment.held
     own = laws.moment.attitude(name)
     if rolls_upright(laws, name):
         return of_rolling(laws, name)
+    if held.of_body(name):
+        from rotsolve.space.swings import of_held
+
+        return of_held(laws, path)
     axis = own_axis_of(own.omega)
-    if held.of_body(name) or not axis:
+    if not axis:
         raise NotYet(
             f"`{path_text(path)}` is solved for a free body that turns about one of its own axes",
             path.span,

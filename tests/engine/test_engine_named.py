@@ -35,6 +35,11 @@ STEADY = "states: {now: {rod.angle: -60 deg, at rest: all}}\n"
 REST = "states: {now: {at rest: all}}\n"
 LOPSIDED = "wheel: {radius: R, %sparts: {hoop: {shape: disc, mass: M, radius: R}, lump: {mass: m, at: [R/2, 0]}}}"
 SWING = "find: {x: period of small swings}\n"
+TOP = (
+    "given: {M: 0.2 kg, l: 5 cm, A: 6e-4 kg m^2, C: 8e-5 kg m^2, T: 2 s}\nup: z\n"
+    "bodies: {top: {mass: M, inertia: {about: tip, principal: [A, A, C]}, axis: z, points: {tip: [0, 0, -l]}}}\n"
+    "connections: {floor: {ball: top.tip}}\n"
+)
 BLOW = "states: {before: {at rest: all}, after: {}}\n"
 SPIN = "states: {now: {wheel.angular_velocity: 1 rad/s}}\nfind: {x: wheel.angular_acceleration at now}\n"
 
@@ -188,11 +193,17 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "",
     ),
     "top that nods after a time": (
-        "given: {M: 0.2 kg, l: 5 cm, A: 6e-4 kg m^2, C: 8e-5 kg m^2, T: 2 s}\nup: z\n"
-        "bodies: {top: {mass: M, inertia: {about: tip, principal: [A, A, C]}, axis: z, points: {tip: [0, 0, -l]}}}\n"
-        "connections: {floor: {ball: top.tip}}\n"
-        "states: {start: {top.tilt: 20 deg, top.axial_rate: 400 rad/s, top.precession: 0 rad/s, top.nutation: 0 rad/s}, "
+        TOP
+        + "states: {start: {top.tilt: 20 deg, top.axial_rate: 400 rad/s, top.precession: 0 rad/s, top.nutation: 0 rad/s}, "
         "later: {time: T}}\nfind: {th: top.tilt at later}\n",
+        "",
+    ),
+    "swings of what is not symmetric": (
+        TOP.replace("[A, A, C]", "[A, 2*A, 2*A]") + "states: {now: {top.tilt: 180 deg, at rest: all}}\n" + SWING,
+        TOP + "states: {now: {top.tilt: 180 deg, at rest: all}}\n" + SWING,
+    ),
+    "swings of any size in space": (
+        TOP + "states: {now: {top.tilt: 170 deg, at rest: all}}\nfind: {x: period of swings from now}\n",
         "",
     ),
     "pendulum after a time": (

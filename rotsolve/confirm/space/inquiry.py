@@ -18,7 +18,7 @@ from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.worlds import Manner, Moving, Unfit, World, manners_of
-from rotsolve.core.quantity import DIRECTED
+from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
 from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Problem, State, Term
@@ -246,6 +246,8 @@ class Inquiry:
         return float(value_of(find.formula, letters))
 
     def of_term(self, term: Term) -> list[float]:
+        if term.path.quantity in OSCILLATING:
+            return self.swinging(term)
         event = next((item for item in self.problem.events if item.name == term.during), None)
         if event is not None and term.path.quantity == "impulse":
             return self.at(term, event.to)
@@ -286,6 +288,17 @@ class Inquiry:
 
             flight = Flight(self.rig, ways[0].worlds[0], State(ANY_TIME))
             return float(self.kept(key, lambda: flight.comes_round(term.path.owner)))
+
+    def swinging(self, term: Term) -> list[float]:
+        """Small swings about the steady motion of a state, the only one where none is named, else about an equilibrium."""
+        from rotsolve.confirm.space.swings import rate_of_swings
+
+        steady = [state.name for state in self.problem.states if state.steady]
+        name = term.at or next(iter(steady), None) or next((state.name for state in self.problem.states), None)
+        own = term.path.owner or next(body for body in self.rig.bodies if not self.rig.bodies[body].moved)
+        told = bool(term.at or steady)
+        ways = self.ways(name)
+        return distinct([rate_of_swings(way.worlds[0], own, term, told=told) for way in ways])
 
     def at_any_time(self, term: Term) -> list[float]:
         """A function of time at the moment at which it is looked at: as all is driven then, else as the motion leads to it."""

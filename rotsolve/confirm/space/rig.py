@@ -10,8 +10,16 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.space.arrows import ALONG, Arrow, less, normed
-from rotsolve.confirm.space.masses import Solid, axis_told, is_symmetric, solid_of, spot_in_body
+from rotsolve.confirm.space.arrows import ALONG, STILL, Arrow, less, normed
+from rotsolve.confirm.space.masses import (
+    Solid,
+    about_point,
+    axis_told,
+    is_symmetric,
+    solid_of,
+    spot_in_body,
+    total_rows,
+)
 from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
 from rotsolve.language.bodies import Joint, PointRef
@@ -66,9 +74,12 @@ class Rig:
         return self._solids[name]
 
     def idle(self, name: str) -> list[Arrow]:
-        """The own directions of a body about which it has no inertia, so that nothing tells how it turns about them: a thin rod's."""
+        """The own directions of a body about which it has no inertia, so that nothing tells how it turns about them: a thin rod's; of
+        what is held at rest at a point, those through that."""
         if name not in self._idle:
-            found = moments_and_axes(self.solid(name).tensor)
+            own, joint = self.solid(name), self.on_ground(name)
+            arm = STILL if joint is None else less(own.centre, self.spot(joint.body))
+            found = moments_and_axes(total_rows(own.tensor, about_point(own.mass, arm)))
             self._idle[name] = [way for moment, way in found if moment <= THIN * found[-1][0]]
         return self._idle[name]
 

@@ -19,12 +19,16 @@ from rotsolve.confirm.space.arrows import (
     Turned,
     arrow_length,
     crossed,
+    inner_product,
     less,
+    normed,
     product_of,
     rotation_about,
     scaled,
     sum_of,
+    times_arrow,
 )
+from rotsolve.confirm.space.masses import about_point, total_rows
 from rotsolve.confirm.space.rig import Lines, Rig
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import EULER, TURNING, of_turning, three_ties
@@ -47,18 +51,19 @@ def eigenvalues_of(world: World, name: str) -> list[complex]:
     return known[name]
 
 
-def found_eigenvalues(world: World, name: str) -> list[complex]:
+def found_eigenvalues(world: World, name: str, frame: Arrow | None = None) -> list[complex]:
+    """Those in axes that turn at a rate at which the motion looks the same at all times; where none is told, as they come."""
     rig, turned, omega = world.stance.rig, world.stance.turned(name), world.now.arrow(TURNING, name)
     motion, free = motion_of(rig, name), all(name != joint.body.owner for joint in rig.joints.values())
     if not free and not world.stance.lines.nods(name):
         raise NotConfirmed("the stability of what is held and does not nod")
-    frame = omega if free else axes_rate(world, name, omega)
+    frame = omega if free else frame or axes_rate(world, name, omega)
     if arrow_length(less(motion(turned, omega), crossed(frame, omega))) > 1e-7 * (1.0 + arrow_length(omega) ** 2):
         raise NotConfirmed("the stability of what is not steady")
     if free:
         columns = rate_slopes(motion, turned, omega)
         return eigenvalues([[column[i] for column in columns] for i in range(3)])
-    return eigenvalues(made_linear(motion, turned, omega, frame))
+    return eigenvalues(beside_idle(made_linear(motion, turned, omega, frame), turned, rig.idle(name)))
 
 
 def axes_rate(world: World, name: str, omega: Arrow) -> Arrow:
@@ -105,6 +110,19 @@ def made_linear(motion: Motion, turned: Turned, omega: Arrow, frame: Arrow) -> M
     return rows
 
 
+def beside_idle(matrix: Matrix, turned: Turned, idle: Sequence[Arrow]) -> Matrix:
+    """The matrix for what leans alone: how a thin body spins about its own line means nothing, and does nothing to how it leans."""
+    if not idle:
+        return matrix
+    line = times_arrow(turned, idle[0])
+    across = normed(crossed(line, min(ALONG, key=lambda way: abs(inner_product(way, line)))))
+    ways = (across, crossed(line, across))
+    bases = [[*(STILL,) * block, way, *(STILL,) * (1 - block)] for block in range(2) for way in ways]
+    flat = [[part for arrow in base for part in arrow] for base in bases]
+    moved = [[sum(row[k] * base[k] for k in range(6)) for row in matrix] for base in flat]
+    return [[sum(a * b for a, b in zip(base, other, strict=True)) for other in moved] for base in flat]
+
+
 def rate_slopes(motion: Motion, turned: Turned, omega: Arrow) -> list[Arrow]:
     """∂α/∂ω by columns, exact: the accelerations are quadratic in the rates."""
     size = arrow_length(omega) or 1.0
@@ -124,7 +142,7 @@ def slope(function: Callable[[float], Arrow], h: float) -> Arrow:
 def eigenvalues(matrix: Matrix) -> list[complex]:
     """The roots of the characteristic polynomial, by Faddeev and Le Verrier, in units of the largest rate."""
     size = len(matrix)
-    turns = size - 3  # the first of them are angles
+    turns = size // 2 if size > 3 else 0  # the first of them are angles
     rates = [abs(part) for row in matrix[turns:] for part in row[turns:]]
     scale = max(math.sqrt(abs(trace(multiplied(matrix, matrix)))), *rates)
     if not scale:
@@ -182,9 +200,24 @@ def is_stable(world: World, name: str) -> bool:
     return max(root.real for root in found) <= GROWS * max(map(abs, found))
 
 
+def swaying_rate(world: World, name: str) -> Arrow | None:
+    """The rate I₃ ω/2 I₁ of axes in which an upright symmetric top sways in a plane that stays; None of others."""
+    rig, omega = world.stance.rig, world.now.arrow(TURNING, name)
+    joint = rig.on_ground(name)
+    if joint is None or joint.turning or not world.stance.lines.nods(name):
+        return None
+    third = world.stance.nodes(name).third
+    if math.hypot(third[0], third[1]) > UPRIGHT or axes_rate(world, name, omega) != STILL:
+        return None
+    own = rig.solid(name)
+    tensor = total_rows(world.efforts.tensor(name), about_point(own.mass, world.stance.arm(joint.body)))
+    return scaled(tensor[2][2] / (2.0 * tensor[0][0]), omega)
+
+
 def growth_squared(world: World, name: str) -> float:
     """λ² of the only disturbance that does not just stay as it is."""
-    found = eigenvalues_of(world, name)
+    frame = swaying_rate(world, name)
+    found = eigenvalues_of(world, name) if frame is None else found_eigenvalues(world, name, frame)
     most = max(map(abs, found))
     squares = [root * root for root in found if abs(root) > GROWS * max(most, 1e-9)]
     if not squares or any(abs(one - squares[0]) > 1e-5 * abs(squares[0]) for one in squares):
