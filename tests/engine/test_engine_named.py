@@ -199,7 +199,7 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "",
     ),
     "swings of what is not symmetric": (
-        TOP.replace("[A, A, C]", "[A, 2*A, 2*A]") + "states: {now: {top.tilt: 180 deg, at rest: all}}\n" + SWING,
+        TOP.replace("[A, A, C]", "[A, 1.05*A, C]") + "states: {now: {top.tilt: 180 deg, at rest: all}}\n" + SWING,
         TOP + "states: {now: {top.tilt: 180 deg, at rest: all}}\n" + SWING,
     ),
     "swings of any size in space": (
