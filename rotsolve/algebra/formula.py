@@ -19,11 +19,19 @@ FUNCTIONS = {  # name -> number of arguments
     **dict.fromkeys(("exp", "log", "abs"), 1),
     "ellipk": 1,  # K(m) = ∫ dφ/√(1 − m sin²φ) over a quarter turn, the complete elliptic integral of the first kind
     "ellipf": 2,  # F(φ, m), the same from 0 to φ
+    "ellippi": 2,  # Π(n, m) = ∫ dφ/((1 − n sin²φ) √(1 − m sin²φ)) over a quarter turn, the complete one of the third kind
     **dict.fromkeys(
         ("ellipsn", "ellipcn", "ellipdn"), 2
     ),  # of u and m: sin φ, cos φ and √(1 − m sin²φ) where u = F(φ, m)
 }
-ELLIPTIC = {"ellipk": "K", "ellipf": "F", "ellipsn": "sn", "ellipcn": "cn", "ellipdn": "dn"}  # as they are printed
+ELLIPTIC = {
+    "ellipk": "K",
+    "ellipf": "F",
+    "ellippi": "Π",
+    "ellipsn": "sn",
+    "ellipcn": "cn",
+    "ellipdn": "dn",
+}  # as they are printed
 
 
 def united(sets: Iterable[frozenset[Any]]) -> frozenset[Any]:

@@ -32,7 +32,7 @@ from rotsolve.algebra.formula import (
 )
 
 INTEGRALS = 500  # found, or not, by SymPy, that are remembered: the plans of a scene ask for the same ones
-_NAMES = {"abs": "Abs", "ellipk": "elliptic_k", "ellipf": "elliptic_f"}
+_NAMES = {"abs": "Abs", "ellipk": "elliptic_k", "ellipf": "elliptic_f", "ellippi": "elliptic_pi"}
 _WORDS = {name: word for word, name in _NAMES.items()}
 
 

@@ -12,7 +12,7 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate, total
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
-from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor, displaced
+from rotsolve.core.vectors.tensor import InertiaTensor, displaced
 from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, cross_product, minus, tidied, vector_sum, way_between
 from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef
@@ -259,13 +259,10 @@ class JointedBodies(Struct, frozen=True, dict=True):
         centre = self.centre(name)
         if body.tensor is not None:
             told = centre if body.inertia_about is None else self.spot(PointRef(name, body.inertia_about))
-            off = displaced(self.mass(name), way_between(told, centre)).times(negate(ONE))
-            return InertiaTensor(*(add(body.tensor.entry(word), off.entry(word)) for word in ENTRIES))
+            return body.tensor.plus(displaced(self.mass(name), way_between(told, centre)).times(negate(ONE)))
         for piece in self.pieces(name):
             if piece.tensor is None:
                 return None
             x, y, z = vector_sum(piece.place(), minus(centre))
-            off = displaced(piece.mass, (x, y, z))
-            parts = (add(piece.tensor.entry(word), add(off.entry(word), result.entry(word))) for word in ENTRIES)
-            result = InertiaTensor(*parts)
+            result = piece.tensor.plus(displaced(piece.mass, (x, y, z)).plus(result))
         return result

@@ -137,7 +137,14 @@ def period_of_turning(laws: SpaceLaws, path: Path) -> Meaning:
     if steady:
         return Meaning(2 * PI / length_of(own.omega), dimension, label="period, T = 2π/ω")
     if not turns_freely(laws, name):
-        raise NotYet(f"`{path_text(path)}`: it does not turn steadily", path.span)
+        if laws.moment.nods(name) and not laws.moment.state.steady:
+            from rotsolve.space.nutation import nutation_period
+
+            return nutation_period(laws, name)
+        help = "small swings about a steady precession have a `period of small swings`"
+        raise NotYet(
+            f"`{path_text(path)}`: it does not turn steadily", path.span, help if laws.moment.nods(name) else ""
+        )
     way = symmetric_way(held, name)
     if way is not None:
         axis = rotated(own.own, way)

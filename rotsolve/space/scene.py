@@ -317,6 +317,16 @@ class SpaceEquations(SceneEquations, dict=True):
     def between(self, term: Term) -> tuple[Meaning, str]:
         """The change of a quantity from one state to a later one, along axes that stay."""
         path, word = term.path, term.modifier
+        if path.quantity == "time" and term.start is not None:
+            from rotsolve.space.nutation import time_between
+
+            return time_between(self.dynamics, self.configuration.timeline, term)
+        if path.quantity == "precession_angle" and word == CHANGES[0] and term.start is not None:
+            from rotsolve.space.nutation import angle_between
+
+            found = angle_between(self.dynamics, self.configuration.timeline, term)
+            if found is not None:
+                return found
         if term.during is not None:
             lasts = self.configuration.timeline.whole(term.during)
             if lasts is None:

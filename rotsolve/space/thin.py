@@ -11,7 +11,20 @@ from itertools import combinations
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import RULE, Equation
-from rotsolve.core.vectors.triple import Rows, Triple, X, Y, Z, cross_product, dot_product, rotated, tidied, unit_along
+from rotsolve.core.vectors.tensor import displaced
+from rotsolve.core.vectors.triple import (
+    Rows,
+    Triple,
+    X,
+    Y,
+    Z,
+    cross_product,
+    dot_product,
+    rotated,
+    tidied,
+    unit_along,
+    way_between,
+)
 from rotsolve.core.writing import spoken
 from rotsolve.space.arrangement import JointedBodies
 from rotsolve.space.moment import SpaceMoment
@@ -20,10 +33,12 @@ WORDS = "{} is thin: it does not spin about its own axis"
 
 
 def thin_axis(held: JointedBodies, name: str) -> Triple | None:
-    """The direction, in a body's own axes, about which it has no inertia; None where there is none, or nothing tells."""
+    """The direction, in a body's own axes, through the point about which it turns, about which it has no inertia; None where there is
+    none, or nothing tells."""
     tensor = held.whole_tensor(name)
     if tensor is None or held.pointlike(name):
         return None
+    tensor = tensor.plus(displaced(held.mass(name), way_between(held.centre(name), held.reference(name))))
     rows: Rows = (
         (tensor.xx, tensor.xy, tensor.zx),
         (tensor.xy, tensor.yy, tensor.yz),

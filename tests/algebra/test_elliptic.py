@@ -85,6 +85,30 @@ def test_what_is_nothing_or_negative_is_simpler() -> None:
     assert simplify(call("ellipsn", U + U, M) - call("ellipsn", 2 * U, M)) == ZERO
 
 
+@pytest.mark.parametrize("n", ["-3/2", "1e-9", "0.999"])
+@pytest.mark.parametrize("m", ["1e-12", "0.5", "0.999"])
+def test_the_third_kind_is_that_of_fifty_digits(n: str, m: str) -> None:
+    import mpmath
+
+    with mpmath.workdps(60):
+        own, parameter = (mpmath.mpf(Fraction(text).numerator) / Fraction(text).denominator for text in (n, m))
+        true = mpmath.nstr(mpmath.ellippi(own, parameter), 55)
+    with Precision(200):
+        found = evaluate(call("ellippi", number(n), number(m)), {}, digits=30).ball
+        assert (found / arb(true) - 1).abs_upper() < 1e-29
+
+
+def test_the_third_kind_has_simpler_cases_and_no_value_beyond() -> None:
+    assert simplify(call("ellippi", ZERO, M)) == call("ellipk", M)
+    assert to_text(simplify(call("ellippi", U, ZERO))) == "π/(2 √(1 − u))"
+    assert to_text(call("ellippi", -U, M)) == "Π(−u, m)"
+    assert parse("Π(−u, m)", {"u", "m"}) == call("ellippi", -U, M)
+    assert to_latex(call("ellippi", U, M)) == r"\Pi\left(u, m\right)"
+    assert from_sympy(to_sympy(call("ellippi", U, M))) == call("ellippi", U, M)
+    with pytest.raises((Undefined, ValueError)):
+        evaluate(call("ellippi", number(2), number("0.5")), {})
+
+
 def test_texts_are_read_again() -> None:
     value = 2 * call("ellipcn", 3 * U + call("ellipf", call("atan", U), M), M) ** 2 + call("ellipdn", U, M)
     text = to_text(value)

@@ -102,7 +102,7 @@ def _chain_rule(f: Call, name: str) -> Formula:
 
 def _elliptic_rule(f: Call, name: str) -> Formula:
     """sn' = cn dn, cn' = −sn dn, dn' = −m sn cn, ∂F/∂φ = 1/√(1 − m sin² φ) (NIST Handbook, 22.13); none by the parameter m."""
-    if f.function == "ellipk" or name in f.arguments[1].symbols():
+    if f.function in ("ellipk", "ellippi") or name in f.arguments[1].symbols():
         raise ValueError(f"no derivative of {f!r}")
     u, m = f.arguments
     if f.function == "ellipf":

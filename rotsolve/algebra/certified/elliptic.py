@@ -1,4 +1,5 @@
-"""Elliptic functions of Jacobi and the incomplete integral F over real balls, of a parameter m = k² from 0 to 1.
+"""Elliptic functions of Jacobi, the incomplete integral F and the complete Π of the third kind over real balls, of a parameter m = k² from
+0 to 1.
 
 sn u = sin am u, cn u = cos am u, dn u = √(1 − m sn² u), where u = F(am u, m) = ∫ dx/√(1 − m sin² x) from 0 to am u
 (Landau & Lifshitz, Mechanics, §37; by theta functions of z = u/(2 K) and τ = i K(1 − m)/K(m): NIST Handbook, 22.2).
@@ -49,11 +50,17 @@ def first_kind(phi: Ball, m: Ball) -> Ball:
     return acb.elliptic_f(acb(phi), acb(m)).real if m < 1 else arb.nan()
 
 
+def third_kind(n: Ball, m: Ball) -> Ball:
+    """Π(n, m) = ∫ dx/((1 − n sin² x) √(1 − m sin² x)) over a quarter turn; no number for n or m of 1 and more."""
+    return acb.elliptic_pi(acb(n), acb(m)).real if n < 1 and m < 1 else arb.nan()
+
+
 TWO_ARGUMENTS: Mapping[str, Callable[[Ball, Ball], Ball]] = {
     "ellipsn": lambda u, m: jacobi("ellipsn", u, m),
     "ellipcn": lambda u, m: jacobi("ellipcn", u, m),
     "ellipdn": lambda u, m: jacobi("ellipdn", u, m),
     "ellipf": first_kind,
+    "ellippi": third_kind,
 }
 
 

@@ -152,9 +152,19 @@ class Rewriter:
         if function == "ellipk":
             shown = self.tidy(first)
             return divide(PI, Number(Fraction(2))) if shown == ZERO else Call(function, (shown,))
+        if function == "ellippi":
+            return self._third_kind(*(self.tidy(argument) for argument in arguments))
         if function in ELLIPTIC:
             return self._elliptic(function, *(self.tidy(argument) for argument in arguments))
         return self._inverse(function, tuple(self.tidy(argument) for argument in arguments))
+
+    def _third_kind(self, n: Formula, m: Formula) -> Formula:
+        """Π(n, m), K(m) where n is nothing; π/(2 √(1 − n)) where m is."""
+        if n == ZERO:
+            return self._call("ellipk", (m,))
+        if m == ZERO:
+            return divide(PI, multiply(Number(Fraction(2)), self.radicals.sqrt(add(ONE, negate(n)))))
+        return call("ellippi", n, m)
 
     def _elliptic(self, function: str, u: Formula, m: Formula) -> Formula:
         """sn, cn, dn and F of positive arguments; where u or m is nothing they are simpler."""

@@ -133,7 +133,9 @@ def _set_call(function: str, arguments: tuple[Formula, ...], marks: Marks, raise
     return marks.row(head + (f"{marks.applied}{inner}" if bare else marks.signs.brackets(inner))), CALL
 
 
-FUNCTIONS = {"K": "K", "F": "F"} | {name: rf"\operatorname{{{name}}}" for name in ("atan2", "sn", "cn", "dn")}
+FUNCTIONS = {"K": "K", "F": "F", "Π": r"\Pi"} | {
+    name: rf"\operatorname{{{name}}}" for name in ("atan2", "sn", "cn", "dn")
+}
 
 LATEX = Marks(
     number=str,

@@ -76,6 +76,9 @@ class Flight:
         self.turns = 0  # how often the motion went the other way
         self.unheld = gains_unheld(rig)
         self.limit = LOOKS if self.unheld is None else WRITTEN_OUT * LOOKS
+        self.clock = 0.0  # the time up to the arrival
+        self.counted = ""  # a body whose axis is counted on its way round the vertical
+        self.gone = 0.0  # how far that has gone
         self.looks, self.most, self.exact = 0, self.limit, EXACT
 
     def axis_of(self, name: str) -> Arrow:
@@ -209,7 +212,7 @@ class Flight:
         if not lines:
             raise NotConfirmed("when its state is")
         gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
-        numbers, size = self.first(), self.stride()
+        numbers, size, clock = self.first(), self.stride(), 0.0
         start = gap(self.world(numbers))
         before = start if abs(start) > CLOSE else 0.0
         while True:
@@ -218,10 +221,24 @@ class Flight:
             self.refuse_elsewhere(lines[0], numbers, later)
             through = self.passage(lines[0], (numbers, later), size, (before, there))
             if through is not None and (through[1] > before) in ways:
-                world = self.world(self.crossing(numbers, through[0], before, through[1], gap)[0])
+                there_numbers, gone = self.crossing(numbers, through[0], before, through[1], gap)
+                world, self.clock = self.world(there_numbers), clock + gone
+                about = self.gone + self.round_vertical(numbers, there_numbers)
                 if all(abs(self.gap_of(line)(world)) <= HOLDS * self.size_of(line, world) for line in lines[1:]):
+                    self.gone = about
                     return world
-            numbers, before = later, there
+            self.gone += self.round_vertical(numbers, later)
+            numbers, before, clock = later, there, clock + size
+
+    def round_vertical(self, one: Numbers, other: Numbers) -> float:
+        """How far the axis of the body that is counted goes round the vertical in less than half a turn."""
+        if not self.counted:
+            return 0.0
+        place = EACH * list(self.rig.bodies).index(self.counted)
+        axis = self.axes[self.counted]
+        thirds = [times_arrow(rows_of_quaternion(numbers[place : place + 4]), axis) for numbers in (one, other)]
+        before, after = (math.atan2(third[1], third[0]) for third in thirds)
+        return math.remainder(after - before, ROUND)
 
     def passage(
         self, line: Condition, ends: tuple[Numbers, Numbers], size: float, gaps: tuple[float, float]
@@ -288,22 +305,27 @@ class Flight:
             raise NotConfirmed("small errors grow too much on the way to its state")
         return found[1]
 
-    def comes_round(self, name: str) -> float:
-        """The time in which ω comes round in a body's own axes."""
-        return self.agreed(lambda: [self.round_once(name)])[0]
+    def comes_round(self, name: str, *, nods: bool = False) -> float:
+        """The time in which ω comes round in a body's own axes; of one that is held and `nods` that in which its tilt does."""
+        gaps: list[Gap] = [partial(self.own_component, name, axis) for axis in range(3)]
+        if nods:
+            self.nodding.add(name)
+            gaps = [lambda world: world.now.one("euler", name, 1)]
+        spins = 0.0 if nods else arrow_length(self.start.now.arrow(TURNING, name))
+        size = min(self.stride(), STRIDE / spins) if spins else self.stride()
+        return self.agreed(lambda: [self.round_once(gaps, size)])[0]
 
-    def round_once(self, name: str) -> float:
-        """The time between two zeros in one sense of a component of ω in a body's own axes that changes its sign."""
-        numbers, size, clock = self.first(), self.stride(), 0.0
-        before, passed = self.own_omega(name, self.world(numbers)), tuple[list[Passing], ...]([[], [], []])
+    def round_once(self, gaps: Sequence[Gap], size: float) -> float:
+        """The time between two zeros in one sense of one of some numbers that change their signs, looked at so often."""
+        numbers, clock = self.first(), 0.0
+        before, passed = [gap(self.world(numbers)) for gap in gaps], [list[Passing]() for _ in gaps]
         while True:
             later = self.step(numbers, size)
-            there = self.own_omega(name, self.world(later))
-            for axis in range(3):
+            there = [gap(self.world(later)) for gap in gaps]
+            for axis, gap in enumerate(gaps):
                 if before[axis] < 0.0 <= there[axis]:
                     passed[axis].append((clock, numbers, before[axis], there[axis]))
                 if len(passed[axis]) > 1:
-                    gap = partial(self.own_component, name, axis)
                     ends = [start + self.crossing(at, size, low, high, gap)[1] for start, at, low, high in passed[axis]]
                     return ends[1] - ends[0]
             numbers, before, clock = later, there, clock + size

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
@@ -22,6 +23,9 @@ from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
 from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Problem, State, Term
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.space.flight import Flight
 
 AGREE = 1e-7  # of the larger of two numbers that are one
 HOLDS = 1e-7  # what may be left of equations that hold, beside the largest number in them
@@ -179,6 +183,10 @@ class Inquiry:
 
     def led_on(self, name: str, state: State, passed: float | None) -> Manner:
         """Where the motion from one state leads: to a later one, or for a time; by every choice of what is open, where time alone tells."""
+        return Manner(tuple(flight.arrival() for flight in self.flights(name, state, passed)), 0.0)
+
+    def flights(self, name: str, state: State, passed: float | None) -> list[Flight]:
+        """The motions from one state on."""
         from rotsolve.confirm.space.flight import Flight
 
         before = self.ways(name)
@@ -191,7 +199,45 @@ class Inquiry:
         if len(before) != 1:
             raise NotConfirmed(SEVERAL)
         starts = by_velocities(before[0].worlds)[: 2 if passed is not None else 1]
-        return Manner(tuple(Flight(self.rig, world, state, passed).arrival() for world in starts), 0.0)
+        return [Flight(self.rig, world, state, passed) for world in starts]
+
+    def lasting(self, start: str, end: str) -> float:
+        """The time from one state to a later one, by the motion from each to the next."""
+        states = [state.name for state in self.problem.states]
+        names = states[states.index(start) : states.index(end) + 1]
+        if not names or any(event.from_ in names[:-1] for event in self.problem.events):
+            raise NotConfirmed(PATHS)
+        return float(sum(self.kept(" to ".join(way), partial(self.way_time, *way)) for way in pairwise(names)))
+
+    def gone_round(self, start: str, end: str, name: str) -> float | None:
+        """How far the axis of a body goes round the vertical from one state to a later one; None where the states tell it."""
+        states = [state.name for state in self.problem.states]
+        names = states[states.index(start) : states.index(end) + 1]
+        lines = (line.path for state in self.problem.states for line in state.conditions if state.name in names)
+        words = {path.quantity for path in lines if path is not None}
+        if {"precession_angle", "time"} & words or any(event.from_ in names[:-1] for event in self.problem.events):
+            return None
+        return float(
+            sum(self.kept(" round to ".join(way), partial(self.way_round, name, *way)) for way in pairwise(names))
+        )
+
+    def way_round(self, name: str, start: str, end: str) -> float:
+        state = self.state(end)
+        assert state is not None
+        (flight,) = self.flights(start, state, None)
+        flight.counted = name
+        flight.arrival()
+        return flight.gone
+
+    def way_time(self, start: str, end: str) -> float:
+        state = self.state(end)
+        assert state is not None
+        told = time_after(state)
+        if told is not None:
+            return self.rig.value(told)
+        (flight,) = self.flights(start, state, None)
+        flight.arrival()
+        return flight.clock
 
     def fitting(self, ways: Sequence[Manner], line: Condition) -> Iterator[Manner]:
         """The ways in which a line holds."""
@@ -257,6 +303,12 @@ class Inquiry:
             raise NotConfirmed(PATHS)
         if term.start is None:
             return self.at(term, term.at)
+        if term.path.quantity == "time" and term.end is not None:
+            return [self.lasting(term.start, term.end)]
+        if term.path.quantity == "precession_angle" and term.modifier == CHANGE and term.end is not None:
+            found = self.gone_round(term.start, term.end, term.path.owner)
+            if found is not None:
+                return [found]
         if term.modifier == SIZE_OF_CHANGE:
             plain = replace(term, modifier=CHANGE)
             return [math.hypot(*(only_one(self.of_term(for_part(plain, axis))) for axis in AXES))]
@@ -286,8 +338,11 @@ class Inquiry:
         except NotConfirmed:
             from rotsolve.confirm.space.flight import Flight
 
-            flight = Flight(self.rig, ways[0].worlds[0], State(ANY_TIME))
-            return float(self.kept(key, lambda: flight.comes_round(term.path.owner)))
+            world, name = ways[0].worlds[0], term.path.owner
+            flight, joint = Flight(self.rig, world, State(ANY_TIME)), self.rig.on_ground(name)
+            heavy = joint is not None and self.rig.gravity * arrow_length(world.stance.arm(joint.body)) > 0.0
+            nods = heavy and world.stance.lines.nods(name)
+            return float(self.kept(key, lambda: flight.comes_round(name, nods=nods)))
 
     def swinging(self, term: Term) -> list[float]:
         """Small swings about the steady motion of a state, the only one where none is named, else about an equilibrium."""

@@ -36,6 +36,9 @@ class InertiaTensor(Struct, frozen=True):
     def times(self, factor: Formula) -> InertiaTensor:
         return InertiaTensor(*(multiply(factor, self.entry(name)) for name in ENTRIES))
 
+    def plus(self, other: InertiaTensor) -> InertiaTensor:
+        return InertiaTensor(*(add(self.entry(name), other.entry(name)) for name in ENTRIES))
+
     def turned(self, rotation: tuple[Place, Place, Place]) -> InertiaTensor:
         """R I Rᵀ, of a body turned by R; `rotation` holds the rows of R."""
 
