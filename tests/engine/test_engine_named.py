@@ -40,6 +40,10 @@ TOP = (
     "bodies: {top: {mass: M, inertia: {about: tip, principal: [A, A, C]}, axis: z, points: {tip: [0, 0, -l]}}}\n"
     "connections: {floor: {ball: top.tip}}\n"
 )
+NODS = (
+    "states: {start: {top.tilt: 25 deg, top.axial_rate: 300 rad/s, top.precession: %s, top.nutation: 0 rad/s}, "
+    "low: {top.tilt: largest}}\n"
+)
 BLOW = "states: {before: {at rest: all}, after: {}}\n"
 SPIN = "states: {now: {wheel.angular_velocity: 1 rad/s}}\nfind: {x: wheel.angular_acceleration at now}\n"
 
@@ -205,6 +209,30 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
     "swings of any size in space": (
         TOP + "states: {now: {top.tilt: 170 deg, at rest: all}}\nfind: {x: period of swings from now}\n",
         "",
+    ),
+    "time of what is not symmetric": (
+        TOP.replace("[A, A, C]", "[A, 1.05*A, C]") + NODS % "0 rad/s" + "find: {x: time from start to low}\n",
+        TOP + NODS % "0 rad/s" + "find: {x: time from start to low}\n",
+    ),
+    "time from a state that nods": (
+        TOP + (NODS % "0 rad/s").replace("nutation: 0", "nutation: 1") + "find: {x: time from start to low}\n",
+        TOP + NODS % "0 rad/s" + "find: {x: time from start to low}\n",
+    ),
+    "period of what passes through the vertical": (
+        TOP + NODS % "C*300 rad/s/(A*(1 + cos(25 deg)))" + "find: {x: top.period at start}\n",
+        "",
+    ),
+    "period of what never comes back": (
+        TOP.replace("T: 2 s", "T: 2 s, w: 2*sqrt(M*g*l*A*3/4)/C, th: 60 deg, g: 9.8 m/s^2")
+        + (NODS % "C*w/(A*(1 + cos(th)))").replace("300 rad/s", "w").replace("25 deg", "th")
+        + "find: {x: top.period at start}\n",
+        "",
+    ),
+    "angle to a tilt between": (
+        TOP
+        + (NODS % "0 rad/s").replace("largest", "26 deg")
+        + "find: {x: change of top.precession_angle from start to low}\n",
+        TOP + NODS % "0 rad/s" + "find: {x: change of top.precession_angle from start to low}\n",
     ),
     "pendulum after a time": (
         "given: {m: 2 kg, T: 1 s, l: 1 m}\nup: z\n"
