@@ -240,7 +240,7 @@ class Place(Struct, frozen=True):
     tilt: Formula | None = None
 
 
-def passed(nutation: Nutation, place: Place) -> Formula:
+def time_up_to(nutation: Nutation, place: Place) -> Formula:
     """The time up to a place from the tilt from which the nutation is told."""
     back = place.ways % 2
     ends = place.ways + (back if place.tilt is not None else 0)
@@ -331,7 +331,7 @@ def time_between(dynamics: Mapping[str, SpaceLaws], timeline: Timeline, term: Te
         message = f"how long it takes from `{start}` to `{end}` is not solved in space"
         raise NotYet(message, term.path.span, "solved is the nutation of one top that states call by its `tilt`")
     nutation, places = places_of(dynamics, chain, names[0])
-    gone = simplify(add(passed(nutation, places[end]), negate(passed(nutation, places[start]))))
+    gone = simplify(add(time_up_to(nutation, places[end]), negate(time_up_to(nutation, places[start]))))
     label = "time of the nutation, K(m)/p from end to end"
     laws = (*nutation.laws, *nutation.before.tensors.behind(nutation.told(gone)))
     return Meaning(gone, QUANTITIES["time"].dimension, label=label, laws=laws), end

@@ -6,15 +6,19 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import Formula, add, negate
+from rotsolve.algebra.formula import Formula, add, multiply, negate, sqrt
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import key_of
-from rotsolve.language.problem import EXTREMES
+from rotsolve.core.vectors.heading import heading
+from rotsolve.language.problem import EXTREMES, Problem
 from rotsolve.solver.steps import PickedRoot
+from rotsolve.space.passing import left_alone
+from rotsolve.space.swings import top_of
 
 if TYPE_CHECKING:
     from rotsolve.equations.scene_equations import SceneEquations
     from rotsolve.search.numbers import Numbers
+    from rotsolve.space.laws import SpaceLaws
 
 SMALL = 1e-12
 TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with how far the body is turned by it
@@ -55,15 +59,48 @@ def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numb
     """Refuse a steady precession that is none, since the body spins too slowly, with the least spin that allows one."""
     limit = scene.steady_limit(owner, state)  # type: ignore[attr-defined]
     spelled = scene.tensors.spelled  # type: ignore[attr-defined]
-    share = numbers.of(spelled(limit.right / limit.left)) if limit is not None else None
-    if share is None or share <= 1:
+    if limit is None:
         return
-    problem, rate = scene.configuration.problem, numbers.of(scene.axial_rate(owner, state))  # type: ignore[attr-defined]
+    own, least = (numbers.of(spelled(side)) for side in (limit.left, limit.right))
+    if own is None or least is None or own >= least:
+        return
+    problem, laws = scene.configuration.problem, scene.dynamics[state]  # type: ignore[attr-defined]
     span = scene.configuration.timeline.state(state).span
-    least = f", at least {abs(rate) * math.sqrt(share):.4g} rad/s" if rate is not None else ""
-    message = f"`{owner}` spins too slowly for a steady precession at `{state}`"
-    help = f"it needs I₃ ω₃ ≥ 2 √(I₁ M g l cos θ){least}"
+    message, help = f"`{owner}` spins too slowly for a steady precession at `{state}`", ""
+    if on_pivot(owner, laws):
+        axial, across, lift = map(spelled, top_of(laws, owner))
+        spin = laws.moment.told(owner, "spin") is not None
+        felt = multiply(
+            multiply(add(across, negate(axial)) if spin else across, lift),
+            heading(laws.moment.nodding(owner).angles[1]).cos(),
+        )
+        form = "I₃ ψ̇ ≥ 2 √((I₁ − I₃) M g l cos θ)" if spin else "I₃ ω₃ ≥ 2 √(I₁ M g l cos θ)"
+        if laws.moment.held.vanishes(axial):
+            message = f"`{owner}` has no steady precession at `{state}`: its weight turns it away from the vertical, and it is thin"
+        else:
+            rate = numbers.of(2 * sqrt(felt) / axial)
+            help = f"it needs {form}" + (f", at least {rate:.4g} rad/s" if rate is not None else "")
     raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+
+
+def on_pivot(owner: str, laws: SpaceLaws) -> bool:
+    """Whether a body is held at a fixed point, where nothing but its weight acts on it."""
+    joint = laws.moment.held.main(owner)
+    return joint is not None and joint.free and laws.fixed(owner) and left_alone(laws, owner)
+
+
+def refuse_level_unspun(owner: str, laws: SpaceLaws, problem: Problem) -> None:
+    """Refuse a level body, if it is on a fixed point and does not spin: however it precesses, nothing keeps its axis from falling."""
+    moment, held = laws.moment, laws.moment.held
+    if not on_pivot(owner, laws) or held.axis(owner) is None:
+        return
+    axial, _, lift = map(laws.tensors.spelled, top_of(laws, owner))
+    told = next((rate for word in ("spin", "axial_rate") if (rate := moment.told(owner, word)) is not None), None)
+    if not (held.vanishes(axial) or (told is not None and held.vanishes(told))) or held.vanishes(lift):
+        return
+    message = f"`{owner}` is level at `{moment.when}` and does not spin: it has no steady precession there"
+    help = "" if held.vanishes(axial) else "with whatever spin it precesses at φ̇ = M g l/(I₃ ω₃): none is the least"
+    raise Unsolvable(message, span=moment.state.span, help=help, lines=problem.lines, file=problem.file)
 
 
 def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:

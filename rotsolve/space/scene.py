@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import (
+    PI,
     ZERO,
     Call,
     Formula,
@@ -144,7 +145,15 @@ class SpaceEquations(SceneEquations, dict=True):
             for name in self.held.order if moment.state.steady else ():
                 rate = moment.ask("precession", name) if moment.nods(name) else ZERO
                 if isinstance(rate, Symbol):
+                    self.refuse_unspun(name, laws)
                     yield rate.name
+
+    def refuse_unspun(self, name: str, laws: SpaceLaws) -> None:
+        """Refuse a steady precession of what is level and does not spin, where numbers or the scene say so."""
+        if laws.moment.nodding(name).angles[1] == PI / 2:
+            from rotsolve.space.roots import refuse_level_unspun
+
+            refuse_level_unspun(name, laws, self.configuration.problem)
 
     def diagram_words(self, state: str) -> Iterator[Words]:
         """What acts on each body: forces with their places, couples, by components."""
@@ -261,6 +270,7 @@ class SpaceEquations(SceneEquations, dict=True):
             law for law in written if law.law in ROTATING and law.section == state and own.symbols() & law.symbols()
         ]
         if not isinstance(own, Symbol) or not laws:
+            self.refuse_unspun(path.owner, dynamics)
             raise NotYet(f"`{path.owner}` has one `precession` only", path.span, f"leave out `{term.modifier}`")
         beside = (self.beside_extreme(law, own.name, root, term.modifier, state) for law in first_of_each(laws))
         return Meaning(root, kind.dimension, laws=tuple(chain.from_iterable(beside))), state
@@ -294,10 +304,6 @@ class SpaceEquations(SceneEquations, dict=True):
             return steady_limit(self.dynamics[state], owner)
         except NotYet:
             return None
-
-    def axial_rate(self, owner: str, state: str) -> Formula:
-        """ω₃ of a body by the state."""
-        return self.dynamics[state].moment.attitude(owner).omega[2]
 
     def verge(self, condition: Condition) -> Equation:
         """Where the motion of a state is just stable, or just possible as a steady one."""

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 SMALL = 1e-9
 UPRIGHT = "upright it does not precess: sin θ ≠ 0"
 SEVERAL = "several motions are possible, and nothing tells which is meant"
+ONLY_UPRIGHT = "no tilt but upright or upside down is steady with these rates"
+TAKES = "at a tilt between a top on a fixed point takes |M g l − I₃ ω₃ φ̇| < I₁ φ̇²: a faster precession, or another spin"
 OF_LETTER = "write `smallest {name}` or `largest {name}`, one of them in a scene"
 OF_QUANTITY = "give it a letter, `x: unknown`, in the state, and ask for `smallest x` or `largest x`"
 
@@ -77,7 +79,7 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
     left = [k for k, root in enumerate(roots) if numbers.of(root) is not None or lacks_numbers(root, numbers)]
     if sought.size:
         left = [k for k in left if numbers.side(roots[k]) in (1, None)] or left
-    reasons: list[str] = []
+    reasons, tilted = list[str](), list[int]()
     if sought.tilts:
         left = [k for k in left if possible_tilt(sought, roots[k], numbers)]
         tilted = [
@@ -97,6 +99,9 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
         return PickedRoot(others[0], (reasons[0],) if reasons else ())
     if not sought.word and differ_in_sign([roots[k] for k in others]):
         return None  # one motion seen from both sides: the ordinary choice is the positive one
+    if sought.word not in EXTREMES and sought.steady and sought.tilts and not tilted:
+        problem = scene.configuration.problem
+        raise Unsolvable(ONLY_UPRIGHT, help=TAKES, lines=problem.lines, file=problem.file)
     if sought.word not in EXTREMES or any(lacks_numbers(roots[k], numbers) for k in others):
         problem = scene.configuration.problem
         raise Unsolvable(SEVERAL, help=sought.help, lines=problem.lines, file=problem.file)

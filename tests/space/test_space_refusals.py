@@ -11,6 +11,8 @@ HEAD = "title: T\nup: z\ngiven: {M: 2 kg, a: 1 m, J: 3 kg m^2, w: 5 rad/s}\n"
 BOX = "bodies: {b: {shape: cuboid, mass: M, sides: [a, a, a], points: {P: [a/2, 0, 0]}}}\n"
 TOP = "bodies: {b: {mass: M, inertia: {principal: [J, J, J/2], about: O}, axis: z, points: {O: [0, 0, -a]}}}\n"
 HELD = "connections: {p: {ball: b.O}}\n"
+ROD = "bodies: {b: {shape: rod, mass: M, length: a}}\nconnections: {p: {ball: b.start}}\n"
+STEADILY = "states: {s: {%s, steady: true}}\nfind: {O: smallest b.precession}\n"
 CASES = {  # a scene, what is said of it, and what would be right
     "moments that no body has": (
         HEAD + "bodies: {b: {inertia: {principal: [J, J, 3*J]}}}\nfind: {I: b.inertia along x}\n",
@@ -87,6 +89,32 @@ CASES = {  # a scene, what is said of it, and what would be right
         + "states: {s: {b.tilt: 30 deg, b.axial_rate: w, steady: true}}\nfind: {O: smallest b.precession}\n",
         "`b` spins too slowly for a steady precession at `s`",
         "at least 9.515 rad/s",
+    ),
+    "one without any spin": (
+        HEAD + TOP + HELD + STEADILY % "b.tilt: 30 deg, b.axial_rate: 0 rad/s",
+        "`b` spins too slowly for a steady precession at `s`",
+        "at least 9.515 rad/s",
+    ),
+    "one that tells the spin beside the precession": (
+        HEAD + TOP + HELD + STEADILY % "b.tilt: 30 deg, b.spin: 2 rad/s",
+        "`b` spins too slowly for a steady precession at `s`",
+        "it needs I₃ ψ̇ ≥ 2 √((I₁ − I₃) M g l cos θ), at least 6.728 rad/s",
+    ),
+    "a thin rod above its pivot": (
+        HEAD + ROD + STEADILY % "b.tilt: 30 deg",
+        "`b` has no steady precession at `s`: its weight turns it away from the vertical, and it is thin",
+        "",
+    ),
+    "a level top that does not spin": (
+        HEAD + TOP + HELD + (STEADILY % "b.tilt: 90 deg, b.spin: 0 rad/s").replace("smallest ", ""),
+        "`b` is level at `s` and does not spin: it has no steady precession there",
+        "none is the least",
+    ),
+    "a level rod": (HEAD + ROD + STEADILY % "b.tilt: 90 deg", "`b` is level at `s` and does not spin", ""),
+    "rates that hold a top at no tilt": (
+        HEAD + TOP + HELD + "states: {s: {b.axial_rate: w, b.precession: w/9, steady: true}}\nfind: {t: b.tilt}\n",
+        "no tilt but upright or upside down is steady with these rates",
+        "|M g l − I₃ ω₃ φ̇| < I₁ φ̇²",
     ),
     "a steady state that is none": (
         HEAD

@@ -178,8 +178,8 @@ REFUSED = {
     ),
     "a rod that hangs or stands": (
         CONE.replace("TILT", "theta").replace("8 rad/s", "3 rad/s") + "find: {c: theta}\n",
-        "several motions are possible",
-        "`smallest theta`",
+        "no tilt but upright or upside down is steady with these rates",
+        "a faster precession",
     ),
     "the largest of what has a modifier already": (
         top(
