@@ -322,7 +322,7 @@ def time_between(dynamics: Mapping[str, SpaceLaws], timeline: Timeline, term: Te
             message, term.path.span, "solved is the nutation of a top from state to state, with no event between"
         )
     later = chain[chain.index(start) + 1 :]
-    told = [time for state in later if (time := dynamics[state].moment.time_told()) is not None]
+    told = [time for state in later if (time := dynamics[state].moment.state.time_told) is not None]
     if len(told) == len(later):
         return Meaning(total(told), QUANTITIES["time"].dimension, label="times that the states tell"), end
     moment = dynamics[end].moment
