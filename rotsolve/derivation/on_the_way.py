@@ -108,7 +108,7 @@ def least_of(
     try:
         running = running_in(passage, interval, search, beside)
         found = None if running is None else list(least_values(in_time, running, beside))
-    except NotYet:
+    except (NotYet, ZeroDivisionError):  # nothing presses without bound: there its form has no value
         return None
     words = f"{need.otherwise} on the way to"
     return (
