@@ -6,7 +6,7 @@ from itertools import combinations
 
 import pytest
 
-from rotsolve.confirm.course.samples import letters_open, near_edges, sets_of_numbers
+from rotsolve.confirm.course.samples import holding, letters_open, near_edges, sets_of_numbers
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_text
@@ -107,7 +107,7 @@ SWUNG = [
 
 
 BETWEEN = {
-    "crate": CRATE, "shaken": SWUNG[0], "mirrored": SWUNG[1],
+    "crate": CRATE,
     "hoop down": HOOPS[0], "hoop up": HOOPS[1], "lopsided": LOPSIDED,
     "very light disc": VERY_LIGHT[0], "very light hoop": VERY_LIGHT[1],
 }  # fmt: skip
@@ -122,6 +122,16 @@ def test_what_can_fail_between_is_said(scene: str) -> None:
         assert "not solved" in str(error) or "not confirmed" in str(error)
         return
     assert any("not so with" in why for why in reasons(found))
+
+
+@pytest.mark.parametrize("scene", SWUNG)
+def test_what_letters_tell_of_a_swing_is_a_condition(scene: str) -> None:
+    """The string stays taut where R b w² ≤ g."""
+    answers = solve(scene).answers
+    for name in ("v", "T"):
+        for b, stays in ((0.9, True), (1.1, False)):
+            numbers = {"m": 1.0, "R": 9.8, "w": 1.0, "b": b, "g": 9.8}
+            assert (holding(answers[name].answer, numbers) is not None) == stays
 
 
 def test_letters_are_drawn_apart_from_each_other() -> None:
