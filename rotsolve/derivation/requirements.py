@@ -139,6 +139,10 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
     for swing in scene.swings.values():
         if swing.found:
             yield swing.near.state, free_bodies(swing.rest).requirements
+    if any(swing.start for swing in scene.swings.values()):
+        from rotsolve.derivation.swung import far_ends
+
+        yield from far_ends(search)
     if any(encounter.closing is not None for encounter in scene.encounters.values()):
         from rotsolve.derivation.parted import partings
 
