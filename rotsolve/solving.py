@@ -233,9 +233,10 @@ def composed(
     """The answers of a search as a derivation with its checks."""
     with stage("compose", whole=True):
         slipped, first = sections_before(decision)
-        composer = DerivationComposer(search, first, evaluation_time(at))
+        moment = evaluation_time(at)
+        composer = DerivationComposer(search, first, moment)
     with stage("verify", whole=True):
-        held = checks(search, composer.letters, balls)
+        held = checks(search, composer.letters, balls, moment)
         idle = idle_words(search.scene)  # what is read from here on is none of the solution
     with stage("compose", whole=True):
         trials = () if decision is None else decision.trials

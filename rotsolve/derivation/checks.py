@@ -16,6 +16,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters, listed
 from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
+from rotsolve.language.problem import TimeValue
 from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
 from rotsolve.search.consistency import KnownBalls
 from rotsolve.search.openings import stops
@@ -106,14 +107,15 @@ def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> boo
     return any(rate is not None and search.numbers.side(search.numbers.with_answers(rate)) for rate in rates)
 
 
-def checks(search: Search, letters: Letters, balls: KnownBalls) -> tuple[Check, ...]:
-    """All checks of a solved search, the second law first; `balls` are the answers, and what follows from them, as numbers."""
+def checks(search: Search, letters: Letters, balls: KnownBalls, at: TimeValue | None) -> tuple[Check, ...]:
+    """All checks of a solved search, the second law first; `balls` are the answers, and what follows from them, as numbers; functions of
+    time are evaluated `at` a time."""
     return (
         *alone(search),
         *second_law_checks(search, letters, balls),
         *dimensions(search),
         *limit_checks(search),
-        *requirements(search, letters),
+        *requirements(search, letters, at),
         *nudged(search),
     )
 

@@ -25,7 +25,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.laws.energy import conservation
 from rotsolve.laws.table import OverPhase
 from rotsolve.motion.passages import passage as passage_between
-from rotsolve.motion.timeline import Interval
+from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.functions_of_time import Beside
 from rotsolve.search.search import Search
@@ -58,7 +58,7 @@ def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]
 def untold_pushes(search: Search) -> Iterator[tuple[Requirement, Words]]:
     """What letters leave open of a phase: whether a string stays taut on the way, or friction suffices. Numbers are followed in time."""
     for least in pushes_on_the_way(search) if search.signs.trials else ():
-        if least.found is None:
+        if least.found is None and (least.need.kind.grips or least.interval.end != OPEN):  # else `lasting` looks at it
             what = (
                 f"{spoken(least.need.owner)} {least.need.otherwise}" if least.need.kind.grips else least.need.otherwise
             )

@@ -29,16 +29,18 @@ if TYPE_CHECKING:
     from rotsolve.core.faults import Unsolvable
     from rotsolve.core.passage import Passage
     from rotsolve.derivation.letters import Letters
+    from rotsolve.language.problem import TimeValue
     from rotsolve.search.search import Search
 
 Settling = Callable[[Formula], Formula | None]  # puts in what is known for the letters of the laws
 
 
-def requirements(search: Search, letters: Letters) -> Iterator[Check]:
-    """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
+def requirements(search: Search, letters: Letters, moment: TimeValue | None = None) -> Iterator[Check]:
+    """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of, up to the `moment` at
+    which functions of time are evaluated."""
     told: set[tuple[str, str, str, Formula]] = set()
     spoken_of: list[str | Formula] = []
-    for place, needs in requirements_by_state(search):
+    for place, needs in requirements_by_state(search, moment):
         for need in needs:
             event = place in search.scene.encounters
             at = place if event or need.kind.placed else search.scene.section(place)
@@ -53,10 +55,19 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                         continue
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
+    yield from (Check(words, None) for need, words in left_open(search, letters, moment) if concerns(need, search))
+
+
+def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[Requirement, Words]]:
+    """What is not told of the way between two states, and when functions of time of no moment in particular cease to hold."""
     if search.signs.trials and any(pushes_vary(passage) for passage in search.scene.passages.values()):
         from rotsolve.derivation.on_the_way import untold_pushes
 
-        yield from (Check(words, None) for need, words in untold_pushes(search) if concerns(need, search))
+        yield from untold_pushes(search)
+    if moment is None and search.scene.configuration.mentions.functions:
+        from rotsolve.derivation.lasting import endings_told
+
+        yield from endings_told(search, letters)
 
 
 def met_or_not(
@@ -128,7 +139,9 @@ def values_sought(search: Search) -> Iterator[dict[str, Formula]]:
         yield {name: item.formula for name, item in found.items() if item is not None and item.formula is not None}
 
 
-def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+def requirements_by_state(
+    search: Search, moment: TimeValue | None = None
+) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
     """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
     scene = search.scene
     for state in scene.configuration.timeline.states:
@@ -155,6 +168,10 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
         from rotsolve.derivation.on_the_way import least_pushes
 
         yield from least_pushes(search)
+    if search.scene.configuration.mentions.functions:
+        from rotsolve.derivation.lasting import lasting
+
+        yield from lasting(search, moment)
 
 
 def pushes_vary(passage: Passage) -> bool:
