@@ -97,19 +97,21 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
 
 
 def spring_way(item: Spring, model: Known) -> Way:
-    """From left to right along a line of travel that is not upright, from a wall out of it; else up from the ground, down from the
-    ceiling, of two bodies down."""
+    """From a wall out of it, along the body's line of travel where that is not upright; else from left to right along that line, down from
+    the ceiling, up from whatever else it stands on, of two bodies down."""
     first, second = item.spring
     anchor, body = (first, second) if first.owner not in model.seats else (second, first)
     way = model.line(body.owner) if body.owner in model.seats else None
     wall = model.surfaces.get(anchor.owner)
-    if way is not None and abs(way[0]) > 1e-9:
-        right = way if way[0] > 0 else (-way[0], -way[1])
-        if not isinstance(wall, Wall):
-            return right
-        outward = right if wall.wall == "left" else (-right[0], -right[1])
+    right = way if way is None or way[0] > 0 else (-way[0], -way[1])
+    sideways = right is not None and abs(right[0]) > 1e-9
+    if isinstance(wall, Wall):
+        level = right if right is not None and sideways else RIGHT
+        outward = level if wall.wall == "left" else (-level[0], -level[1])
+    elif right is not None and sideways:
+        return right
     else:
-        outward = UP if anchor.owner == "ground" or anchor.owner in model.seats else DOWN
+        outward = DOWN if anchor.owner == "ceiling" else UP
     return outward if anchor is first else (-outward[0], -outward[1])
 
 

@@ -72,8 +72,8 @@ class Spring(Connection, frozen=True):
         return add(distance(gap, instant), negate(self.rest_length))
 
     def along(self, instant: Moment) -> Vector:
-        """Unit vector from the first end to the second: where they are, if a place is named; from left to right along a level or
-        sloping line of travel, from a wall out of it; else up from the ground, down from the ceiling, of two bodies down."""
+        """Unit vector from the first end to the second: where they are, if a place is named; from a wall out of it; else from left to right
+        along a level or sloping line of travel, up from the ground and what lies on it, down from the ceiling, of two bodies down."""
         configuration = instant.configuration
         straight = between(self.spring[0], self.spring[1], instant) if self.placed else None
         if straight is not None:
@@ -81,13 +81,13 @@ class Spring(Connection, frozen=True):
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
         line = instant.line(instant.host(body.owner)) if body.owner in configuration.bodies else None
         right = rightward(line[0], body, instant) if line is not None else None
-        wall = configuration.surfaces.get(anchor.owner)
-        if right is not None and (wall is None or not wall.upright):
+        surface = configuration.surfaces.get(anchor.owner)
+        if surface is not None and surface.upright:
+            outward = surface.normal if right is None else right if surface.normal == RIGHT else right.turned(180)
+        elif right is not None:
             return unit(right)
-        if right is not None and wall is not None:
-            outward = right if wall.normal == RIGHT else right.turned(180)
         else:
-            outward = UP if anchor.owner == "ground" or anchor.owner in configuration.bodies else DOWN
+            outward = DOWN if surface is None and anchor.owner == "ceiling" else UP
         return unit(outward if anchor is self.spring[0] else outward.turned(180))
 
 
