@@ -5,7 +5,7 @@ Where more contacts hold a body in balance than the laws tell apart, all that ca
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import islice, product
 
 from msgspec import Struct
@@ -19,12 +19,12 @@ from rotsolve.core.symbols import asked_symbol, rub_key
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
-from rotsolve.motion.rubs import STICKS, rubs
+from rotsolve.motion.rubs import STICKS, Rub, rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import Answered, NoAnswer
 from rotsolve.search.extrema import add_step, remember_answer
-from rotsolve.search.friction import TRIALS, limiting
+from rotsolve.search.friction import TRIALS, Trials, limiting
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found
 
@@ -33,22 +33,46 @@ Limit = tuple[Equation, Formula]  # |f| = μ N one way, and the normal force
 
 class Verge(Struct, frozen=True):
     """A value at which a contact is on the point of slipping one way, by the limits that are reached; `side` is +1 where it slips beyond
-    it, −1 below it, 0 where nothing tells."""
+    it, −1 below it, 0 where nothing tells; `turned` are the senses of wheels on rubbing axles that are on the point of turning with it."""
 
     value: Formula
     limits: tuple[Equation, ...]
     side: int
+    turned: Mapping[Rub, int] = {}
 
 
 def on_the_point_of_slipping(search: Search, find: Find) -> None:
     """`largest F where touch sticks`: the value at which the contact is on the point of slipping, beyond which it slips."""
+    question, contact, state = verge_asked(find, search)
+    verge = verge_meant(find, search)
+    own_scene = open_at(contact, state, search.scene) is search.scene and all(
+        search.scene.modes.get(rub.key, "") == rub.mode(sense) for rub, sense in verge.turned.items()
+    )
+    if question.letter not in search.solver.solved and own_scene:
+        search.answer(question, *verge.limits)
+        return
+    own = asked_symbol(find.name)  # the letter has the value of another verge
+    question = replace(question, letter=own, formula=Symbol(own))
+    chain = [Equality(limit.left, limit.right) for limit in verge.limits] + [Equality(Symbol(own), verge.value)]
+    steps = add_step(search, question, ("words", POINT_OF_SLIPPING.name), (), chain, ())
+    remember_answer(search, Answered(question, Found(own, verge.value), (), steps))
+
+
+def verge_asked(find: Find, search: Search) -> tuple[Asked, str, str]:
+    """Whose value is asked for at a verge, of which contact, and at which state."""
     condition, configuration = find.where, search.scene.configuration
     assert condition is not None and condition.path is not None
-    contact, word = condition.path.owner, modifier_of(find)
     if condition.word not in ("sticks", "rolls"):
-        raise NotYet(f"`where {contact} is {condition.word}` is not solved yet")
+        raise NotYet(f"`where {condition.path.owner} is {condition.word}` is not solved yet")
     question = question_for(without_condition(find), search.scene, search.letters())
     state = find.terms[0].at if find.terms and find.terms[0].at else configuration.timeline.states[-1].name
+    return question, condition.path.owner, state
+
+
+def verge_meant(find: Find, search: Search) -> Verge:
+    """The largest or smallest value at which a contact sticks, of those at which it is on the point of slipping."""
+    configuration, word = search.scene.configuration, modifier_of(find)
+    question, contact, state = verge_asked(find, search)
     verges = verges_of(contact, state, question, search)
     if not verges:
         alone = not configuration.timeline.state(state).balance and len(rubs(configuration)) > 1
@@ -67,14 +91,7 @@ def on_the_point_of_slipping(search: Search, find: Find) -> None:
     for other in ends[1:]:
         ahead = search.numbers.side(other.value - verge.value)
         verge = other if ahead == (1 if word == "largest" else -1) else verge
-    if question.letter not in search.solver.solved and open_at(contact, state, search.scene) is search.scene:
-        search.answer(question, *verge.limits)
-        return
-    own = asked_symbol(find.name)  # the letter has the value of another verge
-    question = replace(question, letter=own, formula=Symbol(own))
-    chain = [Equality(limit.left, limit.right) for limit in verge.limits] + [Equality(Symbol(own), verge.value)]
-    steps = add_step(search, question, ("words", POINT_OF_SLIPPING.name), (), chain, ())
-    remember_answer(search, Answered(question, Found(own, verge.value), (), steps))
+    return verge
 
 
 def without_condition(find: Find) -> Find:
@@ -97,19 +114,45 @@ def open_at(contact: str, state: str, scene: SceneEquations) -> SceneEquations:
 
 
 def verges_of(contact: str, state: str, question: Asked, search: Search) -> list[Verge]:
-    """The values at which a contact is on the point of slipping, one way and the other; in balance together with others, if not alone."""
+    """The values at which a contact is on the point of slipping, along its slip and back; in balance together with others, if not alone."""
     scene = open_at(contact, state, search.scene)
     ground = search if scene is search.scene else Search(scene, search.families, search.spare)
-    own = limiting(ground.scene, contact, state)
-    verges = [verge for limit in own if (verge := verge_at(ground, question, (limit,)))]
+    verges = [verge for way in (1, -1) if (verge := verge_slipping(way, contact, state, question, ground)) is not None]
     if verges or not ground.scene.configuration.timeline.state(state).balance:
         return verges
+    own = limiting(ground.scene, contact, state)
     others = [limiting(ground.scene, rub.owner, state) for rub in rubs(ground.scene.configuration) if rub.contact]
     return [
         verge
         for limits in islice(at_once(own, [item for item in others if item and item != own]), TRIALS)
         if (verge := verge_at(ground, question, limits))
     ]
+
+
+def verge_slipping(way: int, contact: str, state: str, question: Asked, search: Search) -> Verge | None:
+    """The value at which a contact is on the point of slipping in one sense, and wheels that it would turn are on the point of turning."""
+    turned = turned_with(contact, state, way, search.scene)
+    modes = {rub.key: rub.mode(sense) for rub, sense in turned.items()}
+    if modes:
+        search = Search(search.scene.where({**search.scene.modes, **modes}), search.families, search.spare)
+    limits = limiting(search.scene, contact, state)  # friction against the slip, then along it
+    verge = verge_at(search, question, (limits[0 if way > 0 else 1],)) if limits else None
+    return None if verge is None else replace(verge, turned=turned)
+
+
+def turned_with(contact: str, state: str, way: int, scene: SceneEquations) -> dict[Rub, int]:
+    """The senses in which wheels on rubbing axles would turn if a contact slipped; none where what it slips on moves too, or where it is
+    known how they turn."""
+    start = scene.configuration.phase_start(state)
+    own = next((rub for rub in rubs(scene.configuration) if rub.owner == contact and rub.state == start), None)
+    if own is None or own.contact is None or own.contact.carrier(scene.configuration):
+        return {}
+    tied = scene.configuration.component(own.body, start)
+    wheels = [rub for rub in rubs(scene.configuration) if rub.item is None and rub.state == start and rub.body in tied]
+    told = dict(scene.configuration.timeline.state(start).senses)
+    wheels = [rub for rub in wheels if rub.name in told or rub.key not in scene.modes]
+    senses = Trials(scene.configuration).senses_of([own, *wheels], way) if wheels else {}
+    return {rub: senses[rub.key] for rub in wheels}
 
 
 def at_once(own: list[Limit], others: list[list[Limit]]) -> Iterator[tuple[Limit, ...]]:

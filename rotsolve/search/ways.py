@@ -19,12 +19,14 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answering import answer
 from rotsolve.search.friction import TRIALS, Trials, decide, smooth
 from rotsolve.search.search import Search
+from rotsolve.search.verges import modifier_of, verge_meant
 
 
 def with_way_found(search: Search, *, stuck: bool) -> Problem | None:
     """The problem in the case of the value that a letter has in the one way in which what rubs moves by that value as well; else None.
 
-    Where the questions have answers only what rubs on axles is looked at: without a way it is taken to turn in the wheel's own sense.
+    Where the questions have answers only what rubs on axles is looked at: without a way it is taken to turn in the wheel's own sense. At
+    the verge of slipping it is on the point of turning with what slips.
     """
     scene = search.scene
     problem = scene.configuration.problem
@@ -37,10 +39,28 @@ def with_way_found(search: Search, *, stuck: bool) -> Problem | None:
         verge = find.where.path.owner if find.where is not None and find.where.path is not None else ""
         others = [rub for rub in open_ if rub.owner != verge]
         if letter in asked and others:
-            found = by_ways(find, letter, others, search)
+            found = at_the_verge(find, search) if verge and modifier_of(find) else None
+            found = found or by_ways(find, letter, others, search)
             if found is not None:
                 return found
     return None
+
+
+def at_the_verge(find: Find, search: Search) -> Problem | None:
+    """The problem with the senses in which wheels on rubbing axles would turn if a contact slipped beyond the value that is asked for."""
+    problem = search.scene.configuration.problem
+    try:
+        turned = verge_meant(find, search).turned
+    except (NotYet, Unsolvable):
+        return None
+    modes = search.scene.modes
+    if all(modes.get(rub.key, "") == rub.mode(sense) for rub, sense in turned.items()):
+        return None
+    start = next(rub.state for rub in turned)
+    senses = tuple((rub.name, sense) for rub, sense in turned.items())
+    states = [replace(one, senses=senses) if one.name == start else one for one in problem.states]
+    told = dict(search.scene.configuration.timeline.state(start).senses)  # by another question
+    return None if told else replace(problem, states=tuple(states))
 
 
 def is_open(rub: Rub, search: Search) -> bool:
