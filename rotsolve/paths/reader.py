@@ -79,12 +79,13 @@ class OfElements(AtInstant, frozen=True):
         return function(path, item, self.body(item.joined()[-1].owner), self.instant)
 
     def torque(self, path: Path, acting: Acting) -> Formula:
-        """The couple on the last-named body, and the torques of its forces: about its axis, its centre of mass or a point."""
+        """The couples on the last-named body (of a driven axle its friction too), and the torques of its forces: about its axis, its centre
+        of mass or a point."""
         bodies = [body.name for body, _ in (*acting.couples, *acting.forces)]
         if not bodies:
             raise NotYet(f"`{path.owner}` gives no torque{self._moment()}")
         last = named_last(path.owner, bodies, self.instant)
-        couples = [couple.torque for body, couple in acting.couples if body.name == last][-1:]
+        couples = [couple.torque for body, couple in acting.couples if body.name == last]
         forces = [(body, force) for body, force in acting.forces if body.name == last]
         point = None if acting.about is None else place_about(acting.about, last, self.instant)
         pushes = [body.torque_of(force) if point is None else torque_about(point, force) for body, force in forces]

@@ -164,16 +164,15 @@ def work_of_weight(name: str, passage: Passage, scene: SceneEquations) -> Formul
 
 
 def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
-    """Work of an action or connection in a phase, or of all forces on a body."""
+    """Work of an action or connection in a phase, or of all forces on a body, which is what it gains of kinetic energy."""
     passage = scene.passages.get(interval)
     if passage is None:
         return ZERO
-    works = [work for work in passage.works if path.owner in (work.owner, *work.bodies)]
     if path.component == "gravity":
         return work_of_weight(path.owner, passage, scene)
-    if path.owner in scene.configuration.bodies and joined(path.owner, scene.instant(passage.start.state)):
-        help = f"ask for the change of its energy, `change of {path.owner}.energy`, or the work of what acts on it"
-        raise NotYet(f"the work done on `{path.owner}` alone, which is joined to another, is not solved yet", help=help)
+    works = [work for work in passage.works if path.owner == work.owner]
+    if path.owner in scene.configuration.bodies and not works:  # else its own, of a man who draws his arms in
+        return net_work(path.owner, passage, scene)
     if not works and idle(path.owner, passage):
         return ZERO
     if not works and any(item.owner == path.owner for item in passage.midst.potentials):
@@ -181,6 +180,19 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
     if not works:
         raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
     return total([work.amount for work in works])
+
+
+def net_work(name: str, passage: Passage, scene: SceneEquations) -> Formula:
+    """K₂ − K₁ of a body in a phase: the work of all that acts on it, its weight, strings and belts among that."""
+    start, end = passage.start.state, passage.end.state
+    facts = passage.midst.body(scene.instant(start).host(name))
+    if joined(name, scene.instant(start)) or (facts is not None and facts.changing):
+        what = "which is joined to another" if joined(name, scene.instant(start)) else "which loses or gains mass"
+        help = f"ask for the change of its energy, `change of {name}.energy`, or the work of what acts on it"
+        raise NotYet(f"the work done on `{name}` alone, {what}, is not solved yet", help=help)
+    path = Path(name, "kinetic_energy")
+    first, last = (scene.reader(state).meaning(path, Term(path, at=state)).formula for state in (start, end))
+    return last - first
 
 
 def idle(owner: str, passage: Passage) -> bool:
