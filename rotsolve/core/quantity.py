@@ -130,7 +130,11 @@ QUANTITIES: dict[str, QuantityKind] = {
             ("rotational", "translational"),
         ),
         kind(
-            "potential_energy", "energy", "U", (BODY, LINK, SYSTEM), "of gravity and springs, as `change of` or `lost`"
+            "potential_energy",
+            "energy",
+            "U",
+            (BODY, LINK, SYSTEM),
+            "of a spring or wire; of gravity and of all, as `change of` or `lost`",
         ),
         kind(
             "energy", "energy", "E", (BODY, SYSTEM), "kinetic and potential energy together, as `change of` or `lost`"

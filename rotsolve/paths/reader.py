@@ -105,6 +105,11 @@ class OfElements(AtInstant, frozen=True):
         stored = self._stored(path.owner)
         return stored.elongation if stored is not None and stored.placed else self.instant.ask("elongation", path.owner)
 
+    def potential_energy(self, path: Path, acting: Acting) -> Formula | None:
+        """½ k x² of a spring, ½ κ θ² of a wire; that of a rope that hangs is none without a level from which it counts."""
+        stored = self._stored(path.owner)
+        return None if stored is None or self.length(path, acting) is not None else stored.energy
+
     def length(self, path: Path, acting: Acting) -> Formula | None:
         """How long a rope is that hangs, whose weight stores energy by that."""
         stored = self._stored(path.owner)
@@ -227,6 +232,7 @@ OF_ELEMENTS: dict[str, Callable[[OfElements, Path, Acting], Meant | None]] = {  
     "power": OfElements.power,
     "elongation": OfElements.elongation,
     "length": OfElements.length,
+    "potential_energy": OfElements.potential_energy,
     "angle": OfElements.turning,
     "angular_velocity": OfElements.turning,
     "angular_acceleration": OfElements.turning,

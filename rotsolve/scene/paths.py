@@ -186,6 +186,8 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
     if len(words) == 1:
         return system_path(scope, node, first, span)
     kind = scope.kinds.get(first)
+    if not kind and first in SUMMED and not scope.space:
+        return finish(scope, node, "", None, None, words, span, [*SUMMED], [])
     if kind not in OWNERS:
         if first in scope.conflicts:
             return None
@@ -256,6 +258,7 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
     return entry is None or (len(rest) > 1 and rest[1] not in entry.components)
 
 
+SUMMED = ("momentum",)  # what the whole scene has a component of: `momentum.y`
 BEARINGS = ("bearing1", "bearing2")  # of a hinge in space
 OF_ENDS = (
     "tension",

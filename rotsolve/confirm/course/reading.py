@@ -166,9 +166,10 @@ def position(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 
 def angle(at: Node, path: Path, term: Term | None) -> Reckoned:
-    """Of what has settled, and has come there by no way, the one next to 0."""
+    """Of what has settled, and has come there by no way, the one next to 0; a wire counts the turns."""
     found = at.angle(path.owner)
-    return number(math.remainder(found, math.tau) if at.settled else found, 1.0)
+    counted_by_none = at.settled and not any(item.winds() for item in at.model.acting.connections)
+    return number(math.remainder(found, math.tau) if counted_by_none else found, 1.0)
 
 
 def angular(at: Node, path: Path, term: Term | None) -> Reckoned:
