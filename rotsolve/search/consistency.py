@@ -20,6 +20,7 @@ from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
+from rotsolve.search.within import seeks
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 DIGITS = 60  # of what has no closed form
@@ -206,11 +207,20 @@ def too_far(search: Search, numbers: KnownBalls) -> Equation | None:
     return None
 
 
+def values_sought_once(search: Search) -> dict[str, Formula]:
+    """What the answers make of letters that stand for any value in the laws, of which one question seeks the value: `x where N = P`."""
+    symbols = list(seeks(search))
+    once = symbols[0] if len(symbols) == 1 else {}
+    found = {letter: search.solver.solved.get(symbol) for letter, symbol in once.items() if letter != symbol}
+    return {name: item.formula for name, item in found.items() if item is not None and item.formula is not None}
+
+
 def note_duration(duration: Formula, search: Search) -> None:
     """Tell those who watch that the sign of a duration has decided something: as a formula of the givens, if it has one."""
     value: Formula | None = search.solver.with_found(duration)
     if value is not None and has_quantities(value):
         value = search.apart().settled(value)
+    value = None if value is None else value.substitute(values_sought_once(search))
     if value is not None and search.signs.lacking(value):
         search.signs.supposed(value)
     elif value is None:
@@ -269,7 +279,10 @@ class KnownBalls(Struct, frozen=True):
         open_ = [given for given in search.givens.values() if given.value is None and not given.asked]
         free = {given.name: ONE if given.trial is None else given.trial for given in open_}
         sought = frozenset(given.name for given in search.givens.values() if given.asked)
-        numbers = KnownBalls({}, {**free, **search.values}, frozenset(free), sought)
+        settled = values_sought_once(search)
+        letters = {name: value.substitute(settled) for name, value in letters.items()} | settled
+        values = {name: value for name, value in {**free, **search.values}.items() if name not in settled}
+        numbers = KnownBalls({}, values, frozenset(free), sought)
         sizes = {name: numbers.size(value) for name, value in letters.items()}
         numbers.found.update((name, size) for name, size in sizes.items() if size is not None)
         together = [(name, found.number) for name, found in solver.solved.items() if found.number is not None]
