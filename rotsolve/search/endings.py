@@ -25,7 +25,7 @@ from rotsolve.motion.rubs import BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import unsolvable
-from rotsolve.search.consistency import KnownBalls, no_way
+from rotsolve.search.consistency import KnownBalls, no_way, values_sought_once
 from rotsolve.search.openings import Ending, moving_words, resting_line, slider_of, stops, turning_line, words_for
 from rotsolve.search.search import Search
 
@@ -379,14 +379,14 @@ class Endings(Struct, dict=True):
         return self.numbers.side(value)
 
     def settled(self, value: Formula | None) -> Formula | None:
-        """A value with all that the answers and the laws tell of its letters."""
+        """A value with all that the answers and the laws tell of its letters, a letter that a question seeks among them."""
         if value is None:
             return None
-        found = self.search.solver.with_found(value)
-        if not has_quantities(found):
-            return found
-        self.aside = self.aside or self.search.apart(careful=True)
-        return self.aside.settled(found)
+        found: Formula | None = self.search.solver.with_found(value)
+        if found is not None and has_quantities(found):
+            self.aside = self.aside or self.search.apart(careful=True)
+            found = self.aside.settled(found)
+        return None if found is None else found.substitute(values_sought_once(self.search))
 
     def said(self, interval: Interval, resting: tuple[Rub, ...]) -> bool:
         """Whether the state at the end of a phase says itself that one of them has come to rest."""
