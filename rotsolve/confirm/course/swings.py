@@ -17,6 +17,7 @@ from rotsolve.confirm.linear import solved
 from rotsolve.language.problem import Condition, State, Term
 
 STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
+ROUGH = 1e-4  # share of a slope by which two steps may tell it otherwise
 NEARLY = 1e-3  # share of gravity, in SI units, with which swings have to start to be followed
 STARTS = (0.0, 1.0, -1.0, 2.0, -2.0, 0.3, -0.3)
 
@@ -96,14 +97,22 @@ class Small:
             raise NotConfirmed("dry friction, by which small swings stick")
         return moment(self.model, placed, {grip.name: "sticks" for grip in grips}).rates[self.index]
 
+    def bend(self, value: float, step: float = STEP) -> float:
+        """How fast the push grows with the place, by a step to both sides."""
+        return (self.push(value + step) - self.push(value - step)) / (2.0 * step)
+
     def slope(self, value: float) -> float:
-        return (self.push(value + STEP) - self.push(value - STEP)) / (2.0 * STEP)
+        """The same by two steps, of which the smaller one errs by a fourth; NotConfirmed where they tell it otherwise."""
+        wide, near = self.bend(value), self.bend(value, STEP / 2.0)
+        if abs(wide - near) > ROUGH * abs(near):
+            raise NotConfirmed("swings beside which a push bends sharply: a spring of next to no length")
+        return (4.0 * near - wide) / 3.0
 
     def equilibrium(self, start: float) -> float | None:
         """Where nothing pushes, by Newton's way from a start."""
         value = start
         for _ in range(40):
-            push, slope = self.push(value), self.slope(value)
+            push, slope = self.push(value), self.bend(value)
             if slope == 0.0:
                 return None
             change = -push / slope
