@@ -98,7 +98,7 @@ class Planner:
         return self.found[key]
 
     def _cheapest(self, asked: str, relevant: Mapping[int, tuple[str, ...]]) -> Plan | None:
-        best = self._block(asked, relevant, self._told(relevant))
+        best = self._block(asked, relevant, Matching(self._told(relevant)).owner)
         if best is None:
             return None
         chained = self._chain(asked, relevant)
@@ -142,15 +142,8 @@ class Planner:
             unknowns = kept
         return unknowns
 
-    def _block(
-        self,
-        asked: str,
-        unknowns: Mapping[int, tuple[str, ...]],
-        told: Mapping[int, tuple[str, ...]],
-        skipped: int = -1,
-    ) -> Plan | None:
-        """Match greedily, then collect what the asked unknown's equation needs; None where one of that has no equation."""
-        owner = matched(told, skipped)
+    def _block(self, asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> Plan | None:
+        """Collect what the asked unknown's equation needs; None where one of that has no equation."""
         names, open_ = needed(asked, unknowns, owner)
         if open_:
             return None
@@ -207,11 +200,11 @@ class Planner:
         if asked not in ways:
             return None
         own = {index: unknowns[index] for index in sorted(ways[asked][1])}
-        return self._block(asked, own, self._told(own))
+        return self._block(asked, own, Matching(self._told(own)).owner)
 
     def _shortage(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Shortage:
         """The block with fewer equations than unknowns: all that alternating paths reach from the unknowns that got no equation."""
-        owner = matched(self._told(unknowns))
+        owner = Matching(self._told(unknowns)).owner
         own = {index: name for name, index in owner.items()}
         pending = needed(asked, unknowns, owner)[1]
         names, equations = {asked, *pending}, set[int]()
@@ -229,8 +222,8 @@ class Planner:
         """Leave out one equation at a time while that makes the plan cheaper."""
         pool = dict(unknowns)
         for _ in range(ROUNDS):
-            told = self._told(pool)
-            trials = [(self._block(best.asked, pool, told, index), index) for index in best.equations]
+            matching = Matching(self._told(pool))
+            trials = [(self._block(best.asked, pool, matching.without(index)), index) for index in best.equations]
             better = [(trial, index) for trial, index in trials if trial is not None and trial.cost < best.cost]
             if not better:
                 return best
@@ -253,16 +246,35 @@ def needed(asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[s
     return seen, open_
 
 
-def matched(told: Mapping[int, tuple[str, ...]], skipped: int = -1) -> dict[str, int]:
-    """As many unknowns as can be, each with an equation of its own, the first equations first, without the one skipped."""
-    owner: dict[str, int] = {}
-    spent: set[str] = set()  # unknowns from which no path leads to a free one: none ever will
-    for index in told:
-        if index != skipped and not spent.issuperset(told[index]):
-            visited: set[str] = set()
-            if not _augment(index, told, owner, visited, spent):
-                spent |= visited
-    return owner
+class Matching:
+    """As many unknowns as can be, each with an equation of its own (`owner`), the first equations first."""
+
+    def __init__(self, told: Mapping[int, tuple[str, ...]]) -> None:
+        self.told = told
+        self.owner: dict[str, int] = {}
+        self.place = {index: number for number, index in enumerate(told)}
+        spent: set[str] = set()  # unknowns from which no path leads to a free one: none ever will
+        self.spare = [index for index in told if not self._fits(index, self.owner, spent)]
+
+    def _fits(self, index: int, owner: dict[str, int], spent: set[str]) -> bool:
+        """Whether an equation gets an unknown of its own, which it is given."""
+        if spent.issuperset(self.told[index]):
+            return False
+        visited: set[str] = set()
+        if _augment(index, self.told, owner, visited, spent):
+            return True
+        spent |= visited
+        return False
+
+    def without(self, skipped: int) -> dict[str, int]:
+        """The owners where the matching is made without one equation that owns.
+
+        Matched equations are a basis of a transversal matroid: the first spare one after it that fits takes its place, all others stay.
+        """
+        owner = {name: index for name, index in self.owner.items() if index != skipped}
+        spent, place = set[str](), self.place[skipped]
+        any(self._fits(index, owner, spent) for index in self.spare if self.place[index] > place)
+        return owner
 
 
 def _augment(

@@ -187,6 +187,8 @@ class Trials:
 
         What an event would leave moving against either sense of its friction sticks through it.
         """
+        if self.comes_to_rest(rub):
+            return 0
         told: list[int] = []
         first = self.sense_before(rub)
         for sense in (first, -first):
@@ -199,6 +201,16 @@ class Trials:
         if told == [-1, 1] and rub.contact is not None and before is not None and before.event is not None:
             self.modes[rub_key(rub.name, before.name)] = STICKS
         return 0
+
+    def comes_to_rest(self, rub: Rub) -> bool:
+        """Whether it surely does not move where a phase leads to its state: it stuck all the way, or is said to stick from there on."""
+        timeline = self.configuration.timeline
+        before, lines = timeline.before(rub.state), timeline.state(rub.state).conditions
+        if before is None or before.event is not None:
+            return False
+        on_the_way = self.modes.get(rub_key(rub.name, self.configuration.phase_start(before.start)))
+        said = any(line.path and line.path.owner == rub.name and line.word in ("sticks", "rolls") for line in lines)
+        return said or on_the_way == rub.mode(0)
 
     def sense_before(self, rub: Rub) -> int:
         """The sense in which it slips on the way to a state, in which it does not turn back; the positive one where nothing leads there."""
