@@ -12,7 +12,7 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import is_quantity
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Condition, Find, Path, State
+from rotsolve.language.problem import Condition, Find, Path, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
 from rotsolve.plan import PATIENCE
@@ -22,6 +22,8 @@ from rotsolve.search.friction import decide
 from rotsolve.search.search import Search
 
 TRIED = 6  # proposals that are tried: each is a scene to be solved
+REMEMBERED = 256
+LED_ON: dict[object, bool] = {}  # which proposals for which questions of which scenes led on
 STATED: dict[str, tuple[str, Formula]] = {  # what a state can say, with an example
     "angle": ("30 deg", PI / 6),
     "velocity": ("2 m/s", formula(2)),
@@ -83,8 +85,19 @@ def state_of(when: str, scene: SceneEquations) -> str:
 
 
 def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tuple[str, ...]) -> bool:
-    """Whether a question has an answer in the scene with the lines of a proposal, and nothing contradicts it."""
+    """Whether a question has an answer in the scene with the lines of a proposal, and nothing contradicts it; looked into once for all
+    cases of its letters."""
     problem = scene.configuration.problem
+    key = (tuple(problem.lines), problem.bodies, problem.states, find.name, proposal.words, families)
+    if key not in LED_ON:
+        while len(LED_ON) >= REMEMBERED:
+            del LED_ON[next(iter(LED_ON))]
+        LED_ON[key] = answers_with(proposal, problem, find, families)
+    return LED_ON[key]
+
+
+def answers_with(proposal: Proposal, problem: Problem, find: Find, families: tuple[str, ...]) -> bool:
+    """Whether a question has an answer in the problem with the lines of a proposal, and nothing contradicts it."""
     states = problem.states or (State("now"),)
     kept = [
         replace(state, conditions=(*state.conditions, *proposal.lines))

@@ -28,7 +28,7 @@ from rotsolve.search.answers import Answered, Chosen, NoAnswer
 from rotsolve.search.definitions import Definitions, Stepwise
 from rotsolve.search.numbers import Numbers
 from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
-from rotsolve.solver import Solver
+from rotsolve.solver import ENTANGLED, Solver
 from rotsolve.solver.steps import Contradiction, Found, NoClosedForm, NumbersWanted, PickedRoot, Redundant, Ref
 
 if TYPE_CHECKING:
@@ -100,6 +100,7 @@ class Search(Struct, dict=True):
     )  # other roots for letters of the scene that answers settle
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
+    failed: dict[object, NoAnswer] = field(default_factory=dict)  # what has had no answer, by all on which that hangs
     # the places of extrema, by (quantity, letter, word)
     extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
 
@@ -305,10 +306,23 @@ class Search(Struct, dict=True):
                         self.step(letter)
 
     def _attempt(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
+        """Plan and solve; what has failed with the same equations and the same answers before fails again."""
+        state = (asked.letter, self.families, len(self.planner.pool), frozenset(self.known), frozenset(self.retired))
+        key = (*state, len(self.solver.solved), self.solver.numeric)
+        if key in self.failed:
+            raise self.failed[key].with_traceback(None)
+        try:
+            return self._attempted(asked)
+        except NoAnswer as error:
+            self.failed[key] = error
+            raise
+
+    def _attempted(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """Plan and solve; an equation that says nothing new is left out and the plan made again."""
         banned: set[int] = set()
         met: dict[str, None] = {}  # the unknowns of plans that did not do
         problem: ValueError | None = None
+        rooted = False  # whether some plan ended in one equation, of which numbers may tell the root
         open_: Shortage | None = None
         for _ in range(FEW_TRIES if self.confirming else TRIES):
             plan = self._plan(asked.letter, banned)
@@ -329,7 +343,7 @@ class Search(Struct, dict=True):
                 continue
             except (NoClosedForm, Undefined) as error:
                 banned.add(self._hardest(plan))
-                problem = problem or error
+                problem, rooted = problem or error, rooted or str(error) != ENTANGLED
                 continue
             self.remember()
             return found, plan.equations
@@ -337,7 +351,7 @@ class Search(Struct, dict=True):
             raise NoAnswer("the data contradict each other", None, problem.index)
         open_form = isinstance(problem, (NoClosedForm, Undefined))
         words = str(problem) if open_form else "too little is known"
-        raise NoAnswer(words, open_, open_form=open_form, met=stones(met, asked.letter))
+        raise NoAnswer(words, open_, open_form=open_form and rooted, met=stones(met, asked.letter))
 
     def _leads(self, stone: str, asked: Asked) -> bool:
         """Whether a question has an answer once a letter of its plans is settled first; leaves no trace."""

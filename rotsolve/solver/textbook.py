@@ -17,6 +17,7 @@ from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.steps import Found
 
 LONGEST = 1000  # nodes under a root, beyond which no form is one that a page would hold
+LONGEST_INTEGRAL = 150  # nodes of an integral of which the antiderivative is written at its ends
 
 
 def is_long_root(value: Formula) -> bool:
@@ -178,7 +179,8 @@ class Textbook(Struct, kw_only=True):
         ends: dict[Formula, Formula] = {}
         for node in value.walk():
             if isinstance(node, Integral):
-                put_in = None if self._open(node) else at_bounds(node, self.simplify)
+                shown = not self._open(node) and length(node) <= LONGEST_INTEGRAL
+                put_in = at_bounds(node, self.simplify) if shown else None
                 if put_in is None or not is_zero(put_in - self.carried_out(node), self.positive):
                     return None
                 ends[node] = put_in

@@ -195,10 +195,10 @@ class RealBalls:
         lower, upper = self(node.lower), self(node.upper)
         if node.integrand.holds("abs") and node.integrand != (signed := self.without_size(node, lower, upper)):
             return self(replace(node, integrand=signed)) if signed is not None else arb.nan()
-        outer = self
+        outer, steady = self, dict[int, Ball]()
 
         def integrand(z: Ball, analytic: bool) -> Ball:
-            return ComplexBalls(outer, {node.variable: z}, analytic)(node.integrand)
+            return ComplexBalls(outer, {node.variable: z}, analytic, steady)(node.integrand)
 
         sharp = all(end.is_exact() or end.rel_accuracy_bits() >= SHARP for end in (lower, upper))
         return acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit() if sharp else ROUGHLY).real
@@ -240,18 +240,27 @@ _REAL: dict[type[Formula], Callable[[RealBalls, Any], Ball]] = {
 
 
 class ComplexBalls:
-    """Evaluates an integrand over acb; where analyticity is asked for and not certain, the result is not finite."""
+    """Evaluates an integrand over acb; where analyticity is asked for and not certain, the result is not finite.
 
-    def __init__(self, outer: RealBalls, bound: Mapping[str, Ball], analytic: bool) -> None:
+    `steady` keeps the parts that hold no bound letter, by identity, for all places of one integral.
+    """
+
+    def __init__(
+        self, outer: RealBalls, bound: Mapping[str, Ball], analytic: bool, steady: dict[int, Ball] | None = None
+    ) -> None:
         self.outer = outer
         self.bound = bound
         self.analytic = analytic
+        self.steady = {} if steady is None else steady
 
     def __call__(self, node: Formula) -> Ball:
         if isinstance(node, Symbol) and node.name in self.bound:
             return self.bound[node.name]
+        if (known := self.steady.get(id(node))) is not None:
+            return known
         if not node.children() or not node.symbols() & self.bound.keys():
-            return acb(self.outer(node))
+            self.steady[id(node)] = value = acb(self.outer(node))
+            return value
         parts = [self(child) for child in node.children()]
         if isinstance(node, Sum):
             return reduce(add, parts)

@@ -11,6 +11,7 @@ from fractions import Fraction
 from functools import cached_property, partial
 from math import prod
 
+from rotsolve.algebra.effort import spend
 from rotsolve.algebra.exact.factors import Exponent, Factorization, Parts, negative, singles, taken_apart
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
 from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, FactoredGroup, Grouping
@@ -28,6 +29,7 @@ from rotsolve.algebra.exact.order import (
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Product, Sum, Symbol, negate, total
 from rotsolve.algebra.notation.letters import GLYPHS
 
+TERMS_A_STEP = 4  # that are written
 GATHERED = ("sqrt", "exp")  # functions of which a product has one at most
 
 
@@ -69,6 +71,7 @@ class Shaper:
 
     def _plain(self, terms: Terms, below: int) -> Formula:
         """A sum (over a number) term by term."""
+        spend(len(terms) // TERMS_A_STEP)
         places = sorted(terms, key=self.order.key)
         first = next((k for k, e in enumerate(places) if terms[e] > 0 and not self.order.has_root(e)), 0)
         places.insert(0, places.pop(first))

@@ -1,0 +1,37 @@
+"""Effort: how much work a scene may take, counted in steps that are the same on every machine, so that every scene ends.
+
+A step is what takes about as long as solving one short equation. What runs out of them is caught by none that try one way after another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+class Exhausted(Exception):
+    """The work that was allowed has been done, and there is no answer yet."""
+
+
+class Purse:
+    """The steps that are left; None where they are not counted."""
+
+    left: int | None = None
+
+
+def spend(steps: int) -> None:
+    """Count some steps; Exhausted where no more are left."""
+    if Purse.left is not None:
+        Purse.left -= steps
+        if Purse.left < 0:
+            raise Exhausted
+
+
+@contextmanager
+def at_most(steps: int) -> Iterator[None]:
+    """No more than some steps within, however many are left around."""
+    before, Purse.left = Purse.left, steps
+    try:
+        yield
+    finally:
+        Purse.left = before
