@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import witnessed
 from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.core.derivation import Check, Derivation, Refusal
@@ -44,6 +45,8 @@ if TYPE_CHECKING:
     from rotsolve.core.derivation import AnswerConfirmation
 
 DIGITS, MOST_DIGITS = 4, 1000
+FEW_LETTERS = 4  # that a message names
+STEPS = 20_000  # of work for a scene
 SolveFor = Callable[[tuple[Find, ...]], Solution]  # solves for some of a problem's questions
 
 
@@ -95,7 +98,10 @@ def as_confirmed(derivation: Derivation, problem: Problem) -> Derivation:
 def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
     """The solution; what is refused as incomplete or contradictory is so to an assembly of all bodies' equations too."""
     try:
-        solution = solved_in_parts(problem, law, digits, at)
+        with at_most(STEPS):
+            solution = solved_in_parts(problem, law, digits, at)
+    except Exhausted:
+        raise too_long(problem) from None
     except Unsolvable as error:
         fault = fair_refusal(error.fault, problem, [find.name for find in problem.finds], law)
         raise error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help) from None
@@ -105,6 +111,15 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
         replace(item, fault=fair_refusal(item.fault, problem, [item.name], law)) for item in solution.derivation.refused
     ]
     return replace(solution, derivation=replace(solution.derivation, refused=tuple(refused)))
+
+
+def too_long(problem: Problem) -> Unsolvable:
+    """That a scene takes more work than is done for one."""
+    open_ = [given.name for given in problem.givens if given.value is None and not (given.asked or given.automatic)]
+    if not open_:
+        return unsolvable(problem, "it takes too long to work out", None, "ask for less, or follow it by `simulate`")
+    numbers = ", ".join(f"`{name}`" for name in open_[:FEW_LETTERS])
+    return unsolvable(problem, "it takes too long to work out in letters", None, f"give numbers to {numbers}")
 
 
 def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str | None) -> Fault:
@@ -299,6 +314,8 @@ def solved_by_cases(
         return confirmed_at(found.answers, whole, solutions[-1].trace.letter, numbers)
 
     cases, more = cases_of(space, solve)
+    if not cases:
+        raise Exhausted
     if not solutions:
         assert cases[0].fault is not None
         raise cases[0].fault
@@ -311,7 +328,8 @@ def solved_by_cases(
     cases = [replace(case, fault=fairly_refused(case.fault, case.point, problem, law)) for case in cases]
     points = tuple(case.point for case in cases if case.found is not None and not case.objected)
     trace = replace(solutions[0].trace, points=points)
-    derivation = with_cases(cases, Edges(space, solve, confirming), more=more)
+    with at_most(None):  # what has been found is told
+        derivation = with_cases(cases, Edges(space, solve, confirming), more=more)
     return replace(solutions[0], problem=problem, derivation=derivation, trace=trace)
 
 

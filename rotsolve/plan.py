@@ -18,7 +18,7 @@ from rotsolve.core.equation import Equation
 # what a definition costs more once it has been used: it leads from what an answer is made of to the answer
 BACKWARDS = 6
 PATIENCE = 2_000_000  # work for plans of a scene that are made only to avoid equations of constant acceleration: pairs of equations
-BLOCKS_A_STEP = 3  # of equations that are left out, each in its turn
+BLOCKS_A_STEP = 12  # of equations that are left out, each in its turn
 ROUNDS = 12  # improvements after which a plan is taken as it is
 
 
@@ -224,7 +224,7 @@ class Planner:
         """Leave out one equation at a time while that makes the plan cheaper."""
         pool = dict(unknowns)
         for _ in range(ROUNDS):
-            spend(1 + len(best.equations) // BLOCKS_A_STEP)
+            spend(len(best.equations) // BLOCKS_A_STEP)
             matching = Matching(self._told(pool))
             trials = [(self._block(best.asked, pool, matching.without(index)), index) for index in best.equations]
             better = [(trial, index) for trial, index in trials if trial is not None and trial.cost < best.cost]

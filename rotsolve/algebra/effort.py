@@ -28,8 +28,8 @@ def spend(steps: int) -> None:
 
 
 @contextmanager
-def at_most(steps: int) -> Iterator[None]:
-    """No more than some steps within, however many are left around."""
+def at_most(steps: int | None) -> Iterator[None]:
+    """No more than some steps within, however many are left around; None: as many as it takes."""
     before, Purse.left = Purse.left, steps
     try:
         yield

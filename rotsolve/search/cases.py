@@ -12,15 +12,17 @@ from typing import Generic, TypeVar, cast
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import witnessed
+from rotsolve.algebra.effort import Exhausted
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import Call, Formula
+from rotsolve.algebra.formula import Call, Formula, Integral
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.search.lettersigns import Proviso
 from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
 
 MOST = 12  # cases that are solved
+AN_INTEGRAL = 20_000  # nodes that take as long to look at
 LOOKED_AT = 500_000  # nodes of conditions that are looked at for one more case
 Found = TypeVar("Found")
 Solving = Callable[[Mapping[str, Formula]], tuple[Found, bool]]
@@ -55,7 +57,8 @@ class Case(Struct, Generic[Found], frozen=True):
 
 
 def cases_of(space: LetterSpace, solve: Solving[Found]) -> tuple[list[Case[Found]], bool]:
-    """All cases that are found, the first at a point of no special kind, and whether there are more of them than are solved.
+    """All cases that are found, the first at a point of no special kind, and whether there are more of them than are solved, none where
+    the first takes too long.
 
     `solve` says what is found where letters are tried to be so, and whether it objects.
     """
@@ -64,7 +67,10 @@ def cases_of(space: LetterSpace, solve: Solving[Found]) -> tuple[list[Case[Found
     point: Point | None = space.first_point()
     sure = True
     while point is not None and len(cases) < MOST:
-        cases.append(case_at(point, space, solve))
+        try:
+            cases.append(case_at(point, space, solve))
+        except Exhausted:
+            return cases, True
         edges += (place for one in cases[-1].bars for place in space.across(point, one.gap))
         point, sure = beyond(cases, edges, space)
     return cases, point is not None or not sure
@@ -106,7 +112,8 @@ def needs_noted(
 
 def beyond(cases: Sequence[Case[Found]], edges: Sequence[Point], space: LetterSpace) -> tuple[Point | None, bool]:
     """A point at which none of the cases holds, None where none is found; and whether that is sure enough for conditions of their size."""
-    size = sum(length(one.gap) for case in cases for one in case.bars)
+    gaps = [one.gap for case in cases for one in case.bars]
+    size = sum(length(gap) + AN_INTEGRAL * sum(1 for _ in gap.walk(Integral)) for gap in gaps)
     if not size:
         return None, True
     for points, place in enumerate(places(cases, edges, space)):

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import degree, is_zero, simplify
 from rotsolve.algebra.exact.order import length
@@ -23,6 +24,7 @@ from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
 from rotsolve.search.provisos import divides, letter_rank, shown
 
 MOST = 12  # edges on which a case is solved
+STEPS = 2_000  # of work for one of them
 
 
 Confirming = Callable[
@@ -151,12 +153,16 @@ class Edges(Generic[Found]):
         return name in self.seen.get(place, ())
 
     def case(self, edge: Edge) -> Case[Found] | None:
-        """What is found there; None where too many have been solved."""
+        """What is found there; None where too many have been solved, or it takes too long."""
         place = self.known.index(edge)
         if place not in self.cases:
             if len(self.cases) == MOST:
                 return None
-            self.cases[place] = case_at(edge.point, self.space, self.solve, {edge.letter: edge.limit})
+            try:
+                with at_most(STEPS):
+                    self.cases[place] = case_at(edge.point, self.space, self.solve, {edge.letter: edge.limit})
+            except Exhausted:
+                return None
         return self.cases[place]
 
 

@@ -19,7 +19,7 @@ from rotsolve.algebra.certified.balls import RealBalls, Undefined
 from rotsolve.algebra.certified.sign import SignOracle, sign_within
 from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, Call, Formula, Number, Symbol, negate
+from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number, Symbol, negate
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.letters import Given
@@ -36,6 +36,7 @@ BITS, MORE_BITS = 64, 2048  # of the balls by which points are looked for, and w
 FURTHEST = 26  # doublings up to which an edge is looked for
 CLOSER = 10  # halvings of the way to an edge
 HALF = Fraction(1, 2)
+FEW_SEEN = 3  # of them for a formula with an integral
 SEEN = 12  # points at which it is seen first whether a formula has both signs
 TRIES = 100  # points that are looked at beyond those
 SHARES = ("1/8", "1/4", "1/2", "1", "3/2", "5/2", "5")
@@ -150,7 +151,8 @@ class LetterSpace(LetterSigns):
     def has_both_signs(self, value: Formula) -> bool:
         """Whether a formula is positive at one point and negative at another."""
         found = set[int]()
-        for glance in self.glances if value.symbols() & self.letters.keys() else ():
+        glances = self.glances[: FEW_SEEN if value.holds(Integral) else None]  # an integral takes long at each
+        for glance in glances if value.symbols() & self.letters.keys() else ():
             found.add(glance.sign_by(BITS, value) or 0)
             if {1, -1} <= found:
                 return True

@@ -10,6 +10,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.effort import spend
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
@@ -30,7 +31,9 @@ from rotsolve.algebra.formula import (
 
 Ball = Any  # flint's arb or acb
 Values = Mapping[str, Formula | Fraction | int]
+Steady = dict[int, tuple[Formula, Ball]]  # what parts of an integrand are at all places, by their identities
 
+PLACES_A_STEP = 3  # at which an integrand is evaluated
 SHARP = 20  # bits to which both ends of an integral are known where it is worth its work
 ROUGHLY = 300  # evaluations of one between other ends
 
@@ -83,6 +86,8 @@ class RealBalls:
         self.values = values
         self.memo: dict[str, Ball] = dict(bound or {})
         self.open: set[str] = set()
+        self.evaluated = 0  # how often integrands have been
+        self.steady: dict[str, Steady] = {}  # by the letter that is not
         self.is_zero = is_zero
         self.clip = clip
 
@@ -187,6 +192,12 @@ class RealBalls:
         return arb.atan2(y, x)
 
     def integral(self, node: Integral) -> Ball:
+        before = self.evaluated
+        found = self._integral(node)
+        spend(1 + (self.evaluated - before) // PLACES_A_STEP)
+        return found
+
+    def _integral(self, node: Integral) -> Ball:
         from rotsolve.algebra.certified.turning import integral_to_rest, work_limit
 
         turning = integral_to_rest(node, self)
@@ -195,7 +206,7 @@ class RealBalls:
         lower, upper = self(node.lower), self(node.upper)
         if node.integrand.holds("abs") and node.integrand != (signed := self.without_size(node, lower, upper)):
             return self(replace(node, integrand=signed)) if signed is not None else arb.nan()
-        outer, steady = self, dict[int, Ball]()
+        outer, steady = self, Steady()
 
         def integrand(z: Ball, analytic: bool) -> Ball:
             return ComplexBalls(outer, {node.variable: z}, analytic, steady)(node.integrand)
@@ -222,7 +233,7 @@ class RealBalls:
 
     def over(self, letter: str, place: Ball, node: Formula) -> Ball:
         """The complex ball of a formula where a letter has one."""
-        return ComplexBalls(self, {letter: place}, False)(node)
+        return ComplexBalls(self, {letter: place}, False, self.steady.setdefault(letter, Steady()))(node)
 
 
 _REAL: dict[type[Formula], Callable[[RealBalls, Any], Ball]] = {
@@ -242,24 +253,24 @@ _REAL: dict[type[Formula], Callable[[RealBalls, Any], Ball]] = {
 class ComplexBalls:
     """Evaluates an integrand over acb; where analyticity is asked for and not certain, the result is not finite.
 
-    `steady` keeps the parts that hold no bound letter, by identity, for all places of one integral.
+    `steady` keeps the parts that hold no bound letter, for all places of one integral.
     """
 
-    def __init__(
-        self, outer: RealBalls, bound: Mapping[str, Ball], analytic: bool, steady: dict[int, Ball] | None = None
-    ) -> None:
+    def __init__(self, outer: RealBalls, bound: Mapping[str, Ball], analytic: bool, steady: Steady) -> None:
         self.outer = outer
+        outer.evaluated += 1
         self.bound = bound
         self.analytic = analytic
-        self.steady = {} if steady is None else steady
+        self.steady = steady
 
     def __call__(self, node: Formula) -> Ball:
         if isinstance(node, Symbol) and node.name in self.bound:
             return self.bound[node.name]
         if (known := self.steady.get(id(node))) is not None:
-            return known
+            return known[1]
         if not node.children() or not node.symbols() & self.bound.keys():
-            self.steady[id(node)] = value = acb(self.outer(node))
+            value = acb(self.outer(node))
+            self.steady[id(node)] = node, value
             return value
         parts = [self(child) for child in node.children()]
         if isinstance(node, Sum):
