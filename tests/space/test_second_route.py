@@ -44,7 +44,7 @@ OTHERS: dict[
     "tennis-racket": ({"I1": 1.3e-3, "I2": 0.016, "I3": 0.017}, {"I1": 1.2e-3, "I2": 0.0165, "I3": 0.0175}),
 }
 SOLVED_ANEW = {  # why its closed forms are not evaluated for many sets
-    **dict.fromkeys(("between-both-cases", "tennis-racket", "wing-nut"), "elliptic functions"),
+    **dict.fromkeys(("between-both-cases", "how-long-a-top-nods", "tennis-racket", "wing-nut"), "elliptic functions"),
     "stability-of-three-axes": "a word is asked",
 }
 

@@ -16,6 +16,7 @@ from second_route.particles import (
     X,
     Y,
     Z,
+    points,
     ring,
     root,
     tensor,
@@ -35,7 +36,7 @@ def steady(cloud: Cloud, tilt: float, spin: float, round_: float, lift: float = 
         attitude = turn(Z, round_ * t) @ turn(X, tilt) @ turn(Z, spin * t)
         return lift * t * t / 2 * Z + cloud.places @ attitude.T
 
-    return Motion(cloud, places, abs(spin) + abs(round_))
+    return Motion(cloud, places, abs(spin) + abs(round_) or 1.0)
 
 
 def lacking(cloud: Cloud, tilt: float, spin: float, round_: float, gravity: float, lift: float = 0.0) -> float:
@@ -137,6 +138,77 @@ def gyroscope_let_go(n: Numbers) -> Answers:
     return let_go(n, pi / 2, n.s)
 
 
+def goes_round(n: Numbers) -> Callable[[float, Any], Any]:
+    """How a top nods, with φ̇ = (e × ė)_z/(e_x² + e_y²) beside it: of the state (e, L, φ)."""
+    slope = nods(n)
+
+    def with_azimuth(time: float, state: Any) -> Any:
+        change = slope(time, state[:6])
+        turned = (state[0] * change[1] - state[1] * change[0]) / (state[0] ** 2 + state[1] ** 2)
+        return np.concatenate([change, [turned]])
+
+    return with_azimuth
+
+
+def how_long_a_top_nods(n: Numbers) -> Answers:
+    """Down until its axis sinks no more, and up again until it rises no more."""
+    slope = goes_round(n)
+    axis = sin(n.theta) * -Y + cos(n.theta) * Z
+    start, step = np.concatenate([axis, n.I3 * n.w3 * axis, [0.0]]), n.I1 / (n.I3 * n.w3) / 2
+    down, low = first_passage(slope, start, lambda state: float(slope(0.0, state)[2]), step)
+    up, back = first_passage(slope, low, lambda state: float(slope(0.0, state)[2]), step)
+    tilt = np.arctan2(np.hypot(low[0], low[1]), low[2])
+    return {"theta_1": np.degrees(tilt), "t": down, "T": down + up, "phi": np.degrees(back[6])}
+
+
+def linearized(n: Numbers, axis: Any, momentum: Any, turning: float) -> Any:
+    """The derivative of the rates of (e, L) by (e, L), in axes that turn about the vertical."""
+    slope, step = nods(n), 1e-30
+    state = np.concatenate([axis, momentum])
+    columns = []
+    for unit in np.eye(6):
+        near = state + 1j * step * unit
+        carried = np.concatenate([cross(turning * Z, near[:3]), cross(turning * Z, near[3:])])
+        columns.append(np.imag(slope(0.0, near) - carried) / step)
+    return np.array(columns).T
+
+
+def nodding_rate(n: Numbers, tilt: float, axial: float, round_: float) -> float:
+    """Of small swings about a steady precession, in axes that go round with it: e², e · L, L_z and φ give four eigenvalues 0, so that
+    tr J² = −2 ω²."""
+    axis = sin(tilt) * -Y + cos(tilt) * Z
+    momentum = n.I3 * axial * axis + n.I1 * round_ * (Z - cos(tilt) * axis)
+    slopes = linearized(n, axis, momentum, round_)
+    return sqrt(-float(np.trace(slopes @ slopes)) / 2)
+
+
+def top_that_trembles(n: Numbers) -> Answers:
+    """What lacks goes by the spin in a straight line."""
+    body = whole_top(n)
+    low, high = (lacking(body, n.theta, spin, n.W, n.g) for spin in (0.0, 1.0))
+    axial = low / (low - high) + n.W * cos(n.theta)
+    return {"w_3": axial, "T": 2 * pi / nodding_rate(n, n.theta, axial, n.W)}
+
+
+def spherical_pendulum_nods(n: Numbers) -> Answers:
+    """A heavy point on its circle, then as a top that has no moment about its axis."""
+    tilt = pi - n.alpha
+    *_, rate = sorted(precessions(lambda rate: lacking(points((n.m, n.L * Z)), tilt, 0.0, rate, n.g), sqrt(n.g / n.L)))
+    bob = Numbers(M=n.m, l=n.L, I1=n.m * n.L**2, I3=0.0, g=n.g)
+    nodding = nodding_rate(bob, tilt, 0.0, rate)
+    return {"Omega": rate, "T": 2 * pi / nodding, "nods": nodding / rate}
+
+
+def sleeping_top_touched(n: Numbers) -> Answers:
+    """Upright, in axes that turn at half of I₃ ω₃/I₁: twice ± λ and twice 0, so that tr J² = 4 λ²."""
+
+    def growth(spin: float) -> float:
+        slopes = linearized(n, Z, n.I3 * spin * Z, n.I3 * spin / n.I1 / 2)
+        return float(np.trace(slopes @ slopes)) / 4
+
+    return {"omega": sqrt(-growth(n.w3)), "lambda": sqrt(growth(n.w4))}
+
+
 def gyroscope_in_time(n: Numbers) -> Answers:
     """Begun as the steady motion needs; N = M (a + g) from the second derivative of the axis."""
     (rate,) = precessions(lambda rate: lacking(whole_top(n), pi / 2, n.s, rate, n.g), 1.0)
@@ -202,11 +274,15 @@ CALCULATIONS = {
     "gyroscope-in-time": gyroscope_in_time,
     "gyroscope-let-go": gyroscope_let_go,
     "gyroscope-level": gyroscope_level,
+    "how-long-a-top-nods": how_long_a_top_nods,
     "kowalevskaya-top": kowalevskaya_top,
     "leaning-top": leaning_top,
     "leaning-top-least-spin": leaning_top_least_spin,
     "sleeping-top": sleeping_top,
+    "sleeping-top-touched": sleeping_top_touched,
+    "spherical-pendulum-nods": spherical_pendulum_nods,
     "top-let-go": top_let_go,
+    "top-that-trembles": top_that_trembles,
     "wheel-let-go": wheel_let_go,
     "wheel-on-a-string": wheel_on_a_string,
 }
