@@ -26,7 +26,9 @@ def point_in_space(moment: SpaceMoment, ref: PointRef) -> Triple:
 def reference_place(moment: SpaceMoment, name: str) -> Triple:
     """The point about which a body turns: where its joint holds it, else its centre of mass, of which the state tells the place."""
     joint = moment.held.main(name)
-    if joint is not None and not joint.sliding:
+    if joint is not None:
+        if joint.sliding and moment.later:
+            raise nowhere(moment, name)
         carrier = joint.carrier
         if carrier.owner in moment.held.bodies:
             return point_in_space(moment, carrier)
@@ -34,8 +36,17 @@ def reference_place(moment: SpaceMoment, name: str) -> Triple:
     led = {axis: value for word, axis, value in moment.held.bodies[name].moved if word == "position"}
     if led:
         return triple([moment.now(led.get(axis, ZERO)) for axis in AXES])
-    told = moment.vector_told(name, "position")
-    if joint is not None or told is None or told[2]:
-        help = f"tell `{name}.position: [x, y, z]` in the state"
-        raise NotYet(f"where `{name}` is at `{moment.when}` nothing tells", help=help)
-    return told[0]
+    told = moment.vector_kept(name, "position")
+    if told is None:
+        raise nowhere(moment, name)
+    place, _, frame = told
+    if not frame:
+        return place
+    return vector_sum(point_in_space(moment, PointRef(frame, "center")), moment.own_axes(frame).to(IN_SPACE, place))
+
+
+def nowhere(moment: SpaceMoment, name: str) -> NotYet:
+    """That nothing tells where a body is."""
+    return NotYet(
+        f"where `{name}` is at `{moment.when}` nothing tells", help=f"tell `{name}.position: [x, y, z]` in the state"
+    )

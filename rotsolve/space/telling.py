@@ -142,6 +142,11 @@ class TellingMoment:
         parts = [ZERO if line is None or line.value is None else line.value for line in lines]
         return (parts[0], parts[1], parts[2]), found[0].axes, found[0].relative
 
+    def vector_kept(self, owner: str, word: str) -> tuple[Triple, str, str] | None:
+        """What the state tells of how a body stands or where it is; through an event as before."""
+        told = self.vector_told(owner, word)
+        return told if told is not None or self.before is None else self.before.vector_kept(owner, word)
+
     def ask(self, word: str, owner: str, component: str = "", letter: str = "", kind: str = "") -> Formula:
         """The letter of a quantity at this moment, or the value that the state gives it."""
         known = self.told(owner, word) if not component and not kind else None

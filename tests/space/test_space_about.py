@@ -18,6 +18,22 @@ bodies:
 connections: {axis: {hinge: arm.start, along: z, angular_velocity: w}}
 states: {now: {ball.position: [a, 0, b], ball.velocity: [v, 0, 0]}}
 """
+TABLE = """gravity: none
+given: {m: 0.5 kg, r: 1.2 m, u: 0.8 m/s, w: 2 rad/s, b: 0.5 m}
+bodies: {table: {shape: disc, mass: 0, radius: r, points: {P: [0, b, 0]}}, bead: {shape: particle, mass: m}}
+connections: {axis: {hinge: table.center, along: z, angular_velocity: w}}
+states: {now: {bead.position relative to table: [r, 0, b], bead.velocity relative to table: [u, 0, 0]}}
+"""
+SLIDES = """gravity: none
+given: {m: 0.5 kg, r: 1.2 m, u: 0.8 m/s, w: 2 rad/s}
+bodies:
+  arm: {shape: rod, mass: 0, length: 2*r, points: {P: [r/2, 0, 0]}}
+  bead: {shape: particle, mass: m}
+connections:
+  hub: {hinge: arm.start, along: z, angular_velocity: w}
+  guide: {slide: [arm.P, bead], along: x}
+states: {now: {bead.velocity relative to arm: [u, 0, 0]}}
+"""
 WHEEL = """gravity: none
 given: {m: 2 kg, R: 0.5 m, W: 2 rad/s, s: 10 rad/s, psi: 90 deg}
 bodies:
@@ -39,6 +55,16 @@ CASES = {
     "about a point of another body": (
         BALL + "find: {L: ball.angular_momentum about arm.end, K: arm.angular_momentum about ball.cm}\n",
         {"L": (0, 0.5 * 6, 0), "K": (0.5 * 2 * 0.5, 0, 2 * 0.25 * 2 / 12 + (0.25 - 0.4) * 2 * 0.5)},
+    ),
+    "of what is told by a frame that turns": (
+        TABLE + "find: {L: bead.angular_momentum about table.center, K: bead.angular_momentum about table.P, "
+        "S: bead.angular_momentum}\n",
+        {"L": (-0.5 * 1.2, 0.5 * 0.4, 1.2 * 1.2), "K": (-0.6, 0.2, 1.2 * 1.2 + 0.5 * 0.4), "S": (0, 0, 0)},
+    ),
+    "of what slides on an arm that turns": (
+        SLIDES + 'find: {L: "bead.angular_momentum about [0, 0, 0]", K: bead.angular_momentum about arm.end, '
+        "T: bead.torque.net about arm.start}\n",
+        {"L": (0, 0, 1.8 * 1.8), "K": (0, 0, -0.6 * 1.8), "T": (0, 0, 1.8 * 2 * 0.8)},
     ),
     "where the centre of mass is": (
         "given: {m: 2 kg, a: 0.4 m}\n"
@@ -65,6 +91,11 @@ REFUSED = {
     "about a point of a body of which nothing tells where it is": (
         BALL.replace("ball.position: [a, 0, b], ", "") + "find: {L: ball.angular_momentum about arm.end}\n",
         "where `ball` is at `now` nothing tells",
+    ),
+    "about a place where it has slid by a later state": (
+        SLIDES.replace("[u, 0, 0]}}", "[u, 0, 0]}, then: {}}")
+        + 'find: {K: bead.kinetic_energy at now, L: "bead.angular_momentum at then about [0, 0, 0]"}\n',
+        "where `bead` is",
     ),
     "inertia about another's point": (
         BALL + "find: {I: arm.inertia along z about ball.cm}\n",
