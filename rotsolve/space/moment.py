@@ -276,8 +276,11 @@ class SpaceMoment(TellingMoment):
         return self.now(driven) if driven is not None else self.turned_on(name)
 
     def turned_on(self, name: str) -> Formula | None:
-        """How far a body that nothing drives is turned, as the state tells, or the letter for what the time that has passed tells."""
+        """How far a body that nothing drives is turned, as the state tells, through a blow as before, or the letter for what the time that
+        has passed tells."""
         told = self.told(name, "angle")
+        if told is None and self.before is not None:
+            return self.before.turned_on(name)
         if told is not None or self.onward is None or not self.onward.hinged(name):
             return told
         self.hangs_on_time()
@@ -476,7 +479,7 @@ class SpaceMoment(TellingMoment):
 
     def up(self, name: str) -> Triple:
         """The upward vertical in the axes of a body: as the state tells it in the body's own, else as the body stands."""
-        told = self.vector_told(name, "vertical")
+        told = self.vector_kept(name, "vertical")
         if told is None:
             return IN_SPACE.to(self.axes(name), Z)
         beyond = square_of(told[0]) - ONE

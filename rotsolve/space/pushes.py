@@ -84,7 +84,7 @@ class Pushes:
         mass = self.moment.held.mass(name)
         if self.gravity is None or mass == ZERO:
             return None
-        told = self.moment.vector_told(name, "vertical") is not None
+        told = self.moment.vector_kept(name, "vertical") is not None
         axes, up = (self.moment.axes(name), self.moment.up(name)) if told else (IN_SPACE, Z)
         down = scaled_by(negate(multiply(mass, self.gravity)), up)
         return ForceInSpace("gravity", name, down, axes, self.moment.arm(PointRef(name, "cm")), self.moment.axes(name))

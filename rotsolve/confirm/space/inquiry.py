@@ -21,6 +21,7 @@ from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.worlds import Manner, Moving, Unfit, World, manners_of
 from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
+from rotsolve.language.elements import Event
 from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Problem, State, Term
 
@@ -95,7 +96,7 @@ class Inquiry:
         """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as
         told, else 0 where times pass."""
         told, states = time_after(state), self.problem.states
-        event = next((item for item in self.problem.events if item.to == state.name), None)
+        event = self.event_to(state.name)
         if event is not None:
             return self.clock(next(item for item in states if item.name == event.from_))
         start = self.clock(states[states.index(state) - 1]) if state is not states[0] else 0.0
@@ -113,8 +114,7 @@ class Inquiry:
         """Whether the time from the state before tells how all moves at a later state, which is not driven."""
         names = [state.name for state in self.problem.states]
         place = names.index(name) if name in names else 0
-        events = any(event.to == name for event in self.problem.events)
-        if not place or events or self.driven:
+        if not place or self.event_to(names[place]) is not None or self.driven:
             return False
         return time_after(self.problem.states[place]) is not None
 
@@ -126,13 +126,9 @@ class Inquiry:
         return self._ways[key]
 
     def _found(self, state: State | None) -> list[Manner]:
-        event = next((item for item in self.problem.events if state is not None and item.to == state.name), None)
-        if event is not None:
-            from rotsolve.confirm.space.passing import after_blow
-
-            found = [after_blow(self.rig, event, before, state, self.put) for before in self.ways(event.from_)]
-        else:
-            found = manners_of(self.rig_at(state), state, self.put)
+        event = None if state is None else self.event_to(state.name)
+        rig = self.rig_at(state)
+        found = manners_of(rig, state, self.put) if event is None else self.struck(event, state, self.ways(event.from_))
         if not found:
             raise Unfit(NO_WAY)
         held = [way for way in found if way.clash <= HOLDS]
@@ -143,6 +139,16 @@ class Inquiry:
             raise Unfit(BROKEN)
         return held
 
+    def event_to(self, name: str) -> Event | None:
+        """The event that leads to a state."""
+        return next((item for item in self.problem.events if item.to == name), None)
+
+    def struck(self, event: Event, state: State | None, before: list[Manner]) -> list[Manner]:
+        """The ways in which all moves just after a blow."""
+        from rotsolve.confirm.space.passing import after_blow
+
+        return [after_blow(self.rig, event, way, state, self.put) for way in before]
+
     def followed(self, name: str | None) -> list[Manner]:
         """The way in which all moves at a state to which the motion leads from the one before."""
         key = f"{name} by motion"
@@ -150,7 +156,9 @@ class Inquiry:
         place = names.index(name) if name in names else 0
         if not place or any(phase.without for phase in self.problem.phases):
             raise LeftOpen(OPEN)
-        state = self.problem.states[place]
+        state, event = self.problem.states[place], self.event_to(names[place])
+        if event is not None:
+            return self.struck(event, state, self.followed(event.from_))
         told = time_after(state)
         passed = None if told is None else self.rig.value(told)
         return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]

@@ -39,6 +39,9 @@ def stance_kept(rig: Rig, before: Stance, lines: Lines) -> Stance:
     stance = Stance(rig, lines)
     for name in rig.bodies:
         stance.put(name, before.turned(name), before.place(name))
+        joint = rig.main(name)
+        if joint is not None and (joint.turning or rig.line(name) is not None):
+            stance.swung[name] = before.swung[name] if name in before.swung else before.angle(joint)
     return stance
 
 

@@ -56,7 +56,9 @@ class Stance:
         self.rig, self.lines, self.guess = rig, lines, guess
         self.open: set[str] = set()
         self.put_so: set[str] = set()  # bodies of which it is said how they are turned
-        self.swung: dict[str, float] = {}  # how far bodies are turned about their hinges on a way that is followed
+        self.swung: dict[
+            str, float
+        ] = {}  # how far bodies are turned about their hinges, where a way is followed or a blow keeps it
         self._turned: dict[str, Turned] = {}
         self._places: dict[str, Arrow] = {}
 
