@@ -139,7 +139,7 @@ class SpaceLaws:
         wanted = [moment.tidy(part) for part in moment.acceleration_along(axes, PointRef(name, CM))]
         for axis, left, right in zip(AXES, forces, wanted, strict=True):
             if left != ZERO or right != ZERO:
-                words = f", along {axis}"
+                words = f", along {NODE_NAMES[axis] if axes.name == NODE else axis}"
                 yield SECOND_LAW.equation(left, multiply(mass, right), moment.when, (name,), component=words)
 
     def newton_axes(self, name: str) -> Axes:

@@ -175,7 +175,7 @@ class SpaceMoment(TellingMoment):
 
     @remembered
     def nodding(self, name: str) -> Nodding:
-        """The Euler angles of a body and their rates: what the state tells; φ = ψ = 0 where it does not, so that e₁ lies along x."""
+        """The Euler angles of a body and their rates: what the state tells, see `angle_of`; where φ = 0, e₁ lies along x."""
         angles = triple([self.angle_of(name, number) for number in range(len(ANGLES))])
         rests, steady = self.rests(name), self.state.steady or self.extreme_tilt(name)
         still = {
@@ -189,13 +189,14 @@ class SpaceMoment(TellingMoment):
         return Nodding(angles, rates, triple([self.rate_of(word, name) for word in RATES]))
 
     def angle_of(self, name: str, number: int) -> Formula:
-        """An Euler angle: as told, through an event as before; φ = ψ = 0 where nothing tells them."""
+        """An Euler angle: as told, through an event as before; φ = ψ = 0 where nothing tells them at first or in a steady state."""
         told = self.told(name, ANGLES[number])
         if told is not None:
             return told
         if self.before is not None:
             return self.before.nodding(name).angles[number]
-        return self.ask(ANGLES[number], name) if ANGLES[number] == "tilt" else ZERO
+        moved_on = self.later and not self.state.steady
+        return self.ask(ANGLES[number], name) if moved_on or ANGLES[number] == "tilt" else ZERO
 
     def extreme_tilt(self, name: str) -> bool:
         """Whether the state says that the tilt of a body is largest or smallest there, so that it nods no more."""

@@ -29,6 +29,7 @@ from rotsolve.language.elements import Action
 from rotsolve.space.attitude import IN_SPACE, NODE, Axes
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.sliding import free_of_force
+from rotsolve.space.telling import turns_untold
 
 FREELY = "{} turns freely about its axis"
 
@@ -90,10 +91,12 @@ class Pushes:
         return ForceInSpace("gravity", name, down, axes, self.moment.arm(PointRef(name, "cm")), self.moment.axes(name))
 
     def reaction_axes(self, joint: Joint) -> Axes:
-        """The axes along which the parts of a joint's force are written: level ones of what nods, else those of the body, if the weight
-        is told along them."""
-        axes = self.moment.axes(joint.body.owner)
-        nods = axes.name == NODE or self.moment.nods(joint.body.owner) or joint.rolls or (axes.lost and self.gravity)
+        """The axes along which the parts of a joint's force are written: level ones of what nods, if it is told how far it has gone round,
+        else those of the body, if the weight is told along them."""
+        name, axes = joint.body.owner, self.moment.axes(joint.body.owner)
+        if axes.name == NODE and self.moment.nods(name) and turns_untold(self.moment.nodding(name).angles[0]):
+            return axes
+        nods = axes.name == NODE or self.moment.nods(name) or joint.rolls or (axes.lost and self.gravity)
         return IN_SPACE if nods else axes
 
     def letters(self, word: str, joint: Joint, mark: str = "") -> Triple:

@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Sum, Symbol, add,
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.equation import KINETIC_ENERGY
 from rotsolve.core.quantity import DIRECTED, INERTIAL, QUANTITIES
-from rotsolve.core.symbols import has_quantities
+from rotsolve.core.symbols import has_quantities, key_of
 from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor
 from rotsolve.core.vectors.triple import (
     AS_DRAWN,
@@ -39,6 +39,7 @@ from rotsolve.space.energies import height_above, kinetic_energies
 from rotsolve.space.inertia import CM, in_axes, moment_along, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.passing import joint_shock
+from rotsolve.space.telling import turns_untold
 
 INERTIAL_NAMES = {
     "centrifugal": "centrifugal force on {body}, −m Ω × (Ω × r)",
@@ -111,6 +112,7 @@ class SpaceReader:
             self.refuse_nodding_on(path)
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
+        self.refuse_untold_turn(path, meaning.formula)
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
         return replace(
             meaning,
@@ -167,6 +169,16 @@ class SpaceReader:
         if moment.nods(name) and not moment.keeps_momentum(name) and not moment.goes_on(name):
             message = f"how `{name}`, which nods, stands and turns when time has passed is not solved"
             raise NotYet(message, path.span, "`rotsolve simulate` follows it")
+
+    def refuse_untold_turn(self, path: Path, formula: Formula) -> None:
+        """Refuse what hangs on how far a body that its weight turns has gone round or spun since the first state; of others L tells it."""
+        for key in map(key_of, turns_untold(formula)):
+            if self.held.main(key.owner) is None or self.problem.gravity is None:
+                continue
+            gone = "spun about its axis" if key.kind == "spin_angle" else "gone round"
+            message = f"how far `{key.owner}` has {gone} by `{key.when}` nothing tells"
+            help = f"ask `in node axes`, which do not hang on that, or tell `{key.owner}.{key.kind}` in that state"
+            raise NotYet(message, path.span, help)
 
     def asked_axes(self, path: Path, term: Term) -> Axes:
         """The axes that a question names, those of space where it names none."""

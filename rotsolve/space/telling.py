@@ -8,7 +8,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME, phase_midst
+from rotsolve.core.symbols import TIME, of_kinds, phase_midst
 from rotsolve.core.vectors.triple import AXES, Triple
 from rotsolve.language.problem import Condition, State
 from rotsolve.motion.arrangement import Arrangement
@@ -17,6 +17,11 @@ from rotsolve.space.attitude import Onward
 
 TURNED = (*NODAL, "vertical", "angular_velocity", "angular_acceleration")  # words that tell how a body stands or turns
 SECOND = "rate of "  # in front of the word of a rate: how fast that changes
+
+
+def turns_untold(value: Formula) -> list[str]:
+    """The symbols in it for how far bodies have gone round and spun since the first state, which nothing tells."""
+    return of_kinds(value.symbols(), ("precession_angle", "spin_angle"))
 
 
 class TellingMoment:
