@@ -1,4 +1,4 @@
-"""How far a top that nods has gone round and spun by a later state, which nothing tells: what hangs on it is refused, and nothing else is."""
+"""How far a top that nods has gone round and spun by a later state: what hangs on it is refused, and nothing else is."""
 
 from __future__ import annotations
 

@@ -11,6 +11,7 @@ import pytest
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.arrays import NotForMany, single_answers
+from rotsolve.confirm.space.verdict import close
 from rotsolve.pipeline import solve
 from solutions import solved
 
@@ -117,3 +118,30 @@ def test_a_body_that_can_not_be_is_refused(text: str, letter: str, sizes: tuple[
         assert not np.isnan(found).any()
     with pytest.raises(NotForMany, match=re.escape(words)):
         solution.evaluate_many({letter: np.array([*sizes, 2.001])})
+
+
+NOTHING = """
+    title: Rod along its axis, and two masses on it
+    up: z
+    given: {m: 2 kg, q: 0.4 m, p: 0.3 m, w: 3 rad/s}
+    bodies:
+      body:
+        parts: {one: {shape: particle, mass: m, at: [q, p, 0]}, other: {shape: particle, mass: m, at: [-q, -p, 0]}}
+        points: {O: [0, 0, 0]}
+    connections: {h: {hinge: body.O, along: [4/5, 3/5, 0], angular_velocity: w}}
+    find: {L: size of body.angular_momentum, K: body.kinetic_energy}
+"""
+
+
+def test_what_is_nothing_but_for_rounding_is_not_contradicted() -> None:
+    found = solve(NOTHING).evaluate_many({"q": np.array([0.4]), "p": np.array([0.3])})
+    assert 0 <= found["L"][0] < 1e-15 and 0 <= found["K"][0] < 1e-30
+
+
+@pytest.mark.parametrize(
+    ("answered", "found", "same"),
+    [(0.0, 1e-10, True), (0.0, 1e-8, False), (2e-16, -3e-16, True), (1e-9, 2e-9, False), (1e-12, 0.0, False)],
+)
+def test_only_rounding_is_taken_for_nothing(answered: float, found: float, same: bool) -> None:
+    """Beside a quantity that is of the size 1 in its scene."""
+    assert close((answered,), (found,), 1.0) is same

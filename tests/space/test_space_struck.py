@@ -38,6 +38,12 @@ states:
   after: {}
 events: {hit: {impulse: J, on: ball, direction: y, from: before, to: after}}
 """
+CENTRAL = """gravity: none
+given: {m: 3 kg, a: 0.7 m, J: 2e5 N s, th: 33 deg}
+bodies: {box: {shape: cuboid, mass: m, sides: [a, 3*a/7, a/7], turned: {about: z, by: th}, points: {P: [a/2, 0, 0]}}}
+states: {before: at rest, after: {}}
+events: {hit: {impulse: J, on: box.P, direction: [cos(th), sin(th), 0], from: before, to: after}}
+"""
 RATE = 0.25 * 3 * math.sqrt(3) / 2
 FALLEN = math.sqrt(3 * 9.8 / 2)  # of the rod from 60° down
 CASES = {
@@ -64,6 +70,11 @@ CASES = {
         LEANING + "find: {E: top.energy at after, T: top.torque.gravity at after in body axes, "
         'L: "ball.angular_momentum at after about [0, 0, 0]"}\n',
         {"E": (1 + 0.06 * 4.9,), "T": (0, 0.08 * 4.9, 0), "L": (0, -0.05, 0.2)},
+    ),
+    "what a large blow through the centre does not turn": (
+        CENTRAL + "find: {w: box.angular_velocity at after, K: box.kinetic_energy.rotational at after, "
+        "L: box.angular_momentum at after, v: box.velocity at after in body axes}\n",
+        {"w": (0, 0, 0), "K": (0,), "L": (0, 0, 0), "v": (2e5 / 3, 0, 0)},
     ),
 }
 

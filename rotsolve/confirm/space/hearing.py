@@ -17,12 +17,14 @@ from rotsolve.confirm.linear import solved_generally
 from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.rig import NODAL, Told
+from rotsolve.confirm.space.ties import SPEED
 from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.core.derivation import Answer
 from rotsolve.language.problem import Find, Problem
 
 STEP = 1e-5  # by how much an answer that is put in is changed, to see what it changes
 SURE = 1e-7  # of what such a change leaves over: beside it that is something
+TRAVELLING = 1e-5  # of v over the largest length: a rate beside which 1e-9 is still more than a float's rounding of that
 UNTESTED = "no equation tests it"
 VERGES = ("stable", "steady")
 SOUGHT = ("tilt",)  # what tells how a body stands
@@ -169,8 +171,8 @@ class Hearing:
 
     @cached_property
     def scales(self) -> tuple[float, float, float]:
-        """The largest mass, length and rate."""
-        rig, masses, spans, rates = self.inquiry.rig, [1e-12], [1e-12], [1e-12]
+        """The largest mass, length and rate, and beside these what rounding makes of speeds: a blow through the centre turns nothing."""
+        rig, masses, spans, rates, speeds = self.inquiry.rig, [1e-12], [1e-12], [1e-12], [0.0]
         for name in rig.bodies:
             own = rig.solid(name)
             trace = sum(own.tensor[k][k] for k in range(3))
@@ -180,6 +182,7 @@ class Hearing:
             with suppress(NotConfirmed, Unfit):
                 world = self.inquiry.ways(None if state is None else state.name)[0].worlds[0]
                 spans += [arrow_length(item.arm) for item in world.efforts.list]
-                rates += [abs(part) for (kind, _, _), part in world.now.values.items() if kind != "speed"]
+                for (kind, _, _), part in world.now.values.items():
+                    (speeds if kind == SPEED else rates).append(abs(part))
         span = max(spans)
-        return max(masses), span, max(*rates, math.sqrt(rig.gravity / span))
+        return max(masses), span, max(*rates, TRAVELLING * max(speeds) / span, math.sqrt(rig.gravity / span))

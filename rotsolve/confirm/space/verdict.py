@@ -34,6 +34,7 @@ from rotsolve.language.problem import Find, Problem
 
 SAME = 2e-6  # of the size of what is compared
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
+ROUNDED = 1e-14  # of the same, for a float that should be nothing
 ROUGHLY = "the scene asks for an approximation"
 COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
 EITHER_WAY = ("principal_axis",)  # directions that have no sense
@@ -180,7 +181,7 @@ def compared_in_space(
 def close(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
     """Whether numbers are the same, beside the largest of them; what should be nothing, beside the size of such quantities in the scene."""
     size = max(map(abs, (*answered, *own)), default=0.0)
-    room = max(SAME * size, NOTHING * natural) if not any(answered) else SAME * size
+    room = max(SAME * size, (ROUNDED if any(answered) else NOTHING) * natural)
     return all(abs(a - b) <= room for a, b in zip(answered, own, strict=True))
 
 
