@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, negate, sqrt
 from rotsolve.core.facts import square
 from rotsolve.core.vectors.tensor import InertiaTensor
@@ -68,11 +68,14 @@ def principal_moment(
     tensor: InertiaTensor, spelled: Spelled, number: str, path: Path, vanishes: Nothing, side: Side
 ) -> Formula:
     """The first, second or third of them, from the smallest on; `side` tells the sign of a difference."""
-    ordered: list[Formula] = []
-    for moment, _ in principal(tensor, spelled, path, vanishes):
+    found = principal(tensor, spelled, path, vanishes)
+    moments = [moment for moment, _ in found]
+    ordered: list[int] = []
+    for one in range(len(moments)):
         place = 0
         while place < len(ordered):
-            sign = side(spelled(moment - ordered[place]))
+            sign = told_by_kind(found, one, ordered[place], spelled)
+            sign = side(spelled(moments[one] - moments[ordered[place]])) if sign is None else sign
             if sign is None:
                 help = "give numbers to the letters, or ask for `inertia_tensor`"
                 raise NotYet(
@@ -81,8 +84,20 @@ def principal_moment(
             if sign < 0:
                 break
             place += 1
-        ordered.insert(place, moment)
-    return ordered[int(number) - 1]
+        ordered.insert(place, one)
+    return moments[ordered[int(number) - 1]]
+
+
+def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> int | None:
+    """Which of two moments is larger whatever the letters are: the second by a root of two, and the sum of both others, as of a lamina."""
+    third = 3 - one - other
+    moments = [moment for moment, _ in found]
+    if third == 0 and found[2][1] is not None and found[2][1] not in WAYS.values():
+        return 1 if one == 2 else -1
+    for larger, smaller, sign in ((one, other, 1), (other, one, -1)):
+        if is_zero(spelled(moments[larger] - moments[smaller] - moments[third])):
+            return sign
+    return None
 
 
 def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> Triple:

@@ -120,6 +120,30 @@ def test_a_body_that_can_not_be_is_refused(text: str, letter: str, sizes: tuple[
         solution.evaluate_many({letter: np.array([*sizes, 2.001])})
 
 
+LAMINAE = """
+    title: Laminae in letters
+    up: z
+    given: {m: kg, a: m, b: m}
+    bodies:
+      sheet: {shape: rectangle, mass: m, sides: [a, b], points: {O: [a/2, b/2, 0]}}
+      tri: {shape: triangle, mass: m, corners: [[0, 0], [a, 0], [0, b]]}
+    find: {I: sheet.principal_moments about sheet.O, J: tri.principal_moments}
+"""
+
+
+def test_principal_moments_of_laminae_are_in_order_whatever_their_letters_are() -> None:
+    """The third is the sum of both others, and of these the one with the root added is the larger."""
+    a, b = np.array([0.3, 2.0, 1.0]), np.array([0.5, 0.7, 1.0])
+    found = solve(LAMINAE).evaluate_many({"m": np.array([1.0, 3.0, 2.0]), "a": a, "b": b})
+    for place, mass in enumerate((1.0, 3.0, 2.0)):
+        x, y = a[place], b[place]
+        corner = mass * np.array([[y * y / 3, -x * y / 4], [-x * y / 4, x * x / 3]])
+        centre = mass / 36 * np.array([[2 * y * y, x * y], [x * y, 2 * x * x]])
+        for name, tensor in (("I", corner), ("J", centre)):
+            moments = [*np.linalg.eigvalsh(tensor), np.trace(tensor)]
+            assert [found[f"{name}.{k + 1}"][place] for k in range(3)] == pytest.approx(moments, rel=ALIKE)
+
+
 NOTHING = """
     title: Rod along its axis, and two masses on it
     up: z

@@ -24,7 +24,9 @@ from rotsolve.language.problem import Find, Problem
 
 STEP = 1e-5  # by how much an answer that is put in is changed, to see what it changes
 SURE = 1e-7  # of what such a change leaves over: beside it that is something
-TRAVELLING = 1e-5  # of v over the largest length: a rate beside which 1e-9 is still more than a float's rounding of that
+TRAVELLING = (
+    1e-5  # of v over the largest length: a rate beside which 1e-9 is still more than a float's rounding of that
+)
 UNTESTED = "no equation tests it"
 VERGES = ("stable", "steady")
 SOUGHT = ("tilt",)  # what tells how a body stands
