@@ -142,7 +142,9 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
 def tested(name: str, parts: Mapping[str, float], hearing: Hearing, find: Find) -> AnswerConfirmation:
     """An answer that was put in is right where the equations then leave nothing over."""
     own, size = parts[""], max(abs(parts[""]), 1e-9)
-    found = own + hearing.correction(find)
+    letter = hearing.letter(find)
+    put_in = own if letter is None else hearing.known[letter]
+    found = put_in + hearing.correction(find)
     holds = abs(found - own) <= SAME * size
     if holds:
         from rotsolve.confirm.space.rivals import fits_as_asked
