@@ -36,6 +36,7 @@ wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs
 which-pair-of-angles"""
 NO_COORDINATES = """force-off-the-centre spherical-top plate-that-wobbles-in-time pole-of-the-earth-in-time
 tennis-racket wing-nut between-both-cases"""  # of ω along own axes
+NONHOLONOMIC = "coin-in-a-circle"
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop"
 
@@ -47,6 +48,7 @@ REASONS = {  # the problems, and what the message and its help say
     FRICTION: (f"{NOTHING}|{ALONE}", "it takes Newton's laws|angular momentum gives it"),
     NO_LAW: (NOTHING, "none of the laws"),
     NO_COORDINATES: (NOTHING, "whose parts are no rates of coordinates"),
+    NONHOLONOMIC: (NOTHING, "ties its rates, and not its coordinates"),
     TOLD_BY_POWER: (NOTHING, "does not tie places"),
     UNKNOWN_TRACK: (ALONE, "energy gives it"),
 }

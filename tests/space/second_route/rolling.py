@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import atan2, cos, pi, sin, sqrt
 from types import SimpleNamespace as Numbers
 from typing import Any
 
 import numpy as np
 
 from second_route.following import first_passage, followed
-from second_route.particles import Cloud, Motion, X, Y, Z, derivatives, disc, ring, root, tensor, turn
-from second_route.tops import least_sleeping_spin
+from second_route.particles import Cloud, Motion, X, Y, Z, cone, derivatives, disc, ring, root, tensor, turn
+from second_route.tops import least_sleeping_spin, steady
 
 Answers = dict[str, Any]
 SIZE = np.linalg.norm
@@ -90,6 +90,72 @@ def skater_pulls_in(n: Numbers) -> Answers:
     return {"w": omega, "w_f": last, "W": work, "tau": fall * n.w0}
 
 
+def rolls_round(body: Cloud, tilt: float, touching: Any, round_: float) -> tuple[Motion, Any]:
+    """A body about its tip, with the spin for which a point of it is at rest: how it moves, and where that point is."""
+
+    point = Cloud(np.ones(1), np.array([touching]))
+    slow, fast = (steady(point, tilt, spin, round_).velocities[0] for spin in (0.0, 1.0))
+    spin = float(-(slow @ (fast - slow)) / ((fast - slow) @ (fast - slow)))
+    return steady(body, tilt, spin, round_), steady(point, tilt, spin, round_).places[0]
+
+
+def pushed_up(motion: Motion, place: Any, gravity: float) -> float:
+    """The force upwards at a place that makes up the torque about the tip."""
+    return float(motion.torque(-gravity * Z)[0] / place[1])
+
+
+def turning_of(motion: Motion) -> Any:
+    """ω of a body about its tip, from L."""
+    return np.linalg.solve(tensor(Cloud(motion.masses, motion.places)), motion.angular_momentum())
+
+
+def lying_cone(n: Numbers, round_: float) -> tuple[Motion, Any]:
+    """Its axis is as high above the table as its half angle."""
+    body = cone(n.M, n.R, n.h).turned(turn(X, pi))
+    return rolls_round(body, pi / 2 - atan2(n.R, n.h), n.h * Z - n.R * Y, round_)
+
+
+def cone_that_rolls_round(n: Numbers) -> Answers:
+    motion, place = lying_cone(n, n.W)
+    up = pushed_up(motion, place, n.g)
+    moves = {"K": motion.kinetic_energy(), "omega": SIZE(turning_of(motion)), "L_z": motion.angular_momentum()[2]}
+    return {**moves, "N": up, "x": up * SIZE(place) / (n.M * n.g)}
+
+
+def cone_that_tips(n: Numbers) -> Answers:
+    """The weight is carried at the rim."""
+
+    def lacking(round_: float) -> float:
+        motion, place = lying_cone(n, round_)
+        return pushed_up(motion, place, n.g) - n.M * n.g
+
+    rate = root(lacking, 0.1 * sqrt(n.g / n.R), 10 * sqrt(n.g / n.R))
+    return {"W_t": rate, "F": SIZE(lying_cone(n, rate)[0].force(-n.g * Z) - n.M * n.g * Z)}
+
+
+def mill_stone(n: Numbers) -> Answers:
+    motion, place = rolls_round(disc(n.M, n.R).moved(n.d * Z), pi / 2, n.d * Z - n.R * Y, n.W)
+    up = pushed_up(motion, place, n.g)
+    _, along, lift = motion.force(-n.g * Z) - up * Z
+    return {"N": up, "F_z": lift, "F_r": along, "omega": SIZE(turning_of(motion)), "K": motion.kinetic_energy()}
+
+
+def coin_in_a_circle(n: Numbers) -> Answers:
+    """Its angular velocity goes round with it: ω̇ = W z × ω of what rolls."""
+    body, axis = disc(n.m, n.R), sin(n.theta) * -Y + cos(n.theta) * Z
+    inner = n.rho - n.R * cos(n.theta)  # the circle of its centre
+
+    def omega(rate: float) -> Any:
+        return rate * Z - n.rho / n.R * rate * axis
+
+    def lacking(rate: float) -> float:
+        change = rolls(body, n.R, n.g, np.concatenate([axis, omega(rate)]))[3:]
+        return float((change - np.cross(rate * Z, omega(rate)))[0])
+
+    rate = root(lacking, 0.1 * sqrt(n.g / n.rho), 10 * sqrt(n.g / n.rho))
+    return {"Omega": rate, "F": n.m * rate**2 * inner, "N": n.m * n.g}
+
+
 def slows(n: Numbers) -> Any:
     return lambda _, state: -n.c / n.I3 * state
 
@@ -107,8 +173,12 @@ def top_that_wakes_up(n: Numbers) -> Answers:
 
 
 CALCULATIONS = {
+    "coin-in-a-circle": coin_in_a_circle,
+    "cone-that-rolls-round": cone_that_rolls_round,
+    "cone-that-tips": cone_that_tips,
     "disc-about-a-point-of-its-line": disc_about_a_point_of_its_line,
     "hoop-that-stays-upright": hoop_that_stays_upright,
+    "mill-stone": mill_stone,
     "rolling-energies": rolling_energies,
     "skater-pulls-in": skater_pulls_in,
     "top-that-slows-down": top_that_slows_down,
