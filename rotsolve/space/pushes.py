@@ -94,10 +94,10 @@ class Pushes:
         """The axes along which the parts of a joint's force are written: level ones of what nods, if it is told how far it has gone round,
         else those of the body, if the weight is told along them."""
         name, axes = joint.body.owner, self.moment.axes(joint.body.owner)
-        if axes.name == NODE and self.moment.nods(name) and turns_untold(self.moment.nodding(name).angles[0]):
+        nods = axes.name == NODE or self.moment.nods(name)
+        if joint.free and axes.name == NODE and nods and turns_untold(self.moment.nodding(name).angles[0]):
             return axes
-        nods = axes.name == NODE or self.moment.nods(name) or joint.rolls or (axes.lost and self.gravity)
-        return IN_SPACE if nods else axes
+        return IN_SPACE if nods or joint.rolls or (axes.lost and self.gravity) else axes
 
     def letters(self, word: str, joint: Joint, mark: str = "") -> Triple:
         """Three letters for a force or couple of a joint."""
