@@ -93,7 +93,9 @@ class Glance:
     def sign(self, value: Formula) -> int | None:
         """1 or −1 where it certainly is, 0 where the bits do not tell, None where the formula has no value."""
         if value not in self.told:
-            self.told[value] = self.sign_by(BITS, value) or self.sign_by(MORE_BITS, value)
+            sign = self.sign_by(BITS, value)
+            closer = not sign and not value.holds(Integral)  # of which so many bits take seconds
+            self.told[value] = self.sign_by(MORE_BITS, value) if closer else sign
         return self.told[value]
 
     def sign_by(self, bits: int, value: Formula) -> int | None:

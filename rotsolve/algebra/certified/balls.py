@@ -33,7 +33,7 @@ Ball = Any  # flint's arb or acb
 Values = Mapping[str, Formula | Fraction | int]
 Steady = dict[int, tuple[Formula, Ball]]  # what parts of an integrand are at all places, by their identities
 
-PLACES_A_STEP = 3  # at which an integrand is evaluated
+PLACES_A_STEP = 20  # at which an integrand is evaluated
 SHARP = 20  # bits to which both ends of an integral are known where it is worth its work
 ROUGHLY = 300  # evaluations of one between other ends
 
