@@ -151,7 +151,7 @@ def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None
     return total([per_rate(term, free) for term in flat(given)]), total([per_rate(term, free) for term in flat(gained)])
 
 
-def turned_with(body: BodyFacts, facts: Facts, group: frozenset[str]) -> Formula | None:
+def turned_per_rate(body: BodyFacts, facts: Facts, group: frozenset[str]) -> Formula | None:
     """How fast a body of a group turns counterclockwise for its one free rate; None where it moves in several ways."""
     bodies = [one for one in facts.bodies if one.name in group]
     rates, allowed = freedom(facts, group, [term for one in bodies for term in (*gain(one), *supply(one))])

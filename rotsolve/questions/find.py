@@ -168,7 +168,7 @@ def dimension_in(formula: Formula, dimensions: Mapping[str, Dimension]) -> Dimen
 def entries(find: Find, scene: SceneEquations) -> tuple[Find, ...]:
     """A question for a matrix or a vector in space as questions for its entries; any other question alone."""
     if scene.configuration.problem.space:
-        from rotsolve.space.reader import entries_in_space
+        from rotsolve.space.entries import entries_in_space
 
         return entries_in_space(find)
     if len(find.terms) != 1 or find.formula != Symbol("#0") or find.terms[0].path.component is not None:

@@ -232,7 +232,7 @@ def stable_roots(name: str, roots: Sequence[Formula], scene: SceneEquations, sig
         group = frozenset((body.name,))
         if body.motion.kind != "axis":
             group = scene.configuration.component(body.name, facts.state)
-        balance, turned = groups.drive(facts, group), groups.turned_with(body, facts, group)
+        balance, turned = groups.drive(facts, group), groups.turned_per_rate(body, facts, group)
         if balance is not None and turned is not None:
             left = balance[0] - balance[1]
             if body.motion.kind != "axis":  # in balance nothing moves

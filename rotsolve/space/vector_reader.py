@@ -1,0 +1,277 @@
+"""Vector reader: the vectors that a path of a question stands for at a moment, by components along the axes that the question names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import Formula, Sum
+from rotsolve.core.quantity import INERTIAL
+from rotsolve.core.symbols import has_quantities
+from rotsolve.core.vectors.tensor import InertiaTensor
+from rotsolve.core.vectors.triple import (
+    AS_DRAWN,
+    AXES,
+    NOTHING,
+    Triple,
+    cross_product,
+    minus,
+    scaled_by,
+    vector_sum,
+)
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.problem import Path, Problem, Term
+from rotsolve.paths.meaning import NotYet, path_text
+from rotsolve.space.attitude import IN_SPACE, Axes
+from rotsolve.space.inertia import CM, product
+from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.passing import joint_shock
+
+Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
+
+
+class VectorReader:
+    """Reads the vectors of bodies and elements at one moment; `moments` are those of all states."""
+
+    def __init__(self, dynamics: SpaceLaws, moments: Mapping[str, SpaceLaws], problem: Problem) -> None:
+        self.dynamics, self.moments, self.problem = dynamics, moments, problem
+        self.moment, self.held = dynamics.moment, dynamics.moment.held
+        self.bodies = self.held.bodies
+
+    def asked_axes(self, path: Path, term: Term) -> Axes:
+        """The axes that a question names, those of space where it names none."""
+        name = path.owner if path.owner in self.bodies else self.body_of(path)
+        return self.moment.named_axes(term.axes or "", name)
+
+    def body_of(self, path: Path) -> str:
+        """The body on which a connection or action acts."""
+        joint = self.held.joint(path.owner)
+        if joint is not None:
+            return joint.body.owner
+        action = next((item for item in self.problem.actions if item.name == path.owner), None)
+        if action is None:
+            raise NotYet(f"`{path_text(path)}` has no meaning in space")
+        return action.touches()[0].owner
+
+    def vector(self, path: Path, term: Term) -> Seen:
+        """A vector, and the axes along which its components are."""
+        reading = (OF_BODIES if path.owner in self.bodies else OF_ELEMENTS).get(path.quantity)
+        if reading is None:
+            raise NotYet(f"`{path_text(path)}` is not solved in space yet")
+        if term.relative and (path.component or "").split()[:1] not in ([which] for which in INERTIAL):
+            return self.relative(path, term)
+        return reading(self, path, term)
+
+    def relative(self, path: Path, term: Term) -> Seen:
+        """The velocity or acceleration of a body in a frame that turns, as the state tells its motion there."""
+        from rotsolve.space.frames import Relative, frame_of
+
+        if path.quantity not in ("velocity", "acceleration") or path.point not in (None, CM):
+            raise NotYet(f"`{path_text(path)} relative to` a body is not solved in space yet", path.span)
+        if frame_of(self.moment, path.owner) != term.relative:
+            help = f"tell `{path.owner}.position relative to {term.relative}` in the state, and its velocity there"
+            raise NotYet(f"how `{path.owner}` moves in `{term.relative}` nothing tells", path.span, help)
+        found = Relative(self.moment, path.owner, term.relative or "")
+        return found.slip if path.quantity == "velocity" else found.faster, found.axes
+
+    def point(self, path: Path) -> PointRef:
+        """The point of a path, the centre of mass of a body that is named alone."""
+        return PointRef(path.owner, path.point or CM, path.argument, span=path.span)
+
+    def angular_velocity(self, path: Path, term: Term) -> Seen:
+        own = self.moment.attitude(path.owner)
+        return own.omega, own.axes
+
+    def angular_acceleration(self, path: Path, term: Term) -> Seen:
+        own = self.moment.attitude(path.owner)
+        return vector_sum(own.rates, self.dynamics.carried_round(path.owner, own.omega)), own.axes
+
+    def velocity(self, path: Path, term: Term) -> Seen:
+        if path.point in (None, CM):
+            return self.moment.of_mass(path.owner, "velocity")
+        return self.moment.velocity(self.point(path)), self.moment.axes(path.owner)
+
+    def acceleration(self, path: Path, term: Term) -> Seen:
+        if path.point in (None, CM):
+            return self.moment.of_mass(path.owner, "acceleration")
+        return self.moment.acceleration(self.point(path)), self.moment.axes(path.owner)
+
+    def momentum(self, path: Path, term: Term) -> Seen:
+        velocity, axes = self.velocity(replace(path, point=None), term)
+        return scaled_by(self.held.mass(path.owner), velocity), axes
+
+    def about(self, path: Path, term: Term) -> tuple[Triple, str]:
+        """The point about which a torque or an angular momentum is asked, from the reference of its body, and its name."""
+        if term.about is None:
+            return self.dynamics.about(path.owner)
+        joint = self.held.joint(term.about.owner)
+        ref = joint.body if joint is not None else term.about
+        if ref.owner != path.owner:
+            from rotsolve.space.places import way_to
+
+            return way_to(self.moment, path.owner, ref), ""
+        return self.moment.arm(PointRef(ref.owner, ref.point or "center", ref.argument)), ref.point or "center"
+
+    def angular_momentum(self, path: Path, term: Term) -> Seen:
+        """L = I ω about a point at rest; about the centre of mass; about another point with r × m v of the centre of mass."""
+        name, own = path.owner, self.moment.attitude(path.owner)
+        place, _ = self.about(path, term)
+        at_rest, own_point = self.dynamics.about(name)
+        if place == at_rest:
+            tensor = self.dynamics.tensor(name, own_point)
+            letters, _ = self.dynamics.letters_of(name, tensor, own, own_point)
+            return letters, own.axes
+        spin = product(self.dynamics.tensor(name, CM), own.omega)
+        arm = vector_sum(self.moment.arm(PointRef(name, CM)), minus(place))
+        velocity = self.moment.velocity(PointRef(name, CM))
+        return vector_sum(spin, cross_product(arm, scaled_by(self.held.mass(name), velocity))), own.axes
+
+    def torque(self, path: Path, term: Term) -> Seen:
+        """The torque on a body about a point: of all forces (`net`), of its weight, of one connection or action."""
+        place, _ = self.about(path, term)
+        which = (path.component or "net").split()[0]
+        which = "net" if which in AXES else which
+        torque = NOTHING
+        for push in self.dynamics.pushes.on(path.owner):
+            if which in ("net", push.owner):
+                torque = vector_sum(torque, push.torque(place))
+        if which == "net":
+            return self.rate_of_momentum(path, place), self.moment.axes(path.owner)
+        return torque, self.moment.axes(path.owner)
+
+    def rate_of_momentum(self, path: Path, place: Triple) -> Triple:
+        """What all torques together come to: dL/dt about the point at rest or the centre of mass, else the sum of the torques."""
+        at_rest, point = self.dynamics.about(path.owner)
+        if place != at_rest:
+            torque = NOTHING
+            for push in self.dynamics.pushes.on(path.owner):
+                torque = vector_sum(torque, push.torque(place))
+            return torque
+        own, tensor = self.moment.attitude(path.owner), self.dynamics.tensor(path.owner, point)
+        letters, _ = self.dynamics.letters_of(path.owner, tensor, own, point)
+        return vector_sum(product(tensor, own.rates), self.dynamics.carried_round(path.owner, letters))
+
+    def force(self, path: Path, term: Term) -> Seen:
+        """The force on a body: of all (`net`: m a), its weight, of one connection or action; in a frame that turns its inertial ones."""
+        which = (path.component or "net").split()[0]
+        which = "net" if which in AXES else which
+        axes = self.moment.axes(path.owner)
+        if which in INERTIAL:
+            from rotsolve.space.frames import frame_of, inertial_force
+
+            return inertial_force(self.moment, path, term.relative or frame_of(self.moment, path.owner), which)
+        if which == "net":
+            acceleration, _ = self.acceleration(replace(path, point=None), term)
+            return scaled_by(self.held.mass(path.owner), acceleration), axes
+        return self.forces_of(path.owner, which), axes
+
+    def own_axis(self, path: Path, term: Term) -> Seen:
+        """The direction of one of a body's own axes, along these."""
+        return AS_DRAWN[AXES.index(path.quantity[0])], self.moment.own_axes(path.owner)
+
+    def rotation_axis(self, path: Path, term: Term) -> Seen:
+        """The axis of the rotation that all turns of a body come to: n ∝ the part of R that changes sign when it is transposed."""
+        from rotsolve.space.rotations import axis_of
+
+        return axis_of(self.moment.own_axes(path.owner).standing, path, self.held.vanishes), IN_SPACE
+
+    def tensor_about(self, path: Path, term: Term) -> InertiaTensor:
+        """The tensor of a body about the point that is asked, in its own axes."""
+        ref = term.about
+        point = PointRef(path.owner, CM) if ref is None else PointRef(path.owner, ref.point or "center", ref.argument)
+        joint = None if ref is None else self.held.joint(ref.owner)
+        point = point if joint is None else joint.body
+        if point.owner != path.owner or (ref is not None and joint is None and ref.owner != path.owner):
+            raise NotYet(f"`{path.quantity}` of `{path.owner}` is told about its own points", path.span)
+        return self.dynamics.own_tensor(point)
+
+    def principal_axis(self, path: Path, term: Term) -> Seen:
+        from rotsolve.space.principal import lone_axis
+
+        tensor = self.tensor_about(path, term)
+        return lone_axis(tensor, self.dynamics.tensors.spelled, path, self.held.vanishes), self.moment.own_axes(
+            path.owner
+        )
+
+    # of connections and actions
+
+    def joint_force(self, path: Path, term: Term) -> Seen:
+        """The force of a connection on the body that it holds, or of one of its bearings."""
+        name = self.body_of(path)
+        self.refuse_shared(name, path, term)
+        pushes = [push for push in self.dynamics.pushes.on(name) if push.owner == path.owner and push.force != NOTHING]
+        if path.point is not None:
+            pushes = [push for number, push in enumerate(pushes, 1) if path.point == f"bearing{number}"]
+        if len(pushes) == 1:
+            return pushes[0].force, pushes[0].axes
+        return self.forces_of(name, path.owner), self.moment.axes(name)
+
+    def refuse_shared(self, name: str, path: Path, term: Term) -> None:
+        """Refuse the part of a force along the line through two balls, of which the laws tell only the sum for both."""
+        main = self.held.main(name)
+        supports = self.held.supports(name)
+        if len(supports) < 2 or main is None or path.owner not in [joint.owner for joint in supports]:
+            return
+        component = (path.component or "").split()[-1:] or [""]
+        line = self.moment.axes(name).to(self.asked_axes(path, term), self.moment.direction(name, main))
+        if component[0] not in AXES or not self.held.vanishes(line[AXES.index(component[0])]):
+            both = " and ".join(f"`{joint.owner}`" for joint in supports)
+            message = f"`{path_text(path)}` is statically indeterminate: along the line through {both} only the sum of their forces is told"
+            raise NotYet(message, path.span, "ask for a component across that line, `in body axes` where it turns")
+
+    def joint_impulse(self, path: Path, term: Term) -> Seen:
+        """The impulse of a joint on the body that it holds, or of a blow itself, in the event that leads to this moment."""
+        before = self.moment.before
+        joint = self.held.joint(path.owner)
+        if before is None:
+            raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
+        if joint is None:
+            raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
+        return joint_shock(joint, self.moments[before.when]).push, before.axes(joint.body.owner)
+
+    def forces_of(self, name: str, owner: str) -> Triple:
+        """What one connection, action or gravity pushes a body with, in the axes of the body."""
+        axes, force = self.moment.axes(name), NOTHING
+        for push in self.dynamics.pushes.on(name):
+            force = vector_sum(force, push.along(axes) if push.owner == owner else NOTHING)
+        return force
+
+    def joint_torque(self, path: Path, term: Term) -> Seen:
+        """The torque of a connection or action about the point held, or about another one."""
+        name = self.body_of(path)
+        place, _ = self.about(replace(path, owner=name), term)
+        torque = NOTHING
+        for push in self.dynamics.pushes.on(name):
+            torque = vector_sum(torque, push.torque(place) if push.owner == path.owner else NOTHING)
+        return torque, self.moment.axes(name)
+
+    # angles between vectors
+
+
+def tidied_part(value: Formula) -> Formula:
+    """A component with what cancels left out, where it is a sum."""
+    return simplify(value) if isinstance(value, Sum) or not has_quantities(value) else value
+
+
+OF_BODIES: dict[str, Callable[[VectorReader, Path, Term], Seen]] = {
+    "angular_velocity": VectorReader.angular_velocity,
+    "angular_acceleration": VectorReader.angular_acceleration,
+    "velocity": VectorReader.velocity,
+    "acceleration": VectorReader.acceleration,
+    "momentum": VectorReader.momentum,
+    "angular_momentum": VectorReader.angular_momentum,
+    "torque": VectorReader.torque,
+    "force": VectorReader.force,
+    "x_axis": VectorReader.own_axis,
+    "y_axis": VectorReader.own_axis,
+    "z_axis": VectorReader.own_axis,
+    "rotation_axis": VectorReader.rotation_axis,
+    "principal_axis": VectorReader.principal_axis,
+}
+OF_ELEMENTS: dict[str, Callable[[VectorReader, Path, Term], Seen]] = {
+    "force": VectorReader.joint_force,
+    "torque": VectorReader.joint_torque,
+    "impulse": VectorReader.joint_impulse,
+}
