@@ -131,7 +131,7 @@ def verges_of(contact: str, state: str, question: Asked, search: Search) -> list
 
 def verge_slipping(way: int, contact: str, state: str, question: Asked, search: Search) -> Verge | None:
     """The value at which a contact is on the point of slipping in one sense, and wheels that it would turn are on the point of turning."""
-    turned = turned_with(contact, state, way, search.scene)
+    turned = wheels_turned(contact, state, way, search.scene)
     modes = {rub.key: rub.mode(sense) for rub, sense in turned.items()}
     if modes:
         search = Search(search.scene.where({**search.scene.modes, **modes}), search.families, search.spare)
@@ -140,7 +140,7 @@ def verge_slipping(way: int, contact: str, state: str, question: Asked, search: 
     return None if verge is None else replace(verge, turned=turned)
 
 
-def turned_with(contact: str, state: str, way: int, scene: SceneEquations) -> dict[Rub, int]:
+def wheels_turned(contact: str, state: str, way: int, scene: SceneEquations) -> dict[Rub, int]:
     """The senses in which wheels on rubbing axles would turn if a contact slipped; none where what it slips on moves too, or where it is
     known how they turn."""
     start = scene.configuration.phase_start(state)
