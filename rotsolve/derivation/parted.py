@@ -9,6 +9,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import APART, GAINS, LIFTS, Requirement
 from rotsolve.core.writing import spoken
+from rotsolve.elements.events import Collides
+from rotsolve.elements.shapes import shape_of
 from rotsolve.motion.encounters import participants
 from rotsolve.motion.places import place_of_point
 from rotsolve.motion.timeline import Interval
@@ -99,6 +101,53 @@ def ways_apart(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterato
                 yield interval.end, space
         if again:
             return
+
+
+def untold_meetings(search: Search) -> Iterator[str]:
+    """Whether two that have bounced off each other meet again before a later state that is asked about, where nothing looks at that: along
+    a line the laws do, off a rod the assembly, in numbers; what turns otherwise may come round to the other."""
+    scene, timeline = search.scene, search.scene.configuration.timeline
+    for name in scene.encounters:
+        blow = timeline.interval(name)
+        pair = meeting_bodies(blow, search)
+        if blow is None or not isinstance(blow.event, Collides) or len(set(pair)) != 2:
+            continue
+        onward = timeline.intervals[timeline.order[blow.end] :]
+        again = any(set(meeting_bodies(interval, search)) == set(pair) for interval in onward if interval.event)
+        later = [interval.end for interval in onward if interval.event is None and asked_of(interval.end, search)]
+        if (
+            later
+            and not again
+            and not any(True for _ in ways_apart(pair, blow, search))
+            and comes_round(pair, blow, search)
+        ):
+            yield f"whether {both_spoken(pair)} meet again before {spoken(later[-1])}"
+
+
+def asked_of(state: str, search: Search) -> bool:
+    """Whether a question is about a state."""
+    last = search.scene.configuration.timeline.states[-1].name
+    terms = [term for answered in search.answered for term in answered.asked.find.terms]
+    named = {name for term in terms for name in (term.at, term.start, term.end, term.during)}
+    return state in named or (state == last and None in {term.at or term.start or term.during for term in terms})
+
+
+def comes_round(pair: tuple[str, ...], blow: Interval, search: Search) -> bool:
+    """Whether of two bodies off any line one may come round to the other: not two small or round ones in flight, nor, in numbers, one off a
+    rod with nothing at its sides, at which the assembly looks."""
+    configuration = search.scene.configuration
+    hosts = [configuration.host(name, blow.end) for name in pair]
+    members = [[name for name in configuration.bodies if configuration.host(name, blow.end) == host] for host in hosts]
+    shapes = [
+        [shape_of(body) for name in group if (body := configuration.bodies[name]).shape or body.parts]
+        for group in members
+    ]
+    held = {ref.owner for item in configuration.connections(blow.end) for ref in item.touches()}
+    driven = {ref.owner for action in configuration.problem.actions for ref in action.touches()}
+    if not (held | driven) & {*members[0], *members[1]}:
+        return not all(shape.outer is not None for group in shapes for shape in group)
+    rods = [group for group in shapes if any(shape.slender for shape in group)]
+    return bool(search.signs.trials) or len(rods) != 1 or len(rods[0]) != 1
 
 
 def way_in(name: str, interval: Interval, search: Search) -> Formula | None:

@@ -56,6 +56,10 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
     yield from (Check(words, None) for need, words in left_open(search, letters, moment) if concerns(need, search))
+    if search.scene.encounters:
+        from rotsolve.derivation.parted import untold_meetings
+
+        yield from (Check((words,), None) for words in untold_meetings(search))
 
 
 def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[Requirement, Words]]:

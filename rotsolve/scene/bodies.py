@@ -251,10 +251,19 @@ def read_part(scope: Scope, name: str, key: Text, node: Node) -> Part:
     if scope.space and "angle" in entries:
         in_plane_only(scope, entries["angle"][0], "angle")
     fields = {word: read_value(scope, PART[word], entries[word][1], word, name) for word in written}
-    body = build_body(scope, name, key, entries, shape or Particle, tuple(PART))
+    solid = "inertia" in entries or "gyration" in entries  # else what has no shape is a particle
+    body = build_body(scope, name, key, entries, shape or (None if solid else Particle), tuple(PART))
     part = Part(body, **fields)
     check_ends(scope, name, key, entries, part)
+    check_one_place(scope, name, entries, part)
     return part
+
+
+def check_one_place(scope: Scope, name: str, entries: Entries, part: Part) -> None:
+    """A particle is so far from the middle as its `radius` tells, or where `at` puts it."""
+    if isinstance(part.body.shape, Particle) and "radius" in entries and "at" in entries:
+        message = f"`{name}` is a particle: its `radius` tells how far from the middle it is, as `at` does"
+        scope.fault(entries["radius"][0], message, "leave out one of both, or tell a `shape`: disc, ring, …", "form")
 
 
 def check_ends(scope: Scope, name: str, key: Text, entries: Entries, part: Part) -> None:

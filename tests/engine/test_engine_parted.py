@@ -138,3 +138,39 @@ def test_what_went_through_is_ahead() -> None:
     letters = solve(ON_ICE.format(given="m: kg, M: kg, u: m/s, w: m/s, T: s", **told))
     assert stands(letters, {"m": 0.01, "M": 1, "u": 100, "w": 50, "T": 2})
     assert not stands(letters, {"m": 0.01, "M": 1, "u": 50, "w": 100, "T": 2})
+
+
+TURNING = """
+title: Puck bumps what turns about a post
+plane: horizontal
+given: {M: kg, a: m, m: kg, u: m/s, e: number, T: s}
+bodies: {it: {BODY}, puck: {mass: m, moves: up}}
+connections: {pin: {hinge: it.PIN}}
+states: {before: {it.angle: 0, at rest: it, puck.velocity: u}, after: {}, later: {time: T}}
+events: {hit: {collides: [puck, it.SPOT], restitution: e, from: before, to: after}}
+find: {ASK}
+"""
+AFTERWARDS = "th: it.rotation from after to later"
+SHAPES = {
+    "a rod in letters": ("shape: rod, mass: M, length: a", "start", "at(3*a/4)"),
+    "a plate": ("shape: rectangle, mass: M, sides: [a, a]", "corner1", "corner2"),
+    "a cross of rods": (
+        "parts: {one: {shape: rod, mass: M, length: a}, two: {shape: rod, mass: M, length: a, angle: 90 deg}}, points: {O: [0, 0], P: [a/4, 0]}",
+        "O",
+        "P",
+    ),
+}
+
+
+def of_turning(shape: str, ask: str) -> str:
+    body, pin, spot = SHAPES[shape]
+    return TURNING.replace("BODY", body).replace("PIN", pin).replace("SPOT", spot).replace("ASK", ask)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_that_what_turns_may_come_round_to_what_it_has_hit_is_said(shape: str) -> None:
+    """Of later states it is not decided; of the blow itself nothing is said."""
+    later = [str(check.words) for check in solve(of_turning(shape, AFTERWARDS)).checks if check.holds is None]
+    assert any("whether puck and it meet again before later" in words for words in later)
+    at_once = solve(of_turning(shape, "w: it.angular_velocity at after")).checks
+    assert not any("meet again" in str(check.words) for check in at_once)
