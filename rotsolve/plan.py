@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from rotsolve.algebra.effort import spend
+from rotsolve.algebra.effort import exert
 from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.core.equation import Equation
 
@@ -224,7 +224,7 @@ class Planner:
         """Leave out one equation at a time while that makes the plan cheaper."""
         pool = dict(unknowns)
         for _ in range(ROUNDS):
-            spend(len(best.equations) // BLOCKS_A_STEP)
+            exert(len(best.equations) // BLOCKS_A_STEP)
             matching = Matching(self._told(pool))
             trials = [(self._block(best.asked, pool, matching.without(index)), index) for index in best.equations]
             better = [(trial, index) for trial, index in trials if trial is not None and trial.cost < best.cost]

@@ -19,7 +19,7 @@ class Purse:
     left: int | None = None
 
 
-def spend(steps: int) -> None:
+def exert(steps: int) -> None:
     """Count some steps; Exhausted where no more are left."""
     if Purse.left is not None:
         Purse.left -= steps
@@ -35,3 +35,19 @@ def at_most(steps: int | None) -> Iterator[None]:
         yield
     finally:
         Purse.left = before
+
+
+class Allowance:
+    """Steps for several pieces of work together."""
+
+    def __init__(self, steps: int) -> None:
+        self.steps = steps
+
+    @contextmanager
+    def used(self) -> Iterator[None]:
+        """No more than what is left of them within."""
+        with at_most(self.steps):
+            try:
+                yield
+            finally:
+                self.steps = max(Purse.left or 0, 0)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from rotsolve.algebra.effort import spend
+from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
@@ -201,7 +201,7 @@ class SceneEquations(Struct, dict=True):
             dearer = twin is not None and twin.cost <= equation.cost
             if not dearer and equation.left != equation.right and not self._empty(equation):
                 written[key] = equation
-        spend(len(written) // WRITTEN_A_STEP)
+        exert(len(written) // WRITTEN_A_STEP)
         return list(written.values())
 
     def with_asked(self, families: Collection[str]) -> list[Equation]:

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.effort import Exhausted, at_most
+from rotsolve.algebra.effort import Allowance, Exhausted
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import degree, is_zero, simplify
 from rotsolve.algebra.exact.order import length
@@ -24,7 +24,7 @@ from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
 from rotsolve.search.provisos import divides, letter_rank, shown
 
 MOST = 12  # edges on which a case is solved
-STEPS = 2_000  # of work for one of them
+STEPS = 4_000  # of work for all of them
 
 
 Confirming = Callable[
@@ -53,6 +53,7 @@ class Edges(Generic[Found]):
         self.space = space
         self.solve = solve
         self.confirming = confirming
+        self.allowance = Allowance(STEPS)
         self.known: list[Edge] = []
         self.seen: dict[int, Collection[str]] = {}  # the answers that are confirmed on them
         self.cases: dict[int, Case[Found]] = {}  # by the place of their edge among those known
@@ -159,7 +160,7 @@ class Edges(Generic[Found]):
             if len(self.cases) == MOST:
                 return None
             try:
-                with at_most(STEPS):
+                with self.allowance.used():
                     self.cases[place] = case_at(edge.point, self.space, self.solve, {edge.letter: edge.limit})
             except Exhausted:
                 return None

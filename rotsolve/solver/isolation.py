@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rotsolve.algebra.calculus.derivative import period_of
 from rotsolve.algebra.certified.ball import Certified
-from rotsolve.algebra.effort import spend
+from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import coefficients, degree, is_zero, monomials
 from rotsolve.algebra.exact.order import length
@@ -68,7 +68,7 @@ class Isolation(Textbook, kw_only=True):
 
     def check_length(self, gap: Formula, name: str) -> None:
         """Refuses what no page can hold once it is solved for a letter, before it is written."""
-        spend(1)
+        exert(1)
         if length(gap) > LONGEST or monomials(gap, name, order=self.order, positive=self.positive) > MOST_TERMS:
             raise Unprintable(TOO_LONG)
 

@@ -5,7 +5,7 @@ from random import Random
 import pytest
 
 from rotsolve import pipeline
-from rotsolve.algebra.effort import Exhausted, at_most, spend
+from rotsolve.algebra.effort import Allowance, Exhausted, at_most, exert
 from rotsolve.core.faults import Unsolvable
 from rotsolve.plan import Matching
 
@@ -36,11 +36,21 @@ def test_what_is_worked_out_within_the_steps_is_answered():
 def test_steps_are_counted_within_and_given_back_around():
     with at_most(10):
         with pytest.raises(Exhausted), at_most(2):
-            spend(3)
-        spend(10)
+            exert(3)
+        exert(10)
         with pytest.raises(Exhausted):
-            spend(1)
-    spend(10**9)
+            exert(1)
+    exert(10**9)
+
+
+def test_an_allowance_is_for_all_that_uses_it():
+    allowance = Allowance(5)
+    with allowance.used():
+        exert(3)
+    with pytest.raises(Exhausted), allowance.used():
+        exert(3)
+    with pytest.raises(Exhausted), allowance.used():
+        exert(1)
 
 
 @pytest.mark.parametrize("seed", range(200))

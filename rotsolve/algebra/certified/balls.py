@@ -10,7 +10,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.effort import spend
+from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
@@ -31,9 +31,10 @@ from rotsolve.algebra.formula import (
 
 Ball = Any  # flint's arb or acb
 Values = Mapping[str, Formula | Fraction | int]
-Steady = dict[int, tuple[Formula, Ball]]  # what parts of an integrand are at all places, by their identities
+# the parts of an integrand by their identities, each with what it is at all places, None where it hangs on the place
+Steady = dict[int, tuple[Formula, Ball | None]]
 
-PLACES_A_STEP = 20  # at which an integrand is evaluated
+PLACES_A_STEP = 8  # at which an integrand is evaluated
 SHARP = 20  # bits to which both ends of an integral are known where it is worth its work
 ROUGHLY = 300  # evaluations of one between other ends
 
@@ -194,7 +195,7 @@ class RealBalls:
     def integral(self, node: Integral) -> Ball:
         before = self.evaluated
         found = self._integral(node)
-        spend(1 + (self.evaluated - before) // PLACES_A_STEP)
+        exert(1 + (self.evaluated - before) // PLACES_A_STEP)
         return found
 
     def _integral(self, node: Integral) -> Ball:
@@ -264,14 +265,14 @@ class ComplexBalls:
         self.steady = steady
 
     def __call__(self, node: Formula) -> Ball:
-        if isinstance(node, Symbol) and node.name in self.bound:
+        kept = self.steady.get(id(node))
+        if kept is None:
+            moves = bool(node.symbols() & self.bound.keys())
+            kept = self.steady[id(node)] = node, None if moves else acb(self.outer(node))
+        if kept[1] is not None:
+            return kept[1]
+        if isinstance(node, Symbol):
             return self.bound[node.name]
-        if (known := self.steady.get(id(node))) is not None:
-            return known[1]
-        if not node.children() or not node.symbols() & self.bound.keys():
-            value = acb(self.outer(node))
-            self.steady[id(node)] = node, value
-            return value
         parts = [self(child) for child in node.children()]
         if isinstance(node, Sum):
             return reduce(add, parts)

@@ -9,7 +9,7 @@ from operator import or_
 
 from msgspec import Struct
 
-from rotsolve.algebra.effort import spend
+from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.field import Field, Terms
 from rotsolve.algebra.exact.order import Order, length
 
@@ -238,7 +238,7 @@ class Grouping:
         plain = least = self._plain(packed)
         if depth == len(TRIED) or not FEWEST <= len(packed) <= MOST:
             return SumPlan(plain)
-        spend(1)
+        exert(1)
         best = list[FactoredGroup]()
         for groups in sorted(self._ways(packed), key=lambda groups: sum(map(self._letters, groups)))[: TRIED[depth]]:
             pieces = [self._piece(tuple(group)) for group in groups]

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import cached_property, partial
 from math import prod
 
-from rotsolve.algebra.effort import spend
+from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.factors import Exponent, Factorization, Parts, negative, singles, taken_apart
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
 from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, FactoredGroup, Grouping
@@ -71,7 +71,7 @@ class Shaper:
 
     def _plain(self, terms: Terms, below: int) -> Formula:
         """A sum (over a number) term by term."""
-        spend(len(terms) // TERMS_A_STEP)
+        exert(len(terms) // TERMS_A_STEP)
         places = sorted(terms, key=self.order.key)
         first = next((k for k, e in enumerate(places) if terms[e] > 0 and not self.order.has_root(e)), 0)
         places.insert(0, places.pop(first))

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import islice, zip_longest
 from operator import is_
 
-from rotsolve.algebra.formula import Formula, Sum, Symbol
+from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.units import dimension as kinds
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.sizes import LIMITS, letters_open, sizes_of_letters
@@ -329,9 +329,14 @@ def cases_at(answers: Sequence[Answer], numbers: Numbers) -> list[Answer | None]
 def holding(answer: Answer, numbers: Numbers) -> Answer | None:
     """The answer of the case that the numbers are of."""
     for one in (answer, *answer.otherwise):
-        if all(holds(condition, numbers) for condition in one.conditions):
+        if all(holds(condition, numbers) for condition in sorted(one.conditions, key=summed)):
             return one
     return None
+
+
+def summed(condition: Equality) -> bool:
+    """Whether a condition holds an integral, which takes long to work out."""
+    return condition.left.holds(Integral) or condition.right.holds(Integral)
 
 
 def holds(condition: Equality, numbers: Numbers) -> bool:

@@ -83,9 +83,11 @@ def confirmations_in_plane(
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
     meeting = Budget(BUDGET)
     for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
-        cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
         limit = far_budget.portion(FAR_BUDGET) if kind == FAR else meeting if kind == MEETING else budget
-        if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)) or (kind == OWN and cases <= seen):
+        if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)):
+            continue
+        cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
+        if kind == OWN and cases <= seen:
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit)}
         if any(one.rivals for answer in answers for one in (answer, *answer.otherwise)):
