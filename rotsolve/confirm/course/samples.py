@@ -329,12 +329,12 @@ def cases_at(answers: Sequence[Answer], numbers: Numbers) -> list[Answer | None]
 def holding(answer: Answer, numbers: Numbers) -> Answer | None:
     """The answer of the case that the numbers are of."""
     for one in (answer, *answer.otherwise):
-        if all(holds(condition, numbers) for condition in sorted(one.conditions, key=summed)):
+        if all(holds(condition, numbers) for condition in sorted(one.conditions, key=takes_integral)):
             return one
     return None
 
 
-def summed(condition: Equality) -> bool:
+def takes_integral(condition: Equality) -> bool:
     """Whether a condition holds an integral, which takes long to work out."""
     return condition.left.holds(Integral) or condition.right.holds(Integral)
 
