@@ -155,7 +155,8 @@ SHAPES = {
     "a rod in letters": ("shape: rod, mass: M, length: a", "start", "at(3*a/4)"),
     "a plate": ("shape: rectangle, mass: M, sides: [a, a]", "corner1", "corner2"),
     "a cross of rods": (
-        "parts: {one: {shape: rod, mass: M, length: a}, two: {shape: rod, mass: M, length: a, angle: 90 deg}}, points: {O: [0, 0], P: [a/4, 0]}",
+        "parts: {one: {shape: rod, mass: M, length: a}, two: {shape: rod, mass: M, length: a, angle: 90 deg}}, "
+        "points: {O: [0, 0], P: [a/4, 0]}",
         "O",
         "P",
     ),
