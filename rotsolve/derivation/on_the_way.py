@@ -57,7 +57,9 @@ def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]
 
 def untold_pushes(search: Search) -> Iterator[tuple[Requirement, Words]]:
     """What letters leave open of a phase: whether a string stays taut on the way, or friction suffices. Numbers are followed in time."""
-    for least in pushes_on_the_way(search) if search.signs.trials else ():
+    givens = search.scene.configuration.problem.givens
+    open_ = any(given.value is None and not (given.asked or given.automatic) for given in givens)
+    for least in pushes_on_the_way(search) if open_ else ():
         if least.found is None and (least.need.kind.grips or least.interval.end != OPEN):  # else `lasting` looks at it
             what = (
                 f"{spoken(least.need.owner)} {least.need.otherwise}" if least.need.kind.grips else least.need.otherwise

@@ -9,7 +9,6 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import APART, GAINS, LIFTS, Requirement
 from rotsolve.core.writing import spoken
-from rotsolve.elements.events import Collides
 from rotsolve.elements.shapes import shape_of
 from rotsolve.motion.encounters import participants
 from rotsolve.motion.places import place_of_point
@@ -107,10 +106,10 @@ def untold_meetings(search: Search) -> Iterator[str]:
     """Whether two that have bounced off each other meet again before a later state that is asked about, where nothing looks at that: along
     a line the laws do, off a rod the assembly, in numbers; what turns otherwise may come round to the other."""
     scene, timeline = search.scene, search.scene.configuration.timeline
-    for name in scene.encounters:
+    for name, encounter in scene.encounters.items():
         blow = timeline.interval(name)
         pair = meeting_bodies(blow, search)
-        if blow is None or not isinstance(blow.event, Collides) or len(set(pair)) != 2:
+        if blow is None or encounter.closing is None or len(set(pair)) != 2:
             continue
         onward = timeline.intervals[timeline.order[blow.end] :]
         again = any(set(meeting_bodies(interval, search)) == set(pair) for interval in onward if interval.event)

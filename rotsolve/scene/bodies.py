@@ -261,7 +261,8 @@ def read_part(scope: Scope, name: str, key: Text, node: Node) -> Part:
 
 def check_one_place(scope: Scope, name: str, entries: Entries, part: Part) -> None:
     """A particle is so far from the middle as its `radius` tells, or where `at` puts it."""
-    if isinstance(part.body.shape, Particle) and "radius" in entries and "at" in entries:
+    shape = part.body.shape
+    if shape is not None and shape.pointlike and "radius" in entries and "at" in entries:
         message = f"`{name}` is a particle: its `radius` tells how far from the middle it is, as `at` does"
         scope.fault(entries["radius"][0], message, "leave out one of both, or tell a `shape`: disc, ring, …", "form")
 
