@@ -21,6 +21,7 @@ from statistics import mean
 from costs.tables import share, table
 from report import machine, write_section
 from rotsolve import solve
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.typeset import to_latex
@@ -53,6 +54,9 @@ class Subject:
 
 
 @cache
+LONGEST = 300  # nodes of a formula that somebody types: of longer ones the judge says that it can't decide
+
+
 def subjects() -> tuple[Subject, ...]:
     """The answers with a closed form of all scenes."""
     found = []
@@ -61,7 +65,7 @@ def subjects() -> tuple[Subject, ...]:
         judge = Judge(solution)
         for answer in solution.derivation.answers:
             closed = judge.letters.closed.get(answer.name)
-            if closed is not None and closed.symbols():
+            if closed is not None and closed.symbols() and length(closed) <= LONGEST:
                 unit = "" if answer.unit is None else answer.unit.text
                 typed = closed.substitute({TIME: Symbol(judge.letters.meanings.time)})  # t, as it is printed
                 found.append(Subject(typed, unit, judge, judge.targets[answer.name]))

@@ -239,9 +239,11 @@ class VectorReader:
         return force
 
     def joint_torque(self, path: Path, term: Term) -> Seen:
-        """The torque of a connection or action about the point held, or about another one."""
-        name = self.body_of(path)
+        """The torque of a connection or action about the point held, on the ground or on what carries it, or about another one."""
+        name, joint = self.body_of(path), self.held.joint(path.owner)
         place, _ = self.about(replace(path, owner=name), term)
+        if term.about is None and joint is not None and not joint.rolls:
+            place = self.moment.arm(PointRef(name, joint.body.point or "center", joint.body.argument))
         torque = NOTHING
         for push in self.dynamics.pushes.on(name):
             torque = vector_sum(torque, push.torque(place) if push.owner == path.owner else NOTHING)

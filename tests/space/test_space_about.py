@@ -153,3 +153,36 @@ def test_what_can_not_be_told_is_refused(name: str) -> None:
         solution = solve(f"title: T\nup: z\n{scene}").complete()
         raise Unsolvable("; ".join(item.fault.message for item in solution.derivation.refused) or "answered")
     assert words in str(refusal.value)
+
+
+CARRIED = """
+title: What a joint on a carrier gives at the point that it holds
+up: z
+given: {M: 2 kg, L: 0.8 m, W: 6 rad/s, d: 0.5 m}
+bodies:
+  table: {shape: disc, mass: 0, radius: 1 m, points: {E: [d, 0, 0]}}
+  beam: {shape: rod, mass: M, length: L}
+connections:
+  post: {hinge: table.center, along: z, angular_velocity: W}
+  joint: {KIND: [table.E, beam.start]MORE}
+states: {now: {STATE}}
+find: {t: joint.torque in table axes, c: joint.torque about beam.cm in table axes}
+"""
+
+
+def carried(kind: str, more: str = "", state: str = "") -> dict[str, tuple[float, float, float]]:
+    text = CARRIED.replace("KIND", kind).replace("MORE", more).replace("STATE", state)
+    answers = solve(text).answers
+    return {name: tuple(answers[name].components[axis].float or 0.0 for axis in "xyz") for name in ("t", "c")}
+
+
+def test_a_clamp_on_a_carrier_gives_its_couple_where_it_holds() -> None:
+    """The weight M g at L/2 and nothing of M W² r, whose force passes through the point held; about the centre of mass nothing is left."""
+    found = carried("clamp")
+    assert found["t"] == pytest.approx((0, -2 * 9.8 * 0.4, 0))
+    assert found["c"] == pytest.approx((0, 0, 0), abs=1e-9)
+
+
+def test_a_hinge_on_a_carrier_gives_no_couple_about_its_own_axis() -> None:
+    found = carried("hinge", ", along: y", "beam.angle: 90 deg, beam.angular_velocity: 0")
+    assert found["t"][1] == pytest.approx(0, abs=1e-9)

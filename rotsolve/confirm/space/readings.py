@@ -228,8 +228,10 @@ class Reading:
         return total
 
     def joint_torque(self, path: Path, term: Term) -> Arrow:
-        total, name = STILL, self.body_of(path)
+        total, name, joint = STILL, self.body_of(path), self.rig.joints.get(path.owner)
         about = self.about(name, term)
+        if term.about is None and joint is not None and not joint.rolls:
+            about = self.stance.arm(joint.body)
         for item in self.world.efforts.on(name):
             if item.owner == path.owner and not item.back:
                 total = sum_of(total, item.torque_at(self.found, about))
