@@ -53,10 +53,10 @@ class Subject:
         self.letters = frozenset((*judge.letters.givens, *judge.letters.told))
 
 
-@cache
 LONGEST = 300  # nodes of a formula that somebody types: of longer ones the judge says that it can't decide
 
 
+@cache
 def subjects() -> tuple[Subject, ...]:
     """The answers with a closed form of all scenes."""
     found = []
