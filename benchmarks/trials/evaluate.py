@@ -30,6 +30,9 @@ class Unknown(ValueError):
     """A letter without a value, or a place where the formula is not real."""
 
 
+JACOBI = {"ellipsn": "sn", "ellipcn": "cn", "ellipdn": "dn"}
+
+
 def value(formula: Formula, letters: Mapping[str, mpf]) -> mpf:
     """The number of a formula at the precision of mpmath; Unknown where it has none."""
     found = _value(formula, letters)
@@ -65,7 +68,10 @@ def _value(node: Formula, letters: Mapping[str, mpf]) -> Any:
             return abs(value(argument, letters))
         case Call(function, arguments):
             try:
-                return getattr(mp, function)(*(value(argument, letters) for argument in arguments))
+                numbers = [value(argument, letters) for argument in arguments]
+                if function in JACOBI:
+                    return mp.ellipfun(JACOBI[function], numbers[0], m=numbers[1])
+                return getattr(mp, function)(*numbers)
             except (ValueError, ZeroDivisionError) as error:
                 raise Unknown(str(error)) from None
         case Integral():
