@@ -110,6 +110,11 @@ def least_of(
     try:
         running = running_in(passage, interval, search, beside)
         found = None if running is None else list(least_values(in_time, running, beside))
+        opened = bool(search.scene.configuration.timeline.state(interval.end).opened)
+        if found is not None and running is not None and letter == TIME and opened:
+            found.append(
+                simplify(in_time.substitute({TIME: running.high}))
+            )  # just before, where rest may turn friction round
     except (NotYet, ZeroDivisionError):  # nothing presses without bound: there its form has no value
         return None
     words = f"{need.otherwise} on the way to"
