@@ -75,3 +75,20 @@ find: {w: rod.angular_velocity at there}
 """
     checks = [str(check.words) for check in rotsolve.solve(scene).checks if check.holds is None]
     assert any("whether foot slips on the way from up to there" in words for words in checks)
+
+
+def test_a_string_is_taut_up_to_a_stop_that_the_scene_does_not_name() -> None:
+    """A couple Q − c t lifts a load and fades: just before it stops T = m (g − R (c t + τ + m g R − Q)/(I + m R²)) is least."""
+    scene = """
+title: Couple that fades lifts a load on a drum with a rubbing axle
+given: {I: kg m^2, R: m, m: kg, Q: N m, c: N m/s, tau: N m, T1: s}
+bodies: {drum: {inertia: I, radius: R, turns: counterclockwise}, load: {mass: m, moves: up}}
+connections: {axle: {axle: drum, friction_torque: tau}, rope: {string: [drum, load]}}
+actions: {motor: {couple: Q - c*time, on: drum}}
+states: {start: {at rest: all}, end: {time: T1}}
+find: {v: load.velocity at end}
+"""
+    answer = rotsolve.solve(scene).answers["v"].answer
+    numbers = {"R": 1.0, "m": 1.0, "tau": 5.0, "T1": 1.0, "g": 9.8}
+    assert holding(answer, {**numbers, "I": 0.01, "Q": 30.0, "c": 33.0}) is None
+    assert holding(answer, {**numbers, "I": 2.0, "Q": 30.0, "c": 33.0}) is not None
