@@ -381,3 +381,25 @@ def test_the_assembly_uses_nothing_of_the_engine() -> None:
             rooms = {module.split(".")[1] for module in modules if module.startswith("rotsolve.")}
             assert rooms <= allowed, path.name
             assert not {"rotsolve.core.facts", "rotsolve.core.equation"} & set(modules), path.name
+
+
+LEANING = """
+title: Top that leans
+up: z
+given: {M: 150 g, l: 4 cm, I1: 5e-4 kg m^2, I3: 6e-5 kg m^2, w3: 300 rad/s, theta: 25 deg}
+bodies: {top: {mass: M, inertia: {about: tip, principal: [I1, I1, I3]}, axis: z, points: {tip: [0, 0, -l]}}}
+connections: {floor: {ball: top.tip}}
+states: {now: {top.tilt: theta, top.axial_rate: w3, top.precession: smallest, steady: true}}
+find: {slow: smallest top.precession at now, fast: largest top.precession at now, s: top.spin at now}
+"""
+
+
+def test_a_question_looks_among_all_steady_motions() -> None:
+    """I₁ φ̇² cos θ − I₃ ω₃ φ̇ + M g l = 0 has two roots; what the state chooses chooses for other questions alone."""
+    solution = solve(LEANING)
+    assert all(item.holds for item in solution.derivation.confirmed) and len(solution.answers) == 3
+    slow, fast = (solution.answers[name].float or 0.0 for name in ("slow", "fast"))
+    for rate in (slow, fast):
+        left = 5e-4 * rate**2 * math.cos(math.radians(25)) - 6e-5 * 300 * rate + 0.15 * 9.8 * 0.04
+        assert left == pytest.approx(0, abs=1e-9)
+    assert fast > 2 * slow

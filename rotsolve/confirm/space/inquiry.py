@@ -125,7 +125,12 @@ class Inquiry:
             self._ways[key] = self._found(self.state(name))
         return self._ways[key]
 
-    def _found(self, state: State | None) -> list[Manner]:
+    def steady_ways(self, name: str | None) -> list[Manner]:
+        """All steady motions at a state, whichever it chooses itself: among them a question for the largest or the smallest looks."""
+        state = self.state(name)
+        return self._found(state, chosen=False) if state is not None and state.steady else self.ways(name)
+
+    def _found(self, state: State | None, *, chosen: bool = True) -> list[Manner]:
         event = None if state is None else self.event_to(state.name)
         rig = self.rig_at(state)
         found = manners_of(rig, state, self.put) if event is None else self.struck(event, state, self.ways(event.from_))
@@ -133,7 +138,7 @@ class Inquiry:
             raise Unfit(NO_WAY)
         held = [way for way in found if way.clash <= HOLDS]
         lines = () if state is None else state.conditions
-        for line in (line for line in lines if line.path is not None):
+        for line in (line for line in lines if line.path is not None and (chosen or line.word not in EXTREMES)):
             held = list(self.fitting(held, line))
         if not held:
             raise Unfit(BROKEN)
@@ -332,8 +337,9 @@ class Inquiry:
             return [self.period(name, term)]
         if name == ANY_TIME:
             return self.at_any_time(term)
+        ways = self.followed if self.by_time(name) else self.steady_ways if term.modifier in EXTREMES else self.ways
         try:
-            found = distinct([told_by(way, term) for way in (self.followed if self.by_time(name) else self.ways)(name)])
+            found = distinct([told_by(way, term) for way in ways(name)])
         except LeftOpen:
             found = distinct([told_by(way, term) for way in self.followed(name)])
         return self.modified(found, term)
