@@ -1,7 +1,7 @@
 """Unheld: the rates of bodies that nothing holds and nothing but their weight acts on, written out.
 
 I α = −(ω × I ω) about each centre of mass, which falls with g. The equations of a rig say the same, but set up and eliminated at every look
-they take fifteen times as long: on the way of a body that tumbles for long that is most of a run.
+they take some seven times as long: on the way of a body that tumbles for long that is most of a run.
 """
 
 from __future__ import annotations
