@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, SHORTEST
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.records import AnswerError, LineReading, Names
 
@@ -69,3 +72,11 @@ def test_table(regenerate: bool) -> None:
         TABLE.write_text("\n\n".join(written) + "\n", encoding="utf-8")
     wrong = [(row, result) for row, (_, _, result) in zip(ROWS, found, strict=True) if row[2] != result]
     assert not wrong or regenerate, "\n".join(f"> {row[1]}\n{row[2]}\nbut\n{result}" for row, result in wrong)
+
+
+@pytest.mark.parametrize("function", sorted(name for name in FUNCTION_NAMES if len(name) < SHORTEST))
+@pytest.mark.parametrize("form", ["{}", "2{}", "2 {}", "1/3{}^2", "-2.5 {}", "√2 {}"])
+def test_a_run_of_letters_that_spells_a_function_is_letters(function: str, form: str) -> None:
+    names = Names.of(function, ["a"], asked="a")
+    formulas = [reading.formula for reading in read_line(form.format(function), names)]
+    assert all(formula is not None and formula.symbols() == set(function) for formula in formulas)

@@ -144,7 +144,8 @@ class AnswerParser:
 
     def value(self, tokens: list[Token]) -> LineReading:
         """A number with its unit, or a formula in the letters of the scene."""
-        parts, letters = cut_at_unit(tokens), self.names.letters
+        letters = self.names.letters
+        parts = cut_at_unit(tokens, letters)
         if could_be_number(parts) and self.is_number(parts):
             return read_number_with_unit(self.text, parts, self.forks)
         if is_strange_unit(parts, letters):

@@ -154,7 +154,7 @@ def _chain_pieces(text: str, names: Names) -> list[str]:
 def _is_number_with_unit(text: str, names: Names) -> bool:
     """Whether a text is a number with a unit, which is not made of letters of the scene."""
     try:
-        parts = cut_at_unit(tokens_of(text.replace("≈", " ")))
+        parts = cut_at_unit(tokens_of(text.replace("≈", " ")), names.letters)
     except FormulaError:
         return False
     if not parts.has_unit or not could_be_number(parts):

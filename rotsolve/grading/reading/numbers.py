@@ -150,9 +150,9 @@ class NumberAndUnit(Struct, frozen=True):
         return len(self.unit) > 1
 
 
-def cut_at_unit(tokens: list[Token]) -> NumberAndUnit:
+def cut_at_unit(tokens: list[Token], names: frozenset[str]) -> NumberAndUnit:
     """The tokens before the first word that belongs to no number, and those from there on; `3/s` and `3 1/s` have 1/s."""
-    at = unit_start(tokens)
+    at = unit_start(tokens, names)
     while at and at < len(tokens) - 1 and tokens[at - 1].kind in ("(", "["):
         at -= 1  # that of a fraction of units, or of [m/s]
     before, unit = tokens[:at], tokens[at:]
@@ -168,12 +168,16 @@ def cut_at_unit(tokens: list[Token]) -> NumberAndUnit:
     return NumberAndUnit((*before, Token("end", "", end, end)), tuple(unit))
 
 
-def unit_start(tokens: list[Token]) -> int:
-    """The index of the first word that is no function or π, or of a sign of degrees outside of functions (sin 30° is a number)."""
+def unit_start(tokens: list[Token], names: frozenset[str]) -> int:
+    """The index of the first word that is no function or π, or of a sign of degrees outside of functions (sin 30° is a number).
+
+    A function whose name is spelled by letters of the scene is none: `2 lg` with l and g.
+    """
     called = False
     for index, token in enumerate(tokens):
         if token.kind == "name":
-            if run_meaning(token.text, NO_NAMES) is None:
+            letters = any(piece.kind == "symbol" for piece in run_meaning(token.text, names) or ())
+            if letters or run_meaning(token.text, NO_NAMES) is None:
                 return index
             called = called or token.text not in ("pi", "π")
         elif token.kind == "%" or (token.kind == "°" and not called):
