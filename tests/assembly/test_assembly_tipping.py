@@ -153,3 +153,25 @@ states: {{start: {{at rest: all}}}}
 find: {{a: crate.acceleration at start}}
 """)
     assert any("not so with" in item.why and "tips over" in item.why for item in found.derivation.confirmed)
+
+
+HOLED = "{shape: rectangle, mass: M, sides: [a, b], moves: right, holes: {h: {shape: disc, radius: r, at: [-d, 0]}}}"
+LUMPED = "{moves: right, parts: {box: {shape: rectangle, mass: M, sides: [a, b]}, lump: {mass: m, at: [a/4, 0]}}}"
+HOLLOW = "{shape: rectangle, mass: M, sides: [a, b], moves: right, holes: {h: {shape: rectangle, sides: [r, d], at: [r/4, 0]}}}"
+
+
+@pytest.mark.parametrize("crate", [HOLED, LUMPED, HOLLOW])
+@pytest.mark.parametrize("friction", ["0.02", "0.4", "mu"])
+def test_a_crate_in_letters_may_be_tall(crate: str, friction: str) -> None:
+    """Also where limits between its lengths, as those of a hole, let none of the sets that are drawn be."""
+    letters = "".join(f", {name}: m" for name in "rd" if crate is not LUMPED)
+    found = solve(f"""
+title: A crate of any size
+given: {{M: kg, m: kg, a: m, b: m, u: m/s, mu: number{letters}}}
+surfaces: {{floor: level}}
+bodies: {{crate: {crate}}}
+connections: {{foot: {{contact: [crate, floor], friction: {friction}}}}}
+states: {{start: {{crate.velocity: u}}, end: {{crate.velocity: 0}}}}
+find: {{t: time from start to end}}
+""")
+    assert any("not so with" in item.why and "tips over" in item.why for item in found.derivation.confirmed)

@@ -17,6 +17,7 @@ from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.limits import Limit
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.events import Collides
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Given, Problem
 
 SETS, FEW = 5, 2  # sets of numbers for letters, and for those only that stand for what nothing is told of
@@ -31,6 +32,7 @@ WIDE = 10.0  # how far those of the pool do, of which APART are tried that are f
 POOL, APART = 256, 6
 LIGHT = 500.0  # by how much one of several masses is less than usual, where all is tried with it light
 GRAVITY = 9.8
+TALL = 100.0  # by how much longer than all others one of several lengths is, where something may tip over
 STRONG = 20.0  # by how much more than usual what drives is, where it is strong
 DRIVING = (kinds.FORCE, kinds.TORQUE, kinds.VELOCITY)
 MEASURES = (
@@ -144,9 +146,10 @@ def meeting_sets(problem: Problem, fits: Fits) -> Iterator[Numbers]:
 
 
 def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool], fits: Fits) -> Iterator[Numbers]:
-    """Sets with one of several masses or moments of inertia next to nothing, or all that drives very strong; and such as are rough besides.
+    """Sets with one of several masses or moments of inertia next to nothing, one of several lengths of what stands on a base very long, or
+    all that drives very strong; and such as are rough besides.
 
-    What is light may be lifted, or turned round; what is rough tips over before it slips.
+    What is light may be lifted, or turned round; what is tall, or rough, tips over before it slips.
     """
     open_, usual = letters_open(problem), usual_sizes(problem, fits)
     heavy = [given.name for given in open_ if given.dimension in (kinds.MASS, kinds.INERTIA)]
@@ -156,12 +159,21 @@ def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool], fits: Fi
         for given in open_
         if given.dimension in DRIVING or (given.name in acting and not measures(given))
     }
+    long = [given.name for given in open_ if given.dimension == kinds.LENGTH] if has_base(problem) else []
     changes = [{name: usual[name] / LIGHT} for name in heavy if len(heavy) > 1] + ([driven] if driven else [])
+    changes += [{name: TALL * max(usual[one] for one in long)} for name in long if len(long) > 1]
     coefficients = [given.name for given in open_ if given.dimension == kinds.NONE]
     rough = {name: ROUGH for name in coefficients if admitted(with_givens(problem, {**usual, name: ROUGH}))}
     for change in (*changes, *({**change, **rough} for change in changes if rough)):
         sizes = {**usual, **change}
         yield with_givens(problem, {letter: in_few_digits(size) for letter, size in sizes.items()})
+
+
+def has_base(problem: Problem) -> bool:
+    """Whether a body with corners lies on something."""
+    lying = {item.lying() for item in problem.connections if isinstance(item, Touch)}
+    bodies = (body for body in problem.bodies if body.name in lying)
+    return any(shape_of(one).outline() for body in bodies for one in (body, *(part.body for part in body.parts)))
 
 
 def measures(given: Given) -> bool:
