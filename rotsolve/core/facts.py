@@ -215,6 +215,7 @@ APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
+STANDS = Need("stands", placed=True, closed=True)  # a crate on its base
 ON_THE_WAY = Need("on the way", placed=True, closed=True)  # what is least within a phase
 
 

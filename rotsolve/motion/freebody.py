@@ -64,11 +64,21 @@ def facts_at(instant: Instant) -> Facts:
         instant.when,
         tuple(bodies),
         tuple(of_hosts(fact, instant) for fact in stated if isinstance(fact, Rule)),
-        tuple(fact for fact in stated if isinstance(fact, Requirement)),
+        (*(fact for fact in stated if isinstance(fact, Requirement)), *bases_kept(bodies, instant)),
         tuple(of_hosts(fact, instant) for fact in stated if isinstance(fact, Potential)),
         given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
         cuts=cuts,
     )
+
+
+def bases_kept(bodies: list[BodyFacts], instant: Instant) -> Iterator[Requirement]:
+    """That what stands on corners does not tip over."""
+    led = [body for body in bodies if body.motion.kind == "line" and body.pressed and not body.round]
+    if led and not (instant.generic or instant.virtual):
+        from rotsolve.motion.bases import standings
+
+        for body in led:
+            yield from standings(body, instant)
 
 
 def of_hosts(fact: Told, instant: Instant) -> Told:
