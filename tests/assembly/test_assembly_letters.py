@@ -6,6 +6,7 @@ from itertools import combinations
 
 import pytest
 
+from rotsolve.confirm.course import verdict
 from rotsolve.confirm.course.samples import holding, letters_open, near_edges, sets_of_numbers
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
@@ -257,3 +258,44 @@ states: {start: {block.velocity: u}, end: {time: T}}
 find: {mu: mu where block.velocity = 0 at end}
 """)
     assert [item.why for item in found.derivation.confirmed] == ["its condition holds with other values too"]
+
+
+LIMIT = """
+title: A roller down a slope against the air, asked about its last speed
+given: {m: kg, R: m, beta: rad, mu: number, c: kg/s}
+surfaces: {ramp: {slope: beta, down: right}}
+bodies: {roller: {shape: cylinder, mass: m, radius: R, moves: down}}
+connections: {touch: {contact: [roller, ramp], friction: mu}}
+actions: {air: {force: -c*roller.velocity, on: roller.center, direction: [cos(beta), -sin(beta)]}}
+states: {start: at rest, late: {roller.velocity: largest}}
+find: {u: roller.velocity at late}
+"""
+
+
+@pytest.mark.parametrize("scene", ["LIMIT", "BALLS", "CRATE", "PLANK"])
+def test_one_case_does_not_speak_for_another(scene: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An answer with several cases is confirmed where each of them was with some numbers."""
+    text = globals()[scene]
+    text = text.format(heavier="2 kg", e="0.5", pull="4 N", pulled="two") if scene == "BALLS" else text
+    heard, plain = set[tuple[str, int]](), verdict.at_numbers
+
+    def listened(answers, problem, numbers, solved, budget):  # type: ignore[no-untyped-def]
+        for item in plain(answers, problem, numbers, solved, budget):
+            case = holding(next(one for one in answers if one.name == item.name), numbers)
+            heard.update([(item.name, id(case))] if item.holds else [])
+            yield item
+
+    monkeypatch.setattr(verdict, "at_numbers", listened)
+    try:
+        found = solve(text)
+    except Unsolvable:
+        return
+    sure = {item.name for item in found.derivation.confirmed if item.holds}
+    cases = [(answer, case) for answer in found.derivation.answers for case in (answer, *answer.otherwise)]
+    assert all((answer.name, id(case)) in heard for answer, case in cases if answer.name in sure)
+
+
+def test_a_case_that_nothing_could_follow_is_told() -> None:
+    found = solve(LIMIT)
+    assert len(found.derivation.answers[0].otherwise) > 0
+    assert any("in one of its cases" in why or "not so with" in why for why in reasons(found))

@@ -60,6 +60,7 @@ NEARLY = SAME**0.5  # of roots of what is zero but for rounding, as speeds are w
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 POINTS = {"right": (1.0, 0.0), "left": (-1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}  # by the word of an answer
 OTHER_WAY = "an assembly of all bodies' equations has it point the other way"
+UNTRIED = "no numbers were tried there"
 DRAWN, OWN, EDGE, ON, MEETING, FAR = range(6)  # kinds of sets of numbers
 BUDGET = 3000  # instants of one body that a scene may cost
 FAR_BUDGET = 2000  # those of one set that is far from the others, which together may cost as much again
@@ -80,6 +81,7 @@ def confirmations_in_plane(
     """
     verdicts: dict[str, AnswerConfirmation] = {}
     seen = set[int]()  # the cases that have been tried
+    heard = Heard(answers, problem, solved)
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
     meeting = Budget(BUDGET)
     for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
@@ -96,12 +98,45 @@ def confirmations_in_plane(
             continue
         if kind == ON:
             found = {name: on_edge(item, numbers, problem) for name, item in found.items() if item.holds is not None}
+        heard.note(found, numbers)
         verdicts |= {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
         if any(verdict.holds is not None for verdict in found.values()):
             tried, seen = tried + 1, seen | cases
         elif any(verdict.why != NO_CASE for verdict in found.values()):
             in_vain += 1
-    return tuple(verdicts.values())
+    return tuple(map(heard.of_all_cases, verdicts.values()))
+
+
+class Heard:
+    """Which cases of the answers were confirmed with some numbers, and why others were not: one case does not speak for another."""
+
+    def __init__(self, answers: Sequence[Answer], problem: Problem, solved: Solved) -> None:
+        self.answers = {answer.name: answer for answer in answers if answer.otherwise}
+        self.problem, self.solved = problem, solved
+        self.confirmed: set[int] = set()
+        self.doubts: dict[int, str] = {}
+
+    def note(self, found: Mapping[str, AnswerConfirmation], numbers: Numbers) -> None:
+        """What was found with a set of numbers, of the cases to which these belong."""
+        several = [answer for name, answer in self.answers.items() if name in found]
+        known = numbers_known(several, self.problem, numbers, self.solved) if several else {}
+        for answer in several:
+            case, verdict = holding(answer, known), found[answer.name]
+            if case is not None and verdict.holds:
+                self.confirmed.add(id(case))
+            elif case is not None:
+                self.doubts.setdefault(
+                    id(case), f"with {numbers_told(numbers, self.problem)} in SI units {verdict.why}"
+                )
+
+    def of_all_cases(self, verdict: AnswerConfirmation) -> AnswerConfirmation:
+        """A verdict about all cases of an answer: confirmed where each of them was."""
+        answer = self.answers.get(verdict.name)
+        if answer is None or not verdict.holds:
+            return verdict
+        left = [case for case in (answer, *answer.otherwise) if id(case) not in self.confirmed]
+        whys = [self.doubts.get(id(case), UNTRIED) for case in left]
+        return AnswerConfirmation(verdict.name, None, f"in one of its cases: {whys[0]}") if whys else verdict
 
 
 def sets_tried(
