@@ -50,7 +50,8 @@ class CaseTeller(Struct, frozen=True):
         if len(told) > 1:
             sections = tuple(section for key, case in told.items() for section in headed(key, case, main.states))
         refused = tuple(item for item in main.refused if item.name not in named)
-        checks = (*(check for check in main.checks if self.goes_for(check, full[0])), *self.failing(set(named)))
+        own = [check for check in main.checks if self.goes_for(check, full[0])]
+        checks = (*own, *doubts_besides(main, self.good), *self.failing(set(named)))
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
         return replace(main, answers=answers, sections=sections, checks=checks, conventions=said, refused=refused)
 
@@ -224,6 +225,13 @@ def with_cases(cases: Sequence[Solved], edges: Edges[Derivation], *, more: bool)
     good = [case for case in cases if case.found is not None and not case.objected]
     good = good or [case for case in cases if case.found is not None]
     return CaseTeller(good, [case for case in cases if case not in good], edges.space, edges, {}, more).derivation()
+
+
+def doubts_besides(main: Derivation, cases: Sequence[Solved]) -> tuple[Check, ...]:
+    """What other cases than that of a derivation leave open of themselves, each once: an answer of theirs stands beside it."""
+    checks = [check for case in cases if case.found is not None for check in case.found.checks if check.holds is None]
+    known = [check.words for check in main.checks]
+    return tuple({check.words: check for check in checks if check.words not in known}.values())
 
 
 def needs_within(case: Solved) -> tuple[Proviso, ...]:

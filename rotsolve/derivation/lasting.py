@@ -68,7 +68,7 @@ def least_of_swing(margin: Formula) -> list[Formula]:
     return [simplify(margin.substitute({TIME: place})) for place in places]
 
 
-def endings_told(search: Search, letters: Letters) -> Iterator[tuple[Requirement, Words]]:
+def endings_told(search: Search, letters: Letters) -> Iterator[tuple[str, Words]]:
     """The time at which a string goes slack or a body lifts off, up to which functions of time hold, or that it isn't told."""
     beside = Beside(search.apart().settled, search.signs)
     for interval, need, margin in margins_in_time(search, beside, ended=False):
@@ -78,7 +78,7 @@ def endings_told(search: Search, letters: Letters) -> Iterator[tuple[Requirement
         try:
             first = first_fall(margin, begun, beside)
         except NotYet:
-            yield need, (f"whether {need.otherwise} at some time after {spoken(interval.start)}",)
+            yield need.owner, (f"whether {need.otherwise} at some time after {spoken(interval.start)}",)
             continue
         if first is not None:
             time = (
@@ -86,7 +86,7 @@ def endings_told(search: Search, letters: Letters) -> Iterator[tuple[Requirement
                 " = ",
                 letters.printed(simplify(first, positive=search.solver.positive)),
             )
-            yield need, (need.otherwise, " at ", *time, ": what is told of any time holds up to then")
+            yield need.owner, (need.otherwise, " at ", *time, ": what is told of any time holds up to then")
 
 
 def first_fall(margin: Formula, begun: Formula, beside: Beside) -> Formula | None:

@@ -1,7 +1,8 @@
 """On the way: what only pushes or pulls, in a phase whose forces vary with time or place, where it does so least between the ends.
 
 That a string is taut as a force begins and as it ends does not say that it is so while the force swells, nor that of a load on a wheel
-which a lump speeds up where it is level.
+which a lump speeds up where it is level. Drag has most to say at the ends of a phase: what friction holds has to be held up to there, also
+where it slips from then on, and what slips has to slip up to there.
 """
 
 from __future__ import annotations
@@ -20,11 +21,12 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.facts import ON_THE_WAY, Requirement, signed
 from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import POSITION, TIME
+from rotsolve.core.symbols import MIXED, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.laws.energy import conservation
 from rotsolve.laws.table import OverPhase
 from rotsolve.motion.passages import passage as passage_between
+from rotsolve.motion.rubs import BACK, FORWARD, STICKS, rubs_at
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.functions_of_time import Beside
@@ -55,7 +57,7 @@ def least_pushes(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]
         yield least.interval.end, least.found or ()
 
 
-def untold_pushes(search: Search) -> Iterator[tuple[Requirement, Words]]:
+def untold_pushes(search: Search) -> Iterator[tuple[str, Words]]:
     """What letters leave open of a phase: whether a string stays taut on the way, or friction suffices. Numbers are followed in time."""
     givens = search.scene.configuration.problem.givens
     open_ = any(given.value is None and not (given.asked or given.automatic) for given in givens)
@@ -65,7 +67,8 @@ def untold_pushes(search: Search) -> Iterator[tuple[Requirement, Words]]:
                 f"{spoken(least.need.owner)} {least.need.otherwise}" if least.need.kind.grips else least.need.otherwise
             )
             way = f"on the way from {spoken(least.interval.start)} to {spoken(least.interval.end)}"
-            yield least.need, (f"whether {what} {way}",)
+            yield least.need.owner, (f"whether {what} {way}",)
+    yield from untold_slips(search) if open_ else ()
 
 
 @remembered
@@ -74,7 +77,7 @@ def pushes_on_the_way(search: Search) -> tuple[Least, ...]:
     found: list[Least] = []
     for name, passage in search.scene.passages.items():
         interval = search.scene.configuration.timeline.interval(name)
-        if interval is None or not running_letter(passage):
+        if interval is None or not (running_letter(passage) or goes_by_speed(passage)):
             continue
         beside = Beside(informed(search, passage, interval).settled, search.signs)
         for need in passage.midst.requirements:
@@ -104,6 +107,8 @@ def least_of(
     letter, margin = running_letter(passage), beside.settle(need.left - need.right)
     if margin is None:
         return None
+    if not letter:
+        return at_the_end(need, margin, passage, interval, search, beside)
     if letter not in margin.symbols():
         return ()
     in_time = simplify(margin.substitute({letter: Symbol(TIME)}))  # Beside looks at functions of time
@@ -123,6 +128,48 @@ def least_of(
         if found is None
         else tuple(Requirement(need.owner, ON_THE_WAY, least, ZERO, need.kept, words) for least in found)
     )
+
+
+def at_the_end(
+    need: Requirement, margin: Formula, passage: Passage, interval: Interval, search: Search, beside: Beside
+) -> tuple[Requirement, ...] | None:
+    """A requirement with the forces of a phase that go by speeds, at its end, where these are largest or smallest; None where untold.
+
+    Nothing of the last state, whose forces are those, and which is looked at as such.
+    """
+    speeds = {travel.moving.name: travel.after for travel in passage.travels if isinstance(travel.moving, Symbol)}
+    if speeds.keys().isdisjoint(margin.symbols()):
+        return ()
+    ending = beside.settle(margin.substitute({**speeds, TIME: search.scene.instant(interval.end).time()}))
+    if ending is None or has_quantities(ending):
+        return None
+    if search.scene.configuration.timeline.after(interval.end) is None:
+        return ()
+    who, how = (f"{spoken(need.owner)} ", "does not slip on the way") if need.kind.grips else ("", need.kept)
+    return (Requirement(need.owner, ON_THE_WAY, ending, ZERO, f"{who}{how}", f"{who}{need.otherwise} on the way to"),)
+
+
+def untold_slips(search: Search) -> Iterator[tuple[str, Words]]:
+    """What slips in a phase whose forces vary, and is not told to slip as fast or slower up to its end: it may stick on the way."""
+    scene = search.scene
+    for name, passage in scene.passages.items():
+        interval = scene.configuration.timeline.interval(name)
+        if interval is None or interval.end == OPEN or not goes_by_speed(passage):
+            continue
+        told_to_stick = {
+            line.path.owner for line in scene.configuration.timeline.state(interval.end).conditions if line.path
+        }
+        for rub in rubs_at(scene.configuration, interval.start):
+            if scene.modes.get(rub.key, STICKS) in (FORWARD, BACK) and rub.owner not in told_to_stick:
+                rate = rub.rate(scene.instant(interval.end))
+                if rate is None or search.apart().settled(rate) is None:
+                    way = f"on the way from {spoken(interval.start)} to {spoken(interval.end)}"
+                    yield rub.owner, (f"whether {spoken(rub.owner)} stops slipping {way}",)
+
+
+def goes_by_speed(passage: Passage) -> bool:
+    """Whether forces vary with a speed in a phase."""
+    return any(travel.pace in (RATE, MIXED) for travel in passage.travels)
 
 
 def running_letter(passage: Passage) -> str:

@@ -16,7 +16,7 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.symbols import POSITION, TIME, has_quantities, is_key
+from rotsolve.core.symbols import CONSTANT, has_quantities, is_key
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.rubs import rubs
@@ -46,7 +46,7 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
             at = place if event or need.kind.placed else search.scene.section(place)
             # each part of a string has a tension of its own
             key = (need.owner, need.otherwise, at, need.left - need.right)
-            if key in told or not (concerns(need, search) or (event and asked_after(need, place, search))):
+            if key in told or not (concerns(need.owner, search) or (event and asked_after(need, place, search))):
                 continue
             for sought in values_sought(search):
                 for holds, words in met_or_not(need, place, search, letters, sought):
@@ -55,15 +55,15 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
                         continue
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
-    yield from (Check(words, None) for need, words in left_open(search, letters, moment) if concerns(need, search))
+    yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
         from rotsolve.derivation.parted import untold_meetings
 
         yield from (Check((words,), None) for words in untold_meetings(search))
 
 
-def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[Requirement, Words]]:
-    """What is not told of the way between two states, and when functions of time of no moment in particular cease to hold."""
+def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[str, Words]]:
+    """By its element what is not told of the way between two states, and when functions of time of no moment cease to hold."""
     if search.signs.trials and any(pushes_vary(passage) for passage in search.scene.passages.values()):
         from rotsolve.derivation.on_the_way import untold_pushes
 
@@ -180,7 +180,7 @@ def requirements_by_state(
 
 def pushes_vary(passage: Passage) -> bool:
     """Whether forces that may let go vary in a phase with the time or with a place."""
-    varies = any(travel.pace in (TIME, POSITION) for travel in passage.travels)
+    varies = any(travel.pace != CONSTANT for travel in passage.travels)
     return varies and any(not need.kind.placed for need in passage.midst.requirements)
 
 
@@ -208,7 +208,7 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
                     yield unsolvable(configuration.problem, message, configuration.timeline.state(state).span)
     for name, encounter in search.scene.encounters.items():
         for need in encounter.requirements:
-            met = concerns(need, search) or asked_after(need, name, search)
+            met = concerns(need.owner, search) or asked_after(need, name, search)
             if met and negative_margin(need.left - need.right, search):
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
@@ -225,11 +225,11 @@ def negative_margin(gap: Formula, search: Search) -> bool:
     return settled is not None and search.signs.taken(settled) == -1
 
 
-def concerns(need: Requirement, search: Search) -> bool:
-    """Whether the body that the requirement is about takes part in the derivation."""
+def concerns(owner: str, search: Search) -> bool:
+    """Whether the body that a requirement of an element is about takes part in the derivation."""
     laws = [search.planner.pool[index] for answered in search.answered for index in answered.used]
     used = {name for law in laws for name in law.bodies}
-    item = next((item for item in search.scene.configuration.problem.connections if item.name == need.owner), None)
+    item = next((item for item in search.scene.configuration.problem.connections if item.name == owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())
 
 
@@ -331,7 +331,7 @@ def validity(search: Search) -> Validity:
     decided: dict[str, None] = {}
     for _, needs in requirements_by_state(search):
         for need in needs:
-            if concerns(need, search):
+            if concerns(need.owner, search):
                 for sought in values_sought(search):
                     gap = margin_of(need, search, families_for(None), sought)[1]
                     if gap is None:
