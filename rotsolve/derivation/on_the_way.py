@@ -16,10 +16,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate, period_of
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.facts import ON_THE_WAY, Requirement, signed
-from rotsolve.core.passage import Passage
+from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import MIXED, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
@@ -137,16 +137,48 @@ def at_the_end(
 
     Nothing of the last state, whose forces are those, and which is looked at as such.
     """
-    speeds = {travel.moving.name: travel.after for travel in passage.travels if isinstance(travel.moving, Symbol)}
-    if speeds.keys().isdisjoint(margin.symbols()):
+    moving = {travel.moving.name: travel for travel in passage.travels if isinstance(travel.moving, Symbol)}
+    own = [name for name in moving if name in margin.symbols()]
+    if not own:
         return ()
+    single = len(own) == 1 and TIME not in margin.symbols()
+    humps = least_at_speeds(margin, own[0], moving[own[0]], beside) if single else None
+    speeds = {name: travel.after for name, travel in moving.items()}
     ending = beside.settle(margin.substitute({**speeds, TIME: search.scene.instant(interval.end).time()}))
-    if ending is None or has_quantities(ending):
+    if humps is None or ending is None or has_quantities(ending):
         return None
-    if search.scene.configuration.timeline.after(interval.end) is None:
-        return ()
+    least = humps if search.scene.configuration.timeline.after(interval.end) is None else [*humps, ending]
     who, how = (f"{spoken(need.owner)} ", "does not slip on the way") if need.kind.grips else ("", need.kept)
-    return (Requirement(need.owner, ON_THE_WAY, ending, ZERO, f"{who}{how}", f"{who}{need.otherwise} on the way to"),)
+    words = f"{who}{need.otherwise} on the way to"
+    return tuple(Requirement(need.owner, ON_THE_WAY, value, ZERO, f"{who}{how}", words) for value in least)
+
+
+def least_at_speeds(margin: Formula, speed: str, travel: Travel, beside: Beside) -> list[Formula] | None:
+    """The values of a margin that goes by one speed where it is least between those at both ends of a phase; None where untold."""
+    running = margin.substitute({speed: Symbol(TIME)})  # Beside looks at functions of that
+    if all(TIME not in differentiate(simplify(side), TIME).symbols() for side in without_size(running)):
+        return []  # it only grows, or falls
+    first, last = told(travel.before, beside), told(travel.after, beside)
+    if first is None or last is None:
+        return None
+    low, high = (first, last) if beside.side(last - first) > 0 else (last, first)
+    try:
+        return list(least_values(simplify(running), Running(TIME, low, high), beside))
+    except (NotYet, ZeroDivisionError):
+        return None
+
+
+def without_size(margin: Formula) -> list[Formula]:
+    """A margin a − |b| as a − b and a + b, of which it is the smaller one; any other as it is."""
+    sizes = [node for node in margin.walk("abs") if isinstance(node, Call) and node.function == "abs"]
+    if len(sizes) != 1:
+        return [margin]
+    size, inside = sizes[0], sizes[0].arguments[0]
+
+    def put(way: Formula) -> Formula:
+        return margin.transform(lambda node: way if node == size else node, "abs")
+
+    return [put(inside), put(negate(inside))]
 
 
 def untold_slips(search: Search) -> Iterator[tuple[str, Words]]:

@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.roots import solve_polynomial
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, total
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Potential, signed, square
@@ -112,26 +114,37 @@ def only_approached(passage: Passage, search: Search) -> str:
         found = pushes_at_ends(travel, search) if travel.leads and travel.pace == RATE else None
         if found is None:
             continue
-        (first, last), gained = found
+        (first, last), gained, between = found
         what = f"the {'velocity' if travel.kind == 'line' else 'angular velocity'} of {spoken(travel.body)}"
         way = search.numbers.side(first)
         if way and search.numbers.side(signed(last, way)) == -1:
             return f"{what} would have to go beyond the one to which its forces lead"
+        if way and has_quantities(passage.times[1]):  # up to a told time it goes on, whatever speed that leads to
+            if search.numbers.side(signed(gained, way)) == -1:
+                return f"{what} would have to change against its forces"
+            if any(search.numbers.side(signed(push, way)) in (0, -1) for push in between):
+                return f"{what} comes to one on the way at which nothing drives it on"
         if way == 0 and search.numbers.side(gained):
             return f"{what} does not change: nothing drives it at `{passage.start.state}`"
     return ""
 
 
-def pushes_at_ends(travel: Travel, search: Search) -> tuple[tuple[Formula, Formula], Formula] | None:
-    """The acceleration at both ends of a phase, where the forces go by the speed alone, and by how much that grows; None where the laws
-    do not tell it."""
-    rate = travel.acceleration
+def pushes_at_ends(
+    travel: Travel, search: Search
+) -> tuple[tuple[Formula, Formula], Formula, tuple[Formula, ...]] | None:
+    """The acceleration at both ends of a phase, where the forces go by the speed alone, by how much that grows, and the acceleration where
+    it is largest or smallest between; None where the laws do not tell it."""
+    rate, speed = travel.acceleration, travel.moving
     push = search.beside_by((NEWTON,)).settled(rate) if isinstance(rate, Symbol) else rate
     first, last = (search.settled(speed) for speed in (travel.before, travel.after))
-    if push is None or first is None or last is None or not isinstance(travel.moving, Symbol):
+    if push is None or first is None or last is None or not isinstance(speed, Symbol):
         return None
-    ends = push.substitute({travel.moving.name: first}), push.substitute({travel.moving.name: last})
-    return None if any(map(has_quantities, ends)) else (ends, last - first)
+    ends = push.substitute({speed.name: first}), push.substitute({speed.name: last})
+    if any(map(has_quantities, ends)):
+        return None
+    extremes = solve_polynomial(simplify(differentiate(push, speed.name)), speed.name)
+    between = [at for at in extremes if search.numbers.side((at - first) * (last - at)) == 1]
+    return ends, last - first, tuple(simplify(push.substitute({speed.name: at})) for at in between)
 
 
 def impossible(interval: Interval, passage: Passage, search: Search) -> str:
