@@ -3,11 +3,12 @@ through each other up to the next blow between them; what is taken along off a s
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import APART, GAINS, LIFTS, Requirement
+from rotsolve.core.symbols import CONSTANT
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import shape_of
 from rotsolve.motion.encounters import participants
@@ -114,13 +115,20 @@ def untold_meetings(search: Search) -> Iterator[str]:
         onward = timeline.intervals[timeline.order[blow.end] :]
         again = any(set(meeting_bodies(interval, search)) == set(pair) for interval in onward if interval.event)
         later = [interval.end for interval in onward if interval.event is None and asked_of(interval.end, search)]
-        if (
-            later
-            and not again
-            and not any(True for _ in ways_apart(pair, blow, search))
-            and comes_round(pair, blow, search)
-        ):
+        if not later or again:
+            continue
+        on_line = any(True for _ in ways_apart(pair, blow, search))
+        if approaches_between(pair, onward, search) if on_line else comes_round(pair, blow, search):
             yield f"whether {both_spoken(pair)} meet again before {spoken(later[-1])}"
+
+
+def approaches_between(pair: tuple[str, ...], onward: Sequence[Interval], search: Search) -> bool:
+    """Whether two on a line, told in letters, may come nearer and part again within a phase, since what drives one of them varies: their
+    gap is known to be open at its ends alone. Numbers are followed on the way."""
+    passages = [search.scene.passages[interval.name] for interval in onward if interval.event is None]
+    hosts = {search.scene.configuration.host(name, onward[0].start) for name in pair} if onward else set()
+    paces = [travel.pace for passage in passages for travel in passage.travels if travel.body in hosts]
+    return bool(search.signs.trials) and any(pace != CONSTANT for pace in paces)
 
 
 def asked_of(state: str, search: Search) -> bool:

@@ -175,3 +175,21 @@ def test_that_what_turns_may_come_round_to_what_it_has_hit_is_said(shape: str) -
     assert any("whether puck and it meet again before later" in words for words in later)
     at_once = solve(of_turning(shape, "w: it.angular_velocity at after")).checks
     assert not any("meet again" in str(check.words) for check in at_once)
+
+
+@pytest.mark.parametrize(("force", "said"), [("-c*two.velocity", True), ("-c", False)])
+def test_a_gap_that_may_close_and_open_within_a_phase_is_said(force: str, said: bool) -> None:
+    """In oil the one hit slows down at first faster than the other, and slower later on."""
+    found = solve(f"""
+title: A puck on rough ground bumps a block
+given: {{M: kg, q: kg, c: {"kg/s" if said else "N"}, mu: number, u: m/s, e: number, T: s}}
+surfaces: {{floor: level, ice: level}}
+bodies: {{two: {{mass: M, moves: right}}, one: {{mass: q, moves: right}}}}
+connections: {{b1: {{contact: [two, ice]}}, b2: {{contact: [one, floor], friction: mu}}}}
+actions: {{oil: {{force: {force}, on: two, direction: right}}}}
+states: {{before: {{one.velocity: u, two.velocity: 0}}, after: {{}}, late: {{time: T}}}}
+events: {{hit: {{collides: [one, two], restitution: e, from: before, to: after}}}}
+find: {{x: two.displacement from after to late}}
+""")
+    told = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
+    assert any(words == "whether one and two meet again before late" for words in told) == said
