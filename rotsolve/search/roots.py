@@ -43,7 +43,7 @@ class RootChoice(Struct, frozen=True):
         if self.scene.configuration.problem.space:
             from rotsolve.space.roots import chosen
 
-            picked = chosen(name, roots, self.scene, self.numbers)
+            picked = chosen(name, roots, self.scene, self.numbers, period)
             if picked is not None:
                 return picked
         outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]

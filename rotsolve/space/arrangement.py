@@ -215,6 +215,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
         beside = cross_product(way_between(self.centre(name), self.reference(name)), axis)
         return self.symmetric(name, axis) and all(self.vanishes(part) for part in beside)
 
+    def leans_round(self, name: str, way: Triple) -> bool:
+        """Whether turning about a direction through the point that is held changes how a body's mass lies: it is not the same all round."""
+        along = [axis for axis, part in zip((X, Y, Z), way, strict=True) if part != ZERO]
+        return not all(self.turns_round(name, axis) for axis in along)
+
     @remembered
     def wheel(self, name: str) -> bool:
         """Whether an axle carries a body that is symmetric, put along it with its axis; refused by name where letters leave that open."""

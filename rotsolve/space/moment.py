@@ -339,6 +339,8 @@ class SpaceMoment(TellingMoment):
             words = (word, "angular_velocity") if joint.aligned else (word,)
             told = (self.told(name, item) for item in words)
             rate = ZERO if self.rests(name) else next((item for item in told if item is not None), None)
+            if rate is None and self.stands_on_carrier(name, joint):
+                rate = ZERO
         elif faster is None:
             faster = differentiate(rate, TIME)
         if rate is None:
@@ -347,6 +349,12 @@ class SpaceMoment(TellingMoment):
             given = self.told(name, "angular_acceleration")
             faster = given if given is not None else self.rate_of(word, name)
         return self.now(rate), self.now(faster)
+
+    def stands_on_carrier(self, name: str, joint: Joint) -> bool:
+        """Whether a steady state tells that a body on a hinge does not turn against what carries it: its mass would lie otherwise."""
+        hinged = bool(joint.turning) and not joint.aligned and not joint.sliding
+        carried = self.state.steady and hinged and self.held.carrier(name) != ""
+        return carried and self.held.leans_round(name, joint.turning[0])
 
     # points
 

@@ -26,14 +26,19 @@ SEVERAL = "two steady motions are possible, and nothing tells which is meant"
 HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `top.precession: smallest`"
 
 
-def chosen(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
-    """The root that the scene asks for by `smallest` or `largest`, or the only real one; None where the ordinary choice may go on."""
+def chosen(
+    name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers, period: Formula | None = None
+) -> PickedRoot | None:
+    """The root that the scene asks for by `smallest` or `largest`, or the only real one; None where the ordinary choice may go on.
+
+    A `period` later the equation holds again.
+    """
     from rotsolve.space.steady import of_steady, steady_letter
 
     key = key_of(name)
     sought = steady_letter(name, scene)
     if sought is not None:
-        return of_steady(sought, roots, scene, numbers)
+        return of_steady(sought, roots, scene, numbers, period)
     if key.kind == "tilt":
         return tilted(name, roots, scene, numbers)
     if key.kind in TURNED and not key.component and len(roots) > 1:

@@ -54,6 +54,7 @@ if TYPE_CHECKING:
 
 SIZE_OF_CHANGE = "size of change of"
 CHANGES = ("change of", "lost")
+PUSHING = ("force", "torque")
 ROTATING = (RATE_IN_AXES, LAGRANGE_EQUATION)  # what tells a steady precession
 
 
@@ -276,10 +277,14 @@ class SpaceEquations(SceneEquations, dict=True):
         return Meaning(root, kind.dimension, laws=tuple(chain.from_iterable(beside))), state
 
     def beside_extreme(self, law: Equation, own: str, root: Formula, word: str, state: str) -> Iterator[Equation]:
-        """A law with a letter of its own for one root, and those of the forces in it, which have letters of their own for that root too."""
-        others = [self.put_in_order(item) for item in self.dynamics[state].equations() if item.law != RATE_IN_AXES]
+        """A law with a letter of its own for one root, and those of the forces and couples in it, which have such letters too."""
+        others = [
+            self.put_in_order(item)
+            for item in self.dynamics[state].equations()
+            if item.bodies != law.bodies or item.law != law.law
+        ]
         named: dict[str, Formula] = {own: root}
-        taken, waiting = [law], sorted(of_kinds(law.symbols(), ("force",)))
+        taken, waiting = [law], sorted(of_kinds(law.symbols(), PUSHING))
         while waiting:
             name = waiting.pop()
             quantity = self.registry.quantities.get(name)
@@ -289,7 +294,7 @@ class SpaceEquations(SceneEquations, dict=True):
             named[name] = self.registry.ask(replace(quantity, component=component))
             for item in (item for item in others if name in item.symbols() and item not in taken):
                 taken.append(item)
-                waiting += sorted(of_kinds(item.symbols(), ("force",)))
+                waiting += sorted(of_kinds(item.symbols(), PUSHING))
         yield from (item.renamed(named) for item in taken)
 
     def small_swings(self, term: Term) -> tuple[Meaning, str]:

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import Formula, Symbol, add, call
+from rotsolve.algebra.formula import PI, Formula, Symbol, add, call
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key, key_of
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from rotsolve.search.numbers import Numbers
 
 SMALL = 1e-9
+TURN = 2 * PI
 UPRIGHT = "upright it does not precess: sin θ ≠ 0"
 SEVERAL = "several motions are possible, and nothing tells which is meant"
 ONLY_UPRIGHT = "no tilt but upright or upside down is steady with these rates"
@@ -74,8 +77,18 @@ def steady_letter(name: str, scene: SceneEquations) -> Sought | None:
     return Sought(name, word, tilts, steady, not rate, OF_LETTER.format(name=name))
 
 
-def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
-    """The root that is meant, with the reason; None where none of them is real."""
+def of_steady(
+    sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers, period: Formula | None
+) -> PickedRoot | None:
+    """The root that is meant, with the reason; of an angle that between −180° and 180°. None where none of them is real."""
+    round_ = period is not None and is_zero(period - TURN)
+    turns = [turns_back(root, numbers) if round_ else 0 for root in roots]
+    picked = meant(sought, [root + TURN * turn for root, turn in zip(roots, turns, strict=True)], scene, numbers)
+    return None if picked is None else replace(picked, turns=Fraction(turns[picked.root]))
+
+
+def meant(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
+    """Which root is meant, as they are."""
     left = [k for k, root in enumerate(roots) if numbers.of(root) is not None or lacks_numbers(root, numbers)]
     if sought.size:
         left = [k for k in left if numbers.side(roots[k]) in (1, None)] or left
@@ -90,7 +103,7 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
         reasons += [UPRIGHT] if tilted and len(tilted) < len(left) else []
         left = tilted or left
     others: list[int] = []
-    for k in left:
+    for k in left if sought.size else within_a_turn(roots, left, numbers):
         if all(numbers.side(roots[k] - roots[other]) != 0 for other in others):
             others.append(k)
     if not others:
@@ -108,6 +121,22 @@ def of_steady(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, n
     sign = -1 if sought.word == "largest" else 1
     index = others[numbers.least([sign * roots[k] for k in others])]
     return PickedRoot(index, (f"the {sought.word} of {len(others)}",))
+
+
+def turns_back(root: Formula, numbers: Numbers) -> int:
+    """By how many whole turns an angle must be changed to lie between −180° and 180°; 0 where nothing tells."""
+    return numbers.whole((PI - root) / TURN) or 0
+
+
+def within_a_turn(roots: Sequence[Formula], left: Sequence[int], numbers: Numbers) -> list[int]:
+    """Those of several roots, found numerically, that are not beyond ±180° and whole turns from another one, with which all is the same."""
+    values = {k: value for k in left if (value := numbers.of(roots[k])) is not None}
+
+    def again(value: float) -> bool:
+        gaps = ((value - other) / (2 * math.pi) for other in values.values())
+        return any(round(gap) and abs(gap - round(gap)) < SMALL for gap in gaps)
+
+    return [k for k in left if k not in values or abs(values[k]) <= math.pi + SMALL or not again(values[k])]
 
 
 def differ_in_sign(roots: Sequence[Formula]) -> bool:

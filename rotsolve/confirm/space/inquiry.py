@@ -396,7 +396,7 @@ class Inquiry:
             standing = Moving(Stance(self.rig, Lines(self.rig, state, self.put)))
             if standing.stance.open:
                 raise NotConfirmed(OPEN)
-            if standing.moving.free and any(standing.over([0.0] * len(standing.moving.free))):
+            if standing.hangs_on_rates():
                 raise NotConfirmed("rates that nothing tells, beside what is asked")
             left += standing.moving.left
             left += standing.over([0.0] * len(standing.moving.free))

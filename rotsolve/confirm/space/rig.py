@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
@@ -10,7 +11,18 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.space.arrows import ALONG, STILL, Arrow, less, normed
+from rotsolve.confirm.space.arrows import (
+    ALONG,
+    STILL,
+    Arrow,
+    arrow_length,
+    crossed,
+    less,
+    normed,
+    product_of,
+    rotation_about,
+    rows_back,
+)
 from rotsolve.confirm.space.masses import (
     Solid,
     about_point,
@@ -99,6 +111,17 @@ class Rig:
     def symmetric(self, name: str, way: int) -> bool:
         own = self.solid(name)
         return not own.whole or is_symmetric(own.tensor, own.centre, way)
+
+    def leans_round(self, joint: Joint) -> bool:
+        """Whether the mass of a body lies otherwise once it has turned by a right angle about the axis of a joint in its own axes."""
+        own, way = self.solid(joint.body.owner), way_along(self, joint.turning[0])
+        arm, turn = less(own.centre, self.spot(joint.body)), rotation_about(way, math.pi / 2)
+        rows = total_rows(own.tensor, about_point(own.mass, arm))
+        turned = product_of(product_of(turn, rows), rows_back(turn))
+        size = max(abs(part) for row in rows for part in row) or 1.0
+        off = arrow_length(crossed(way, arm))
+        gaps = [abs(a - b) for one, other in zip(rows, turned, strict=True) for a, b in zip(one, other, strict=True)]
+        return max(gaps) > 1e-9 * size or off > 1e-9 * (1.0 + arrow_length(arm))
 
     def main(self, name: str) -> Joint | None:
         """The joint that tells how a body is turned: the first that holds a point of it, not one on which it only rolls."""

@@ -1,7 +1,7 @@
 """Rivals: other numbers of what is put in with which a steady scene moves too, so that an answer that fits need not be the only one.
 
-They are looked for along the whole range of the letter: of an angle once round, of others over some powers of ten on both sides of 0. A
-body that stands upright (sin θ = 0) does not precess: it counts only where no other number fits.
+They are looked for along the whole range of the letter: of an angle once round, from −180° to 180°, of others over some powers of ten on
+both sides of 0. A body that stands upright (sin θ = 0) does not precess: it counts only where no other number fits.
 """
 
 from __future__ import annotations
@@ -33,14 +33,15 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
     if len(hearing.places) != 1 or not any(state.steady for state in hearing.problem.states):
         return True
     place = hearing.places[0]
-    found = [own, *(root for root in others(hearing, own) if abs(root - own) > SAME * max(abs(own), abs(root)))]
+    least = 1.0 if put_in_as_angle(hearing, place) else 0.0
+    found = [own, *(root for root in others(hearing, own) if abs(root - own) > SAME * max(abs(own), abs(root), least))]
     if not rate_or_angle(hearing, place) and own > 0:
         found = [root for root in found if root > 0]
     tilts = [tilt_with(hearing, place, root) for root in found]
     standing = [k for k, tilt in enumerate(tilts) if tilt is None or -UPRIGHT < tilt < math.pi + UPRIGHT]
     leaning = [k for k in standing if (tilt := tilts[k]) is None or abs(math.sin(tilt)) > UPRIGHT]
     left = [found[k] for k in leaning or standing]
-    if own not in left:
+    if own not in left or any(turns_between(hearing, root, own) for root in left):
         return False
     if len(left) == 1:
         return True
@@ -62,8 +63,9 @@ def others(hearing: Hearing, own: float) -> Iterator[float]:
         return []
 
     if angle:
-        top = math.pi if not isinstance(place, str) else 2 * math.pi
-        places = [top * (number + 0.37) / ROUND for number in range(ROUND)]
+        low = 0.0 if not isinstance(place, str) else -math.pi
+        places = [low + (math.pi - low) * (number + 0.37) / ROUND for number in range(ROUND)]
+        places += [low + 2 * math.pi + 0.01] if isinstance(place, str) else []
     else:
         sizes = [abs(own or 1.0) * 10 ** (number / EACH) for number in range(-DECADES * EACH, DECADES * EACH + 1)]
         places = [-size * 1.003 for size in reversed(sizes)] + [size * 1.003 for size in sizes]
@@ -96,6 +98,14 @@ def roots_between(left: Left, places: Sequence[float]) -> Iterator[float]:
             else:
                 f /= 2
             b, g = middle, here[part]
+
+
+def turns_between(hearing: Hearing, root: float, own: float) -> bool:
+    """Whether an answer is an angle beyond ±180°, whole turns from another number that fits as well."""
+    if not put_in_as_angle(hearing, hearing.places[0]) or abs(own) <= math.pi + UPRIGHT:
+        return False
+    turns = (own - root) / (2 * math.pi)
+    return round(turns) != 0 and abs(turns - round(turns)) < SAME
 
 
 def rate_or_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:

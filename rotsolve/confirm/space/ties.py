@@ -139,7 +139,8 @@ class Ties:
         owners = (joint.body.owner, joint.owner)
         if not drive:
             words = ("spin", "angular_velocity") if joint.aligned else ("angular_velocity",)
-            for speed in (self.lines.told(owner, word) for owner in owners for word in words):
+            speeds = [self.lines.told(owner, word) for owner in owners for word in words]
+            for speed in speeds if any(speed is not None for speed in speeds) else [self.standing(joint)]:
                 if speed is not None:
                     yield Tie(((1.0, key),), speed, None)
         for gain in (self.lines.told(owner, "angular_acceleration") for owner in owners):
@@ -147,6 +148,11 @@ class Ties:
                 yield Tie(((1.0, key),), None, gain)
         if self.lines.steady and not drive:
             yield Tie(((1.0, key),), None, 0.0)
+
+    def standing(self, joint: Joint) -> float | None:
+        """0 where a steady state keeps a hinge as it is, on what carries it: its body's mass would lie otherwise once that has turned."""
+        hinged = self.lines.steady and not joint.aligned and not joint.sliding
+        return 0.0 if hinged and joint.carrier.owner in self.rig.bodies and self.rig.leans_round(joint) else None
 
     def rolling(self, joint: Joint) -> Iterator[Tie]:
         """The lowest point of a body goes with the surface under it: v + ω × r, and its rate with ṙ."""

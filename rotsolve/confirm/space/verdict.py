@@ -30,7 +30,7 @@ from rotsolve.confirm.verdicts import (
 )
 from rotsolve.core.derivation import Answer, AnswerConfirmation
 from rotsolve.core.symbols import TIME
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import EXTREMES, Find, Problem
 
 SAME = 2e-6  # of the size of what is compared
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
@@ -108,10 +108,21 @@ def judged_in_space(
     """What the assembly says of answers that come to some numbers."""
     put: Put = answers_put_in(problem)
     told = {key: size for key, name in put.items() if isinstance(size := said.get(name, {}).get(""), float)}
-    hearing = Hearing(problem, known, told)
+    hearing = Hearing(problem, {**known, **letters_said(problem, said)}, told)
     for answer in answers:
         finds = [find for find in problem.finds if find.group == answer.name]
         yield heard(finds, answer, said[answer.name], hearing, numbers)
+
+
+def letters_said(problem: Problem, said: Mapping[str, Said]) -> dict[str, float]:
+    """The letters that are asked for as the answers have them, each in its case: another one has another number."""
+    asked = {given.name for given in problem.givens if given.asked}
+    return {
+        find.formula.name: size
+        for find in problem.finds
+        if isinstance(find.formula, Symbol) and find.formula.name in asked and find.modifier in ("", *EXTREMES)
+        if not find.terms and isinstance(size := said.get(find.group, {}).get(""), float)
+    }
 
 
 def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbers: Numbers) -> AnswerConfirmation:

@@ -101,6 +101,7 @@ class Moving:
         self.idle = [
             Tie(dotted(of_turning(name), times_arrow(stance.turned(name), way)))
             for name in stance.rig.bodies
+            if not any(stance.lines.told(name, word) is not None for word in ("spin", "axial_rate"))
             for way in stance.rig.idle(name)
         ]
         self.moving = speeds.solve([tie.speed or 0.0 for tie in ties], self.idle)
@@ -127,6 +128,15 @@ class Moving:
         """What is left of the equations of motion, by the side of the largest number in them."""
         _, found = self.forced(self.rates(openly))
         return found.left
+
+    def hangs_on_rates(self) -> bool:
+        """Whether something is left of the equations of motion, and it is another with other rates of those that are open."""
+        count = len(self.moving.free)
+        still = self.over([0.0] * count) if count else []
+        if not any(still):
+            return False
+        _, found = self.forced(self.rates([natural_rate(self) * part for part in anyhow(count, 1)]))
+        return any(abs(a - b) > RIGHT * found.size for a, b in zip(found.left, still, strict=True))
 
     def whirl(self, now: Rates) -> float:
         """The largest I ω²: ω × (I ω) is rounded to a small part of it, though nothing of it may be left."""
