@@ -321,6 +321,11 @@ def check_consistent(search: Search) -> KnownBalls:
 
         for refusal in not_reached(search):
             raise refusal
+    if problem.space and len(problem.states) > 1:
+        from rotsolve.search.coming import not_come_to
+
+        for missed in not_come_to(search):
+            raise missed
     if any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds):
         from rotsolve.search.within import out_of_bounds
 

@@ -280,11 +280,14 @@ class Search(Struct, dict=True):
         except NoAnswer as error:
             if self.confirming or error.equation is not None:
                 raise
-            stone = next((name for name in error.met if self._leads(name, asked)), None)
+            clashes: list[int] = []
+            stone = next((name for name in error.met if self._leads(name, asked, clashes)), None)
             if stone is not None:
                 self.step(stone)
                 own = len(self.solver.steps)
                 return *self._attempt(asked), own
+            if clashes and not error.open_form:
+                raise NoAnswer("the data contradict each other", None, clashes[0]) from None
             if not error.open_form:
                 raise
         self.solver.numeric = True
@@ -353,8 +356,9 @@ class Search(Struct, dict=True):
         words = str(problem) if open_form else "too little is known"
         raise NoAnswer(words, open_, open_form=open_form and rooted, met=stones(met, asked.letter))
 
-    def _leads(self, stone: str, asked: Asked) -> bool:
-        """Whether a question has an answer once a letter of its plans is settled first; leaves no trace."""
+    def _leads(self, stone: str, asked: Asked, clashes: list[int]) -> bool:
+        """Whether a question has an answer once a letter of its plans is settled first; leaves no trace but the law that lets the letter
+        have no value."""
         assert self.ground is not None
         if self.ground.stones_left == 0:
             return False
@@ -366,7 +370,11 @@ class Search(Struct, dict=True):
         try:
             other.step(stone)
             other.answer(asked)
-        except (NoAnswer, ValueError):
+        except NoAnswer as error:
+            clash = None if error.equation is None else other.planner.pool[error.equation]
+            clashes += [index for index, law in enumerate(self.planner.pool) if law == clash]
+            return False
+        except ValueError:
             return False
         return True
 

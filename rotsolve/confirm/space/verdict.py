@@ -91,6 +91,7 @@ def heard_at(
         case.name: said_of(case, known, closely_valued) if case.name in running else said_of(case, known)
         for case in cases
     }
+    known |= letters_by_cases(problem, answers, said)
     found = {item.name: item for item in judged_in_space(cases, problem, known, said, numbers)}
     for several in answers:
         yield found.get(several.name, AnswerConfirmation(several.name, None, NO_CASE))
@@ -108,20 +109,21 @@ def judged_in_space(
     """What the assembly says of answers that come to some numbers."""
     put: Put = answers_put_in(problem)
     told = {key: size for key, name in put.items() if isinstance(size := said.get(name, {}).get(""), float)}
-    hearing = Hearing(problem, {**known, **letters_said(problem, said)}, told)
+    hearing = Hearing(problem, known, told)
     for answer in answers:
         finds = [find for find in problem.finds if find.group == answer.name]
         yield heard(finds, answer, said[answer.name], hearing, numbers)
 
 
-def letters_said(problem: Problem, said: Mapping[str, Said]) -> dict[str, float]:
-    """The letters that are asked for as the answers have them, each in its case: another one has another number."""
+def letters_by_cases(problem: Problem, answers: Sequence[Answer], said: Mapping[str, Said]) -> dict[str, float]:
+    """The letters that are asked for and whose answers have cases, by the one that holds."""
     asked = {given.name for given in problem.givens if given.asked}
+    told = {answer.name: said.get(answer.name, {}).get("") for answer in answers if answer.otherwise}
     return {
         find.formula.name: size
         for find in problem.finds
         if isinstance(find.formula, Symbol) and find.formula.name in asked and find.modifier in ("", *EXTREMES)
-        if not find.terms and isinstance(size := said.get(find.group, {}).get(""), float)
+        if not find.terms and isinstance(size := told.get(find.group), float)
     }
 
 
@@ -154,8 +156,8 @@ def tested(name: str, parts: Mapping[str, float], hearing: Hearing, find: Find) 
     """An answer that was put in is right where the equations then leave nothing over."""
     own, size = parts[""], max(abs(parts[""]), 1e-9)
     letter = hearing.letter(find)
-    put_in = own if letter is None else hearing.known[letter]
-    found = put_in + hearing.correction(find)
+    off = hearing.correction(find)
+    found = off + (own if letter is None else hearing.known[letter])
     holds = abs(found - own) <= SAME * size
     if holds:
         from rotsolve.confirm.space.rivals import fits_as_asked

@@ -1,0 +1,75 @@
+"""Whether the motion comes to a later state: said so whatever is asked there, in letters as a condition of the case."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve import Unsolvable, solve
+from rotsolve.core.faults import NeverReached
+
+GATE = """
+up: z
+given: {M: kg, b: m, h: m, beta: rad, phi: rad, g: m/s^2}
+bodies: {gate: {shape: rectangle, mass: M, sides: [b, h], turned: {about: x, by: 90 deg - beta}, points: {A: [-b/2, 0, 0]}}}
+connections: {post: {hinge: gate.A, along: y}}
+states: {start: {gate.angle: FIRST, gate.angular_velocity: 0 rad/s}, low: {gate.angle: LAST}}
+find: {w: ASKED gate.angular_velocity at low}
+"""
+ROD = """
+up: z
+given: {M: 2 kg, l: 0.5 m, g: 9.8 m/s^2, w: RATE}
+bodies: {rod: {shape: rod, mass: M, length: l}}
+connections: {pin: {hinge: rod.start, along: y}}
+states: {start: {rod.angle: 90 deg, rod.angular_velocity: w}, top: {rod.angle: 270 deg}}
+find: {ASKED}
+"""
+TOP = """
+up: z
+given: {M: 0.2 kg, l: 5 cm, I1: 6e-4 kg m^2, I3: 8e-5 kg m^2, w3: 400 rad/s, theta: 20 deg, g: 9.81 m/s^2}
+bodies: {top: {mass: M, inertia: {about: tip, principal: [I1, I1, I3]}, axis: z, points: {tip: [0, 0, -l]}}}
+connections: {foot: {ball: top.tip}}
+states: {start: {top.tilt: theta, top.axial_rate: w3, top.precession: 0 rad/s, top.nutation: 0 rad/s}, low: {top.tilt: TILT}}
+find: {K: top.kinetic_energy at low}
+"""
+
+
+@pytest.mark.parametrize("asked", ["", "size of"])
+@pytest.mark.parametrize(("first", "last"), [("phi", "0 deg"), ("phi", "-90 deg"), ("90 deg", "0 deg")])
+def test_a_gate_does_not_rise_from_rest(first: str, last: str, asked: str) -> None:
+    with pytest.raises(Unsolvable, match="`low` is never reached from `start`"):
+        solve(GATE.replace("FIRST", first).replace("LAST", last).replace("ASKED", asked))
+
+
+@pytest.mark.parametrize(
+    "asked",
+    ["K: rod.kinetic_energy at top", "F: pin.force at top", "s: size of pin.force at top", "E: rod.energy at top"],
+)
+def test_what_has_a_number_where_nothing_comes_is_not_told(asked: str) -> None:
+    with pytest.raises(NeverReached, match="`top` is never reached from `start`"):
+        solve(ROD.replace("RATE", "1 rad/s").replace("ASKED", asked))
+    assert solve(ROD.replace("RATE", "12 rad/s").replace("ASKED", asked)).answers
+
+
+def test_an_energy_in_letters_tells_for_what_it_is_reached() -> None:
+    """½ I w² > M g l: l w² > 6 g."""
+    solution = solve(
+        ROD.replace("2 kg", "kg")
+        .replace("0.5 m,", "m,")
+        .replace("RATE", "rad/s")
+        .replace("ASKED", "K: rod.kinetic_energy at top")
+    )
+    assert str(solution.answers["K"]) == "K = M l (⅙ l w² − g) (if l ≥ 6 g/w²)"
+    assert all(item.holds for item in solution.derivation.confirmed)
+
+
+def test_a_top_does_not_fall_below_where_it_turns_back() -> None:
+    """cos θ of the lower turning point: 2 M g l (u₀ − u)(1 − u²) I₁ = (I₃ ω₃)² (u₀ − u)²."""
+    spin, lift = (8e-5 * 400) ** 2, 2 * 6e-4 * 0.2 * 9.81 * 0.05
+    start = math.cos(math.radians(20))
+    low = (spin - math.sqrt(spin**2 - 4 * lift * (spin * start - lift))) / (2 * lift)
+    lowest = math.degrees(math.acos(low))
+    with pytest.raises(NeverReached):
+        solve(TOP.replace("TILT", f"{lowest + 0.5:.2f} deg"))
+    assert solve(TOP.replace("TILT", f"{lowest - 0.5:.2f} deg")).answers
