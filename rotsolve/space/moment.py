@@ -482,7 +482,8 @@ class SpaceMoment(TellingMoment):
             self.hangs_on_time()
             return flown
         steady = self.state.steady and not self.held.of_body(name) and not self.held.falls(name)
-        if self.held.bodies[name].moved or (word == "acceleration" and steady):
+        travels = any(kind == "acceleration" for kind, _ in led)  # at a velocity that nothing tells
+        if (led and not travels) or (word == "acceleration" and steady):
             return NOTHING  # what is only led round goes nowhere
         return triple([self.ask(word, name, axis) for axis in AXES])
 

@@ -40,6 +40,7 @@ from rotsolve.space.energies import height_above, kinetic_energies
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.sliding import free_of_force
+from rotsolve.space.working import of_work
 
 Pairing = tuple[Formula, Formula]
 
@@ -60,7 +61,10 @@ def left_alone(laws: SpaceLaws, name: str, *, pushed: bool = False) -> bool:
 def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
     """What is conserved in a phase."""
     for name in before.moment.held.order:
-        if not left_alone(before, name) or after.moment.goes_on(name):
+        if after.moment.goes_on(name):
+            continue
+        if not left_alone(before, name):
+            yield from of_work(name, interval, before, after)
             continue
         yield from of_energy(name, interval, before, after)
         if before.moment.held.pointlike(name):

@@ -82,7 +82,7 @@ def of_steady(
 ) -> PickedRoot | None:
     """The root that is meant, with the reason; of an angle that between −180° and 180°. None where none of them is real."""
     round_ = period is not None and is_zero(period - TURN)
-    turns = [turns_back(root, numbers) if round_ else 0 for root in roots]
+    turns = [turns_missing(root, numbers) if round_ else 0 for root in roots]
     picked = meant(sought, [root + TURN * turn for root, turn in zip(roots, turns, strict=True)], scene, numbers)
     return None if picked is None else replace(picked, turns=Fraction(turns[picked.root]))
 
@@ -123,7 +123,7 @@ def meant(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbe
     return PickedRoot(index, (f"the {sought.word} of {len(others)}",))
 
 
-def turns_back(root: Formula, numbers: Numbers) -> int:
+def turns_missing(root: Formula, numbers: Numbers) -> int:
     """By how many whole turns an angle must be changed to lie between −180° and 180°; 0 where nothing tells."""
     return numbers.whole((PI - root) / TURN) or 0
 

@@ -66,7 +66,7 @@ class Flight:
         self.passed = passed  # the time up to the state, where it is told
         if any(TIME in part.symbols() for joint in rig.joints.values() for _, part in joint.drive):
             raise NotConfirmed("a drive that changes on the way to its state")
-        if any(body.moved for body in rig.bodies.values()):
+        if any(body.moved and not rig.led_evenly(name) for name, body in rig.bodies.items()):
             raise NotConfirmed("a prescribed motion on the way to its state")
         lines = [line.path for line in (*state.conditions, *start.stance.lines.lines)]
         self.nodding = {path.owner for path in lines if path is not None and path.quantity in NODAL}
@@ -83,19 +83,19 @@ class Flight:
 
     def axis_of(self, name: str) -> Arrow:
         """The own direction of a body about which its spin is kept as an angle: that of its hinge on the ground, else its axis."""
-        joint, line = self.rig.on_ground(name), self.rig.line(name)
+        joint, line = self.rig.on_unturned(name), self.rig.line(name)
         if joint is not None and joint.turning:
             return times_arrow(rows_back(self.start.stance.turned(name)), self.start.stance.way(joint))
         return line or self.rig.axis(name) or Z
 
     def swings(self, name: str) -> bool:
-        """Whether a body is held on the ground so that it turns about one axis alone."""
-        joint = self.rig.on_ground(name)
+        """Whether a body is held on the ground, or on what is led along, so that it turns about one axis alone."""
+        joint = self.rig.on_unturned(name)
         return joint is not None and (bool(joint.turning) or self.rig.line(name) is not None)
 
     def start_angle(self, name: str) -> float:
         """How far a body is turned about its hinge at the start."""
-        before, joint = self.start.stance.swung.get(name), self.rig.on_ground(name)
+        before, joint = self.start.stance.swung.get(name), self.rig.on_unturned(name)
         return before if before is not None else 0.0 if joint is None else self.start.stance.angle(joint)
 
     # numbers of a moment
@@ -193,7 +193,7 @@ class Flight:
                 self.start.now.arrow(TURNING, name),
                 times_arrow(self.start.stance.turned(name), self.axes[name]),
             )
-            joint, own = self.rig.on_ground(name), self.rig.solid(name)
+            joint, own = self.rig.on_unturned(name), self.rig.solid(name)
             arm = STILL if joint is None else self.start.stance.arm(joint.body)
             tensor = total_rows(self.start.efforts.tensor(name), about_point(own.mass, arm))
             middle = moments_and_axes(tensor)[1][0]

@@ -13,11 +13,12 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.space.arrows import arrow_length
+from rotsolve.confirm.space.arrows import arrow_length, less
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.ties import SPEED, TURNING
 from rotsolve.confirm.space.worlds import Manner, Moving, Unfit, World, manners_of
 from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
@@ -207,11 +208,12 @@ class Inquiry:
             try:
                 before = self.followed(name)
             except LeftOpen:
-                if passed is None:
+                if passed is None and not travelling_alike(before[0].worlds):
                     raise
         if len(before) != 1:
             raise NotConfirmed(SEVERAL)
-        starts = by_velocities(before[0].worlds)[: 2 if passed is not None else 1]
+        several = passed is not None or len(by_velocities(before[0].worlds)) > 1
+        starts = by_velocities(before[0].worlds)[: 2 if several else 1]
         return [Flight(self.rig, world, state, passed) for world in starts]
 
     def lasting(self, start: str, end: str) -> float:
@@ -449,6 +451,20 @@ def time_after(state: State) -> Formula | None:
 def by_velocities(worlds: Sequence[World]) -> list[World]:
     """One world of each choice of velocities."""
     return list({id(world.now): world for world in reversed(worlds)}.values())[::-1]
+
+
+def travelling_alike(worlds: Sequence[World]) -> bool:
+    """Whether worlds differ in nothing but a velocity that all bodies have more, so that all goes on in the same way."""
+    first, *others = by_velocities(worlds)
+    names = list(first.stance.rig.bodies)
+    for other in others:
+        more = [less(other.now.arrow(SPEED, name), first.now.arrow(SPEED, name)) for name in names]
+        turned = [less(other.now.arrow(TURNING, name), first.now.arrow(TURNING, name)) for name in names]
+        if any(arrow_length(way) > AGREE for way in turned):
+            return False
+        if any(arrow_length(less(way, more[0])) > AGREE * (1.0 + arrow_length(more[0])) for way in more):
+            return False
+    return True
 
 
 def told_by(way: Manner, term: Term) -> float:

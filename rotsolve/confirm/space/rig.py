@@ -40,6 +40,7 @@ from rotsolve.language.problem import Condition, Problem, State
 AXES = ("x", "y", "z")
 NODAL = ("precession_angle", "tilt", "spin_angle", "precession", "nutation", "spin", "axial_rate")
 ANGLES, RATES = NODAL[:3], NODAL[3:6]
+TRAVEL = ("position", "velocity", "acceleration")
 THIN = 1e-12  # of the largest moment of inertia: none
 NOW = 0.37  # seconds: the time at which what is a formula of time is looked at, where no state tells another
 Told = Mapping[tuple[str, str, str], float]  # (state, body, quantity): answers that are put in for what no line tells
@@ -142,6 +143,20 @@ class Rig:
         """The joint that holds a point of a body at rest."""
         joint = self.main(name)
         return joint if joint is not None and joint.carrier.owner not in self.bodies and not joint.sliding else None
+
+    def on_unturned(self, name: str) -> Joint | None:
+        """The joint that holds a point of a body at rest, or one of what is led along and does not turn."""
+        joint = self.main(name)
+        led = joint is not None and not joint.sliding and self.led_evenly(joint.carrier.owner)
+        return joint if led else self.on_ground(name)
+
+    def led_evenly(self, name: str) -> bool:
+        """Whether a body is led along, with an acceleration that stays, and does not turn."""
+        body = self.bodies.get(name)
+        if body is None or not body.moved or self.main(name) is not None:
+            return False
+        evenly = all(kind in TRAVEL and TIME not in part.symbols() for kind, _, part in body.moved)
+        return evenly and all(joint.body.owner != name for joint in self.joints.values())
 
     def led(self, name: str, kinds: tuple[str, str, str]) -> tuple[Arrow | None, Arrow] | None:
         """A prescribed rate and its own rate, by whichever of a place, its rate and the rate of that the scene prescribes."""

@@ -1,0 +1,99 @@
+"""Work in space: the energy of a body on a hinge that is pushed on the way, or that something carries along.
+
+A couple that stays does the work M · n Δφ about the axis n, a force that stays F · Δr. In axes that go with what carries the hinge, and
+that do not turn, −M a acts at the centre of mass as the weight does (Goldstein, Poole & Safko, Classical Mechanics, §1.5 and §4.10).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate
+from rotsolve.core.drive import TURNING
+from rotsolve.core.equation import CONSERVATION, WORK_AND_ENERGY, Equation
+from rotsolve.core.symbols import TIME, has_quantities
+from rotsolve.core.vectors.triple import NOTHING, Triple, Z, dot_product, scaled_by, vector_sum, way_between
+from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.motion.timeline import Interval
+from rotsolve.space.attitude import IN_SPACE
+from rotsolve.space.energies import half_quadratic
+from rotsolve.space.inertia import CM
+from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.pushes import ForceInSpace
+
+
+def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """K₁ + U₁ + W = K₂ + U₂ of a body on a hinge, in axes that go with what carries it; not where anything else holds it."""
+    held = before.moment.held
+    joint = held.main(name)
+    if joint is None or held.of_body(name) != (joint,) or not turns_undriven(joint):
+        return
+    carrier = held.bodies.get(joint.carrier.owner)
+    pushes = [[push for push in laws.pushes.on(name) if push.owner in driving(laws)] for laws in (before, after)]
+    if (carrier is not None and not led_evenly(before, carrier.name)) or not all(map(keeps, *pushes)):
+        return
+    work = total_work(name, joint, (before, after), pushes)
+    if work is None:
+        return
+    first, last = (felt_energy(laws, name, joint) for laws in (before, after))
+    since = "" if carrier is None else f" in axes that go with {carrier.name}, where −M a acts"
+    if work == ZERO:
+        yield CONSERVATION.equation(first, last, interval.name, (name,), since=since)
+    else:
+        yield WORK_AND_ENERGY.equation(add(first, work), last, interval.name, (name,))
+
+
+def driving(laws: SpaceLaws) -> frozenset[str]:
+    return frozenset(action.name for action in laws.pushes.actions)
+
+
+def turns_undriven(joint: Joint) -> bool:
+    """Whether a joint is a hinge on which its body turns as it is pushed."""
+    return bool(joint.turning) and not (joint.drive or joint.sliding or joint.aligned or joint.bearings or joint.pitch)
+
+
+def led_evenly(laws: SpaceLaws, carrier: str) -> bool:
+    """Whether a body is led along with an acceleration that stays, and does not turn."""
+    moved = laws.moment.held.bodies[carrier].moved
+    words = {word for word, _, value in moved if word in TURNING or TIME in value.symbols()}
+    return bool(moved) and not words and not laws.moment.held.of_body(carrier)
+
+
+def keeps(first: ForceInSpace, last: ForceInSpace) -> bool:
+    """Whether a push is the same at both ends, whatever the time and however the body has moved."""
+    parts = (*first.force, *first.couple)
+    level = first.axes == last.axes == IN_SPACE or first.force == NOTHING
+    same = (first.force, first.couple) == (last.force, last.couple)
+    return level and same and not any(TIME in part.symbols() or has_quantities(part) for part in parts)
+
+
+def total_work(
+    name: str, joint: Joint, ends: tuple[SpaceLaws, SpaceLaws], pushes: list[list[ForceInSpace]]
+) -> Formula | None:
+    """W = Σ F · Δr + M · n Δφ; None where nothing tells how far the body has turned."""
+    work: Formula = ZERO
+    angles = [laws.moment.stood(name, "angle") for laws in ends]
+    axes = [laws.moment.axes(name) for laws in ends]
+    for first, last in zip(*pushes, strict=True):
+        if first.couple != NOTHING:
+            if angles[0] is None or angles[1] is None:
+                return None
+            along = dot_product(ends[0].moment.direction(name, joint), first.axes.to(axes[0], first.couple))
+            work = add(work, multiply(along, add(angles[1], negate(angles[0]))))
+        if first.force != NOTHING:
+            places = [own.to(IN_SPACE, push.arm) for own, push in zip(axes, (first, last), strict=True)]
+            work = add(work, dot_product(first.force, way_between(places[0], places[1])))
+    return work
+
+
+def felt_energy(laws: SpaceLaws, name: str, joint: Joint) -> Formula:
+    """½ ω · I ω about the point held, with M (g ẑ + a) · r of the centre of mass from there."""
+    moment, gravity = laws.moment, laws.pushes.gravity
+    own = moment.attitude(name)
+    carried = joint.carrier.owner in moment.held.bodies
+    lift: Triple = NOTHING if gravity is None else scaled_by(gravity, Z)
+    if carried:
+        lift = vector_sum(lift, own.axes.to(IN_SPACE, moment.reference_acceleration(name)))
+    place = own.axes.to(IN_SPACE, moment.arm(PointRef(name, CM)))
+    turning = half_quadratic(laws.tensor(name, joint.body.point or "center"), own.omega)
+    return add(turning, multiply(moment.held.mass(name), moment.tidy(dot_product(lift, place))))
