@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import Dimension, kind_of
+from rotsolve.algebra.units.dimension import BY_NAME, Dimension, Kind, kind_of
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
@@ -78,11 +78,21 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
             unit_fault(scope, written, error)
     elif comma_fault(scope, written):
         scope.dimensions[name] = None
+    elif text.replace("_", " ") in BY_NAME and text not in scope.givens:
+        kind_as_unit(scope, name, written, BY_NAME[text.replace("_", " ")])
     else:
         formula = expression(scope, written, Want(name, None, "q", name), None)
         scope.dimensions[name] = None
         if formula is not None:
             made[name] = formula
+
+
+def kind_as_unit(scope: Scope, name: str, written: Text, kind: Kind) -> None:
+    """`theta: angle`: refused, with the unit that says so."""
+    scope.dimensions[name] = kind.dimension
+    value = f", or a value, `{name}: {kind.example}`" if kind.example else ""
+    message = f"{quoted(written.value.strip())} is a kind of quantity, not a unit"
+    scope.fault(written, message, f"write a unit, `{name}: {kind.unit}`{value}", "unit")
 
 
 def number_with_unit(scope: Scope, given: Given, written: Text) -> bool:

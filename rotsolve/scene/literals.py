@@ -193,8 +193,8 @@ def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | 
         if re.search(r"[-+*/^()]", unit) or any(word in scope.givens for word in re.findall(r"\w+", unit)):
             return EXPRESSION
         return unit_fault(scope, node, error)
-    if scope.kinds.get(unit) == "given":
-        return ambiguous(scope, node, node.value.strip(), unit)
+    if scope.kinds.get(unit) == "given" and quantity.value != ZERO:  # else it is nothing either way
+        return ambiguous(scope, node, node.value.strip(), unit, DIMENSIONS[want.dimension] if want.dimension else None)
     return literal_value(scope, node, want, quantity)
 
 
@@ -215,10 +215,12 @@ def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> No
     return scope.fault(place, error.message, help, "unit")
 
 
-def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> Nothing:
-    number = text[: -len(unit)].strip()
+def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str, wanted: Dimension | None) -> Nothing:
+    """Refuse `2 m` where `m` is a given; the product is proposed where it may be what is `wanted`."""
+    number, own = text[: -len(unit)].strip(), scope.dimensions.get(unit)
     message = f"{quoted(text)} can be read in two ways: `{unit}` is a given and a unit"
-    help = f"write `{number}*{unit}` for the product, or put the quantity in `given` under a name"
+    product = f"write `{number}*{unit}` for the product, or " if None in (own, wanted) or own.matches(wanted) else ""
+    help = f"{product}put the quantity in `given` under a name"
     return scope.fault(place, message, help, "ambiguous")
 
 

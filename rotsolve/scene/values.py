@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
-from rotsolve.algebra.units.dimension import DIMENSIONS, TIME, Dimension, DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import DIMENSIONS, TIME, Dimension, DimensionError, dimension_of, fits_everything
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
@@ -101,7 +101,7 @@ def replacement(
     if piece.kind == "quantity":
         unit = piece.text.lstrip("0123456789.").strip()
         if unit in scope.givens:
-            return ambiguous(scope, place, piece.text, unit)
+            return ambiguous(scope, place, piece.text, unit, None)
         try:
             quantity = parse_quantity(piece.text)
         except UnitError as error:
@@ -166,9 +166,20 @@ def read_scalar(scope: Scope, node: Node, want: Want, paths: PathReader | None =
     if comma_fault(scope, node):
         return None
     formula = expression(scope, node, want, paths)
+    if formula is not None and written_nothing(scope, formula, want):
+        formula = ZERO
     if formula is None or not check_dimension(scope, node, formula, want):
         return None
     return formula if check_limits(scope, node, formula, want) else None
+
+
+def written_nothing(scope: Scope, formula: Formula, want: Want) -> bool:
+    """Whether a formula is 0 as it is written, `0*m`, whatever `m` is."""
+    known = {name: own for name, own in {**scope.dimensions, **want.extra}.items() if own is not None}
+    try:
+        return formula.symbols() <= known.keys() and fits_everything(formula, known)
+    except DimensionError:
+        return False
 
 
 def comma_fault(scope: Scope, node: Text) -> bool:

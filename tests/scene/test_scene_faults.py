@@ -7,6 +7,9 @@ from typing import Any
 
 import pytest
 
+from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.units.dimension import BY_NAME
+from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.core.faults import Fault, SceneError, Span, render
 from rotsolve.scene.read import read_file, read_text
 
@@ -118,3 +121,18 @@ def test_long_lines_are_clipped_around_the_caret() -> None:
 def test_one_fault_per_place() -> None:
     error = SceneError([Fault("b", Span(2, 1)), Fault("a", Span(1, 1)), Fault("c", Span(1, 1))])
     assert [fault.message for fault in error.faults] == ["a", "b"]
+
+
+def test_every_kind_of_quantity_written_as_a_unit_is_told_one_that_can_be_read() -> None:
+    for word in BY_NAME:
+        if word != "number":
+            shown = fault_text(SCENE.replace("mu: 0.3", f"mu: {word.replace(' ', '_')}"))
+            unit = re.search(r"write a unit, `mu: ([^`]+)`", shown)
+            assert unit is not None and BY_NAME[word].dimension.matches(parse_unit(unit[1]).dimension), word
+
+
+@pytest.mark.parametrize("nothing", ["0 m", "0*m", "0", "-0 m"])
+def test_nothing_can_be_read_one_way_where_a_letter_is_a_unit_too(nothing: str) -> None:
+    problem = read_text(SCENE.replace("rod: {", f"rod: {{points: {{P: [{nothing}, R]}}, "), "s.yaml")
+    body = next(body for body in problem.bodies if body.name == "rod")
+    assert dict(body.points)["P"][0] == ZERO

@@ -225,6 +225,11 @@ def dimension_of(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimensio
     return _dimension(formula, symbols) or NONE
 
 
+def fits_everything(formula: Formula, symbols: Mapping[str, Dimension]) -> bool:
+    """Whether a formula whose parts fit together is a zero as it is written, 0 or 0·m, which has any dimension."""
+    return _dimension(formula, symbols) is None
+
+
 def _dimension(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimension | None:
     """The dimension; None for a zero, which has any."""
     match formula:
