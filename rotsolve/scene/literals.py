@@ -219,7 +219,8 @@ def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str, wanted: Di
     """Refuse `2 m` where `m` is a given; the product is proposed where it may be what is `wanted`."""
     number, own = text[: -len(unit)].strip(), scope.dimensions.get(unit)
     message = f"{quoted(text)} can be read in two ways: `{unit}` is a given and a unit"
-    product = f"write `{number}*{unit}` for the product, or " if None in (own, wanted) or own.matches(wanted) else ""
+    fits = own is None or wanted is None or own.matches(wanted)
+    product = f"write `{number}*{unit}` for the product, or " if fits else ""
     help = f"{product}put the quantity in `given` under a name"
     return scope.fault(place, message, help, "ambiguous")
 

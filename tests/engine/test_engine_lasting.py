@@ -54,7 +54,7 @@ def said(text: str, **options: object) -> list[tuple[bool | None, str]]:
     ("text", "until"),
     [
         (LINEAR, "the string goes slack at t = g J/(c r)"),  # S = m (g J − c t r)/(J + m r²)
-        (SQUARE, "the string goes slack at t = √(c g J/r)/|c|"),
+        (SQUARE, "the string goes slack at t = √(g J/(c r))"),
         (CRATE, "crate leaves the surface at t = 2 √3 g m/(3 c)"),  # N = m g − c t sin 60°
     ],
 )

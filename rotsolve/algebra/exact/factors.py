@@ -10,6 +10,7 @@ from fractions import Fraction
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.field import Field, Poly, PolynomialSigns, Ratio, Terms, generator_of
+from rotsolve.algebra.formula import Call
 
 Exponent = int | Fraction  # a fraction where it is a root
 
@@ -146,6 +147,54 @@ class Factorization:
             parts.add_sum(terms, Fraction(power) / 2)
         else:
             self.put(parts, inner, Fraction(power) / 2)
+
+
+def absorb_sizes(ring: Field, parts: Parts) -> None:
+    """Let a size join a root that holds what it is the size of: √(q r)/|q| is √(r/q), and |q| √(r/q) is √(q r), since |q| = √(q²)."""
+    for i, e in list(parts.gens.items()):
+        atom = ring.atoms[i]
+        if isinstance(atom, Call) and atom.function == "abs" and e in (1, -1):
+            inside = ring.convert(atom.arguments[0])[0]
+            if _under_root(ring, parts, inside, e) or _within_root(ring, parts, inside, e):
+                del parts.gens[i]
+
+
+def _under_root(ring: Field, parts: Parts, inside: Poly, e: Exponent) -> bool:
+    """Multiply by |q|^e where q stands alone under a root, so that it is not negative; whether it does."""
+    terms = ring.terms(inside)
+    j = generator_of(terms)
+    if j is not None and Fraction(parts.gens.get(j, 0)).denominator == 2:
+        parts.gens[j] += e
+        return True
+    for k, (other, power) in enumerate(parts.sums):
+        if power.denominator == 2 and other in (terms, negative(terms)):
+            parts.sums[k] = (other, power + e)
+            return True
+    return False
+
+
+def _within_root(ring: Field, parts: Parts, inside: Poly, e: Exponent) -> bool:
+    """Multiply by |q|^e where q is a factor under a root on the other side of the line, and nowhere else; whether it is."""
+    terms = ring.terms(inside)
+    j = generator_of(terms)
+    if (j in parts.gens) or any(other in (terms, negative(terms)) for other, _ in parts.sums):
+        return False
+    for k, (other, power) in enumerate(parts.sums):
+        if power != Fraction(-e, 2):
+            continue
+        rest, over = divmod(ring.poly(other), inside)
+        if len(over) or len(rest) == 0 or rest.is_constant():
+            continue
+        if all(c < 0 for c in rest.coeffs()):
+            rest, inside = -rest, -inside
+        parts.sums[k] = (ring.terms(rest), power)
+        j = generator_of(ring.terms(inside))
+        if j is None:
+            parts.sums.append((ring.terms(inside), Fraction(e, 2)))
+        else:
+            parts.gens[j] = Fraction(e, 2)
+        return True
+    return False
 
 
 MOST = 4  # terms of a sum that is split one by one

@@ -12,7 +12,7 @@ from functools import cached_property, partial
 from math import prod
 
 from rotsolve.algebra.effort import exert
-from rotsolve.algebra.exact.factors import Exponent, Factorization, Parts, negative, singles, taken_apart
+from rotsolve.algebra.exact.factors import Exponent, Factorization, Parts, absorb_sizes, negative, singles, taken_apart
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
 from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, FactoredGroup, Grouping
 from rotsolve.algebra.exact.order import (
@@ -98,6 +98,7 @@ class Shaper:
     def ratio(self, ratio: Ratio) -> Formula:
         """A fraction in factors; common factors are cancelled first."""
         parts = self.factors.of_ratio(ratio)
+        absorb_sizes(self.field, parts)
         apart = self._apart(parts)
         if apart is not None:
             return apart
@@ -235,7 +236,8 @@ class Shaper:
     def _radicand(self, terms: Terms) -> Formula:
         """What stands under a root, in factors where it has any."""
         content, factors = self.field.factor(self.field.poly(terms))
-        if len(factors) == 1 and factors[0][1] == 1 and content == 1:
+        mixed = len({c > 0 for c in terms.values()}) == 2
+        if len(factors) == 1 and factors[0][1] == 1 and (content == 1 or (content == -1 and mixed)):
             return self.sum(terms)
         parts = Parts(Fraction(content))
         for factor, e in factors:
