@@ -64,3 +64,40 @@ def test_letters_have_their_least_spin() -> None:
     scene = TOP.format(mass="kg", length="m", across="kg m^2", axial="kg m^2").replace("g: 9.8 m/s^2, ", "")
     derivation = solve(scene).complete().derivation
     assert [item.holds for item in derivation.confirmed] == [True]
+
+
+ROLLING = """up: z
+given: {m: 2 kg, R: 0.3 m, r: 0.2 m, A: 0.05 kg m^2, C: 0.08 kg m^2, v: unknown, g: 9.8 m/s^2}
+bodies: {coin: BODY}
+surfaces: {table: level}
+connections: {grip: {rolls: [ON, table]}}
+states: {rolling: {coin.tilt: 90 deg, coin.spin: v/RIM, coin.precession: 0 rad/s, steady: true}}
+find: {v_0: smallest v where rolling is stable}
+"""
+WHEELS = {  # what rolls on which rim, its radius, and its moments of inertia across and about its axis
+    "an annulus on its outer rim": (
+        "{shape: annulus, mass: m, radii: {inner: r, outer: R}}",
+        ("coin", "R", 0.3),
+        (2 * 0.13 / 4, 2 * 0.13 / 2),
+    ),
+    "a stepped wheel on its smaller rim": (
+        "{mass: m, inertia: {about: center, principal: [A, A, C]}, axis: z, radii: {big: R, small: r}}",
+        ("coin.small", "r", 0.2),
+        (0.05, 0.08),
+    ),
+    "parts on a rim that is told": (
+        "{parts: {a: {shape: disc, mass: m, radius: r, at: [0, 0, 0]}}, axis: z, radius: R}",
+        ("coin", "R", 0.3),
+        (2 * 0.04 / 4, 2 * 0.04 / 2),
+    ),
+}
+
+
+@pytest.mark.parametrize("case", WHEELS)
+def test_what_rolls_on_any_rim_is_confirmed(case: str) -> None:
+    """I₃ (I₃ + m R²) v² = I₁ m g R³ of a wheel that rolls upright."""
+    body, (on, letter, rim), (across, axial) = WHEELS[case]
+    solution = solve(ROLLING.replace("BODY", body).replace("ON", on).replace("RIM", letter))
+    least = math.sqrt(across * 2 * 9.8 * rim**3 / (axial * (axial + 2 * rim**2)))
+    assert float(solution.answers["v_0"].value) == pytest.approx(least, rel=5e-4)
+    assert [item.holds for item in solution.derivation.confirmed] == [True]

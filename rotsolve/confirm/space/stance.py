@@ -33,7 +33,7 @@ from rotsolve.confirm.space.arrows import (
 )
 from rotsolve.confirm.space.masses import turned_together
 from rotsolve.confirm.space.rig import Lines, Rig, way_along
-from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Joint, PointRef
 
 SIDES = {"bottom": 1.0, "top": -1.0}
@@ -241,7 +241,8 @@ class Stance:
         """The radius with which a body rolls, the axis of the circle (none of a ball), and its middle from the centre of mass."""
         body = self.rig.bodies[name]
         shape = shape_of(body)
-        radius = getattr(shape, "radius", None) or body.radius
+        rolling = next((item for item in self.rig.joints.values() if item.rolls and item.body.owner == name), None)
+        radius = rim_radius(body, None if rolling is None else rolling.body.point) or getattr(shape, "radius", None)
         if radius is None:
             raise NotConfirmed(f"with what `{name}` rolls")
         middle = self.arm(PointRef(name, "center"))
