@@ -1,18 +1,33 @@
-"""Principal moments and axes: in closed form where one axis shows: one without products of inertia, or (1, 1, 1) of three alike.
+"""Principal moments and axes: in closed form where one axis shows: one without products of inertia, (1, 1, 1) of three alike, or any of
+which the moment is a root without roots of det (I − λ 1) = 0, as symmetry makes one.
 
-det (I − λ 1) = 0. An axis on which no product of inertia stands is a principal one, and leaves a quadratic for the others:
-λ = (I_a + I_b)/2 ± √(((I_a − I_b)/2)² + I_ab²).
+An axis on which no product of inertia stands is a principal one, and leaves a quadratic for the others:
+λ = (I_a + I_b)/2 ± √(((I_a − I_b)/2)² + I_ab²). Else the cubic is taken into factors.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import combinations
 
-from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, add, negate, sqrt
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.exact.normal import Fractions, coefficients, degree, is_zero, simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, negate, sqrt
 from rotsolve.core.facts import square
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.core.vectors.triple import Triple, X, Y, Z, scaled_by, tidied, vector_sum
+from rotsolve.core.vectors.triple import (
+    Triple,
+    X,
+    Y,
+    Z,
+    cross_product,
+    dot_product,
+    length_of,
+    scaled_by,
+    tidied,
+    triple,
+    vector_sum,
+)
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet, path_text
 
@@ -22,6 +37,8 @@ Side = Callable[[Formula], "int | None"]
 Found = tuple[Formula, Triple | None]  # a principal moment, with its axis where that is told
 BESIDE = {"x": ("yy", "zz", "yz"), "y": ("zz", "xx", "zx"), "z": ("xx", "yy", "xy")}
 WAYS = {"x": X, "y": Y, "z": Z}
+ROWS = (("xx", "xy", "zx"), ("xy", "yy", "yz"), ("zx", "yz", "zz"))
+MOMENT = "#moment"  # λ, as no scene calls it
 PRODUCTS = {"x": ("xy", "zx"), "y": ("xy", "yz"), "z": ("zx", "yz")}
 
 
@@ -42,6 +59,9 @@ def principal(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Not
         lone = simplify(add(tensor.xx, 2 * tensor.xy))
         other = simplify(add(tensor.xx, negate(tensor.xy)))
         return [(lone, (third, third, third)), (other, None), (other, None)]
+    found = by_factors(tensor, spelled)
+    if found:
+        return found
     raise NotYet(
         f"`{path_text(path)}` has no closed form that shows: no axis of the body is a principal one",
         path.span,
@@ -62,6 +82,48 @@ def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
         first, second = (WAYS[word[0]] for word in BESIDE[axis][:2])
         found.append((moment, tidied(vector_sum(scaled_by(a, first), scaled_by(b, second)))))
     return found
+
+
+def by_factors(tensor: InertiaTensor, spelled: Spelled) -> list[Found]:
+    """The three moments by the factors of det (I − λ 1), a linear one first, with its axis where it is alone; none where there is none."""
+    rows = [triple([spelled(tensor.entry(word)) for word in words]) for words in ROWS]
+    moment = Symbol(MOMENT)
+    shifted = [triple([part - moment if i == j else part for j, part in enumerate(row)]) for i, row in enumerate(rows)]
+    problem = Fractions([dot_product(shifted[0], cross_product(shifted[1], shifted[2]))], extra=(MOMENT,))
+    _, factors = problem.field.factor(problem.numerator())
+    parts = [(problem.shaper.poly(part), e) for part, e in factors]
+    parts = [(part, e) for part, e in parts if MOMENT in part.symbols()]
+    found: list[Found] = []
+    for part, e in sorted(parts, key=lambda item: (degree(item[0], MOMENT) or 0, item[1])):
+        roots = rising_roots(part, spelled)
+        alone = e == 1 and (len(roots) == 2 or not found)
+        found += [(root, lone_way(rows, root, spelled) if alone else None) for root in roots] * e
+    return found if len(found) == 3 else []
+
+
+def rising_roots(part: Formula, spelled: Spelled) -> list[Formula]:
+    """The root of a linear factor, or s/2 ∓ √(s²/4 − p) of λ² − s λ + p; none of others."""
+    free, *more = coefficients(part, MOMENT) or (ZERO,)
+    if len(more) == 1:
+        return [spelled(negate(free) / more[0])]
+    if len(more) != 2:
+        return []
+    middle = spelled(negate(more[0]) / (2 * more[1]))
+    root = sqrt(spelled(add(square(middle), negate(free / more[1]))))
+    return [spelled(middle - root), spelled(middle + root)]
+
+
+def lone_way(rows: list[Triple], moment: Formula, spelled: Spelled) -> Triple | None:
+    """The axis of a moment that is alone: square to two rows of I − λ 1."""
+    shifted = [
+        triple([spelled(part - moment) if i == j else part for j, part in enumerate(row)]) for i, row in enumerate(rows)
+    ]
+    for one, other in combinations(shifted, 2):
+        normal = triple([spelled(part) for part in cross_product(one, other)])
+        if any(part != ZERO for part in normal):
+            size = spelled(length_of(normal))
+            return triple([spelled(part / size) for part in normal])
+    return None
 
 
 def principal_moment(
@@ -89,7 +151,8 @@ def principal_moment(
 
 
 def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> int | None:
-    """Which of two moments is larger whatever the letters are: the second by a root of two, and the sum of both others, as of a lamina."""
+    """Which of two moments is larger whatever the letters are: the second by a root of two, the sum of both others, as of a lamina, one
+    that is a number of times the other."""
     third = 3 - one - other
     moments = [moment for moment, _ in found]
     if third == 0 and found[2][1] is not None and found[2][1] not in WAYS.values():
@@ -97,7 +160,10 @@ def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> 
     for larger, smaller, sign in ((one, other, 1), (other, one, -1)):
         if is_zero(spelled(moments[larger] - moments[smaller] - moments[third])):
             return sign
-    return None
+    ratio = ONE if moments[other] == ZERO else spelled(moments[one] / moments[other])  # no moment is negative
+    if ratio == ONE or ratio.symbols():
+        return None
+    return 1 if evaluate(ratio - ONE, {}).float > 0 else -1
 
 
 def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> Triple:
