@@ -1,6 +1,7 @@
-"""Coming: whether the motion of a scene in space comes to a later state: the rates that it would have there are real.
+"""Coming: whether the motion of a scene in space comes to a later state: the rates that it would have there are real, and those on the way.
 
-A kinetic energy, or a force, may have a number at a place to which nothing gets: by the energy it would be less than nothing there.
+A kinetic energy, or a force, may have a number at a place to which nothing gets: by the energy it would be less than nothing there. And
+what swings on a hinge may have to pass its highest place before.
 """
 
 from __future__ import annotations
@@ -9,8 +10,9 @@ from collections.abc import Iterator
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
+from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
-from rotsolve.search.explain import contradicted
+from rotsolve.search.explain import contradicted, unreachable
 from rotsolve.search.search import Search
 
 COMING = ("angular_velocity", "nutation")  # the rates with which a body comes to an angle or a tilt
@@ -18,16 +20,42 @@ COMING = ("angular_velocity", "nutation")  # the rates with which a body comes t
 
 def not_come_to(search: Search) -> Iterator[Unsolvable]:
     """Why the motion does not come to a later state, where what is asked there does not show it."""
-    quantities, aside = search.scene.registry.quantities, search.apart()
     for interval in search.scene.configuration.timeline.intervals:
-        if interval.event is not None:
+        if interval.event is None and interval.end in search.scene.dynamics:  # type: ignore[attr-defined]
+            yield from without_rates(interval, search)
+            yield from below_summit(interval, search)
+
+
+def without_rates(interval: Interval, search: Search) -> Iterator[Unsolvable]:
+    """The rates at the end of a phase that have no real value."""
+    registry, aside = search.scene.registry, search.apart()
+    for name, item in list(registry.quantities.items()):
+        if item.kind not in COMING or item.component or item.when != interval.end:
             continue
-        for name, item in list(quantities.items()):
-            if item.kind not in COMING or item.component or item.when != interval.end:
-                continue
-            if has_quantities(search.solver.with_found(search.scene.registry.ask(item))):
-                try:
-                    aside.value_of(name)
-                except NoAnswer as error:
-                    if error.equation is not None:
-                        yield contradicted(aside.planner.pool[error.equation], search.scene)
+        if has_quantities(search.solver.with_found(registry.ask(item))):
+            try:
+                aside.value_of(name)
+            except NoAnswer as error:
+                if error.equation is not None:
+                    yield contradicted(aside.planner.pool[error.equation], search.scene)
+
+
+def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:
+    """The bodies on hinges that would have to pass their highest place on the way, and have not the energy for it."""
+    from rotsolve.space.summit import summit_of
+
+    numbers, configuration = search.numbers, search.scene.configuration
+    before, after = (search.scene.dynamics[state] for state in (interval.start, interval.end))  # type: ignore[attr-defined]
+    for body in configuration.problem.bodies:
+        found = summit_of(body.name, before, after, numbers.side)
+        if found is None:
+            continue
+        ends = found.start, found.end
+        backwards = numbers.side(ends[1] - ends[0]) == -1
+        counts = [numbers.whole(-end if backwards else end) for end in ends]
+        left = search.apart().settled(found.left)
+        if None in counts or left is None or counts[0] == counts[1] or numbers.side(left) != -1:
+            continue
+        span = configuration.timeline.state(interval.end).span
+        why = f"`{body.name}` would have to pass its highest place on the way, and turns back before"
+        yield unreachable(configuration.problem, interval.start, interval.end, span, why)

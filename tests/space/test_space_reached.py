@@ -73,3 +73,38 @@ def test_a_top_does_not_fall_below_where_it_turns_back() -> None:
     with pytest.raises(NeverReached):
         solve(TOP.replace("TILT", f"{lowest + 0.5:.2f} deg"))
     assert solve(TOP.replace("TILT", f"{lowest - 0.5:.2f} deg")).answers
+
+
+OVER = """
+up: z
+given: {M: 2 kg, l: 1 m, g: 9.8 m/s^2, w: RATE}
+bodies: {rod: {shape: rod, mass: M, length: l}}
+connections: {pin: {hinge: rod.start, along: AXIS}}
+states: {start: {rod.angle: FIRST deg, rod.angular_velocity: w}, there: {rod.angle: LAST deg}}
+find: {K: rod.kinetic_energy at there}
+"""
+
+
+@pytest.mark.parametrize(
+    ("axis", "first", "last", "sense"),
+    [("y", -60, -120, -1), ("y", -120, -60, 1), ("y", 300, 240, -1), ("[0, -1, 0]", 60, 120, 1)],
+)
+def test_what_has_to_pass_its_highest_place_needs_the_energy_for_that(
+    axis: str, first: int, last: int, sense: int
+) -> None:
+    """From 30° beside the highest place over it: ⅓ M l² w²/2 > ½ M g l (1 − cos 30°), else it turns back before."""
+    scene = OVER.replace("AXIS", axis).replace("FIRST", str(first)).replace("LAST", str(last))
+    least = math.sqrt(3 * 9.8 * (1 - math.cos(math.radians(30))))
+    with pytest.raises(NeverReached, match="`there` is never reached"):
+        solve(scene.replace("RATE", f"{sense * (least - 0.02):.3f} rad/s"))
+    found = solve(scene.replace("RATE", f"{sense * (least + 0.02):.3f} rad/s"))
+    assert [item.holds for item in found.derivation.confirmed] == [True]
+
+
+def test_in_letters_it_is_a_condition() -> None:
+    scene = (
+        OVER.replace("AXIS", "y").replace("FIRST", "-60").replace("LAST", "-120").replace("2 kg, l: 1 m", "kg, l: m")
+    )
+    found = solve(scene.replace("RATE", "rad/s").replace("rod.angular_velocity: w", "rod.angular_velocity: -w"))
+    assert "if" in str(found.answers["K"])
+    assert [item.holds for item in found.derivation.confirmed] == [True]

@@ -143,7 +143,10 @@ REFUSED = {  # a scene, and what is said of it
         SCENE.replace("plate.B", "plate.A") + "states: {now: {at rest: all}}\nfind: {al: plate.angular_acceleration}\n",
         "hold the same point",
     ),
-    "an angle behind a barrier": (HINGE + BACK.replace("ANGLE", "200 deg"), "its motion never comes there"),
+    "an angle behind a barrier": (
+        HINGE + BACK.replace("ANGLE", "200 deg"),
+        "would have to pass its highest place on the way, and turns back before",
+    ),
     "a rate that is asked for, with which it goes over the top": (
         RATE_ASKED.replace("START", "v"),
         "its motion never comes there",
