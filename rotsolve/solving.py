@@ -321,7 +321,7 @@ def check_consistent(search: Search) -> KnownBalls:
 
         for refusal in not_reached(search):
             raise refusal
-    if problem.space and len(problem.states) > 1:
+    if problem.space and problem.states:
         from rotsolve.search.coming import not_come_to
 
         for missed in not_come_to(search):

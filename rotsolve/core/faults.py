@@ -128,6 +128,10 @@ class Impossible(Unsolvable):
     """An asked letter that would have to be what it can not be: what hangs on it has no answer either."""
 
 
+class NoSteadyMotion(Unsolvable):
+    """A state that is said to be steady, with which no steady motion goes: nothing that is asked of it has an answer."""
+
+
 class NeverReached(Contradicted):
     """A `state` to which the motion never gets: what is asked of the states before it may have an answer.
 

@@ -1,4 +1,5 @@
-"""Coming: whether the motion of a scene in space comes to a later state: the rates that it would have there are real, and those on the way.
+"""Coming: whether the motion of a scene in space comes to a later state: the rates that it would have there are real, and those on the way;
+and whether there is a steady one where a state says so.
 
 A kinetic energy, or a force, may have a number at a place to which nothing gets: by the energy it would be less than nothing there. And
 what swings on a hinge may have to pass its highest place before.
@@ -8,36 +9,44 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import NoSteadyMotion, Unsolvable
 from rotsolve.core.symbols import has_quantities
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.explain import contradicted, unreachable
 from rotsolve.search.search import Search
 
+STEADY = ("precession",)  # with which a state is steady
 COMING = ("angular_velocity", "nutation")  # the rates with which a body comes to an angle or a tilt
 
 
 def not_come_to(search: Search) -> Iterator[Unsolvable]:
-    """Why the motion does not come to a later state, where what is asked there does not show it."""
+    """Why the motion does not come to a later state, or no state is steady, where what is asked there does not show it."""
+    for state in search.scene.configuration.problem.states:
+        if state.steady:
+            yield from without_rates(state.name, STEADY, search)
     for interval in search.scene.configuration.timeline.intervals:
         if interval.event is None and interval.end in search.scene.dynamics:  # type: ignore[attr-defined]
-            yield from without_rates(interval, search)
+            yield from without_rates(interval.end, COMING, search)
             yield from below_summit(interval, search)
 
 
-def without_rates(interval: Interval, search: Search) -> Iterator[Unsolvable]:
-    """The rates at the end of a phase that have no real value."""
+def without_rates(state: str, kinds: tuple[str, ...], search: Search) -> Iterator[Unsolvable]:
+    """The rates at a state that have no real value."""
     registry, aside = search.scene.registry, search.apart()
     for name, item in list(registry.quantities.items()):
-        if item.kind not in COMING or item.component or item.when != interval.end:
+        if item.kind not in kinds or item.component or item.when != state:
             continue
         if has_quantities(search.solver.with_found(registry.ask(item))):
             try:
                 aside.value_of(name)
+            except NoSteadyMotion as error:
+                yield error
             except NoAnswer as error:
                 if error.equation is not None:
                     yield contradicted(aside.planner.pool[error.equation], search.scene)
+            except Unsolvable:  # several steady motions are possible, of which none is meant
+                continue
 
 
 def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:

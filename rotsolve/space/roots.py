@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula, add, multiply, negate, sqrt
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import NoSteadyMotion, Unsolvable
 from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.language.problem import EXTREMES, Problem
@@ -85,7 +85,7 @@ def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numb
         else:
             rate = numbers.of(2 * sqrt(felt) / axial)
             help = f"it needs {form}" + (f", at least {rate:.4g} rad/s" if rate is not None else "")
-    raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+    raise NoSteadyMotion(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
 def on_pivot(owner: str, laws: SpaceLaws) -> bool:
@@ -105,7 +105,7 @@ def refuse_level_unspun(owner: str, laws: SpaceLaws, problem: Problem) -> None:
         return
     message = f"`{owner}` is level at `{moment.when}` and does not spin: it has no steady precession there"
     help = "" if held.vanishes(axial) else "with whatever spin it precesses at φ̇ = M g l/(I₃ ω₃): none is the least"
-    raise Unsolvable(message, span=moment.state.span, help=help, lines=problem.lines, file=problem.file)
+    raise NoSteadyMotion(message, span=moment.state.span, help=help, lines=problem.lines, file=problem.file)
 
 
 def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:

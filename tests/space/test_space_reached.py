@@ -108,3 +108,28 @@ def test_in_letters_it_is_a_condition() -> None:
     found = solve(scene.replace("RATE", "rad/s").replace("rod.angular_velocity: w", "rod.angular_velocity: -w"))
     assert "if" in str(found.answers["K"])
     assert [item.holds for item in found.derivation.confirmed] == [True]
+
+
+LIFT = """
+up: z
+given: {M: 1 kg, l: 0.1 m, I1: 0.02 kg m^2, I3: 0.001 kg m^2, w3: RATE, theta: 30 deg, a: 1 m/s^2, g: 9.8 m/s^2}
+bodies:
+  lift: {mass: 0, acceleration: [0, 0, a]}
+  top: {mass: M, inertia: {about: tip, principal: [I1, I1, I3]}, axis: z, points: {tip: [0, 0, -l]}}
+connections: {pin: {ball: [lift, top.tip]}}
+states: {now: {top.tilt: theta, top.axial_rate: w3, top.precession: smallest, steady: true}}
+find: {N: pin.force.z at now}
+"""
+
+
+def test_a_force_is_not_told_of_a_steady_motion_that_is_none() -> None:
+    """I₃ ω₃ ≥ 2 √(I₁ M (g + a) l cos θ), whatever is asked."""
+    least = 2 * math.sqrt(0.02 * 10.8 * 0.1 * math.cos(math.radians(30))) / 0.001
+    with pytest.raises(Unsolvable, match="`top` spins too slowly for a steady precession"):
+        solve(LIFT.replace("RATE", f"{least - 1:.1f} rad/s"))
+    assert str(solve(LIFT.replace("RATE", f"{least + 1:.1f} rad/s")).answers["N"]).startswith("N = M (a + g)")
+    given = "M: kg, l: m, I1: kg m^2, I3: kg m^2, w3: rad/s, theta: rad, a: m/s^2, g: m/s^2"
+    numbers = LIFT[LIFT.index("M: 1 kg") : LIFT.index("}\nbodies")]
+    solution = solve(LIFT.replace(numbers, given))
+    assert str(solution.answers["N"]) == "N = M (a + g) (if I₁ ≤ I₃² w₃²/(4 M l (a + g) cos θ))"
+    assert all(item.holds for item in solution.derivation.confirmed)
