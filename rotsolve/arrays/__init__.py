@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.algebra.tape import BITS, Operation, Tape
 from rotsolve.core.symbols import TIME
@@ -84,7 +85,13 @@ def checked(givens: tuple[Given, ...], positive: Collection[str], values: Mappin
     for name in sorted(values.keys() & set(positive)):
         if not all_positive(values[name]):
             raise NotForMany(f"`{name}` has to be positive")
-    return {given.name: given.value for given in givens if given.value is not None}
+    known = {given.name: given.value for given in givens if given.value is not None}
+    for name in sorted(values.keys() & known.keys()):
+        if letters := sorted(with_values(known[name], known).symbols()):
+            raise NotForMany(
+                f"`{name}` is made of {', '.join(f'`{letter}`' for letter in letters)}: give values to these"
+            )
+    return known
 
 
 def in_its_unit(answer: Answer) -> Formula:

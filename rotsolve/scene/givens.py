@@ -148,6 +148,9 @@ def resolve_one(scope: Scope, name: str, formula: Formula, written: Text) -> Non
     scope.givens[name] = replace(scope.givens[name], value=formula, dimension=dimension)
     scope.dimensions[name] = dimension
     remember(scope.numbers, name, formula)
+    whole = formula.substitute(scope.made)
+    if any(scope.givens[letter].value is None for letter in whole.symbols()):
+        scope.made[name] = whole
 
 
 def name_circle(scope: Scope, pending: Mapping[str, Formula], texts: Mapping[str, Text]) -> None:

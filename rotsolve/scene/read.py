@@ -287,7 +287,7 @@ class Sections:
         if given is not None and (given.dimension is None or given.dimension.matches(ACCELERATION)):
             if given.dimension is None:
                 scope.dimensions["g"] = ACCELERATION
-            return Symbol("g")
+            return scope.made.get("g", Symbol("g"))
         return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
 
     def assume(self) -> tuple[str, ...]:

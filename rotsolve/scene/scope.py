@@ -49,6 +49,7 @@ class Scope:
         self.givens: dict[str, Given] = {}
         self.dimensions: dict[str, Dimension | None] = {}
         self.numbers: dict[str, float] = {}  # rough values, for limits only
+        self.made: dict[str, Formula] = {}  # of givens that are made of letters without a number, in these
         self.bodies: dict[str, Body] = {}
         self.points: dict[str, tuple[str, ...]] = {}
         self.elements: dict[str, type] = {}  # connections, actions and events by name

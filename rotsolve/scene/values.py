@@ -59,7 +59,10 @@ def two_ways(sign: str, quantity: str, scope: Scope) -> str:
 
 
 def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -> Formula | None:
-    """Ordinary arithmetic over givens; quantities in it become letters, paths are read by `paths`."""
+    """Ordinary arithmetic over givens; quantities in it become letters, paths are read by `paths`.
+
+    What stands there for a formula of letters without a number is written out, as if the scene said that: d in `d: a - b` hides no sign.
+    """
     names = dict.fromkeys((*scope.givens, *want.extra, *(("time",) if want.varies else ())))
     stand_ins: dict[str, Formula] = {}
     text: list[str] = []
@@ -80,7 +83,7 @@ def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -
         else:
             text.append(replaced)
     try:
-        formula = parse("".join(text), {*names, *stand_ins}).substitute(stand_ins)
+        formula = parse("".join(text), {*names, *stand_ins}).substitute({**stand_ins, **scope.made})
         for part in formula.walk():
             if isinstance(part, Quotient):
                 note(part.denominator)

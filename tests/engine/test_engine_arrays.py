@@ -142,6 +142,18 @@ def test_bad_names_and_missing_values_are_said() -> None:
         program([parse("a")], [], {"a": parse("b"), "b": parse("a")})
 
 
+def test_what_is_made_of_open_letters_has_no_value_of_its_own() -> None:
+    """The answers are told in the letters of which it is made."""
+    solution = solve(
+        "title: made\ngiven: {M: kg, a: m, b: m, d: a + b}\n"
+        "bodies: {rod: {shape: rod, mass: M, length: d}}\nconnections: {pin: {hinge: rod.start}}\n"
+        "find: {I: rod.inertia about pin}\n"
+    )
+    assert solution.evaluate_many({"M": 3.0, "a": 1.0, "b": 1.0})["I"] == pytest.approx(4)
+    with pytest.raises(NotForMany, match="`d` is made of `a`, `b`"):
+        solution.evaluate_many({"M": 3.0, "a": 1.0, "b": 1.0, "d": 3.0})
+
+
 def test_shapes_are_those_of_the_values() -> None:
     found = solve(ATWOOD).evaluate_many({"m1": np.ones((3, 1)), "m2": np.array([1.0, 2.0])})
     assert found["a"].shape == (3, 2)
