@@ -378,10 +378,6 @@ class Connection(ActingElement, frozen=True):
         """The coefficient by which a push limits the friction that holds; None where the push has no part in it."""
         return None
 
-    def kinetic(self) -> Formula | None:
-        """The coefficient of the friction while it slips, at most as large as that which holds; None where the push has no part in it."""
-        return None
-
     def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
         """How fast a body slips along the sense that counts as positive, or the rate of that; None where nothing tells the sense."""
         return None

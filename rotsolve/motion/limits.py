@@ -38,9 +38,6 @@ def limits_of_scene(configuration: Configuration) -> Iterator[Limit]:
         yield from body_limits(body)
     for item in problem.connections:
         yield from item.rooms(configuration)
-        static, kinetic = item.static(), item.kinetic()
-        if static is not None and kinetic is not None and static != kinetic:
-            yield Limit(static - kinetic, f"static friction of `{item.name}` can't be less than kinetic friction")
     yield from state_limits(configuration)
 
 

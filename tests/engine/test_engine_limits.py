@@ -153,6 +153,24 @@ states: {now: {box.velocity: 1 m/s}}
 find: {a: box.acceleration at now}""",
         "can't be greater than static",
     ),
+    "two frictions of rims": (
+        {"F": "N", "p": "number", "q": "number"},
+        """plane: horizontal
+bodies: {one: {inertia: 2 kg m^2, radius: 1 m}, two: {inertia: 1 kg m^2, radius: 1 m}}
+connections: {first: {axle: one}, second: {axle: two}, rims: {contact: [one.rim, two.rim], press: F, friction: {static: p, kinetic: q}}}
+states: {now: {one.angular_velocity: 2 rad/s, two.angular_velocity: 0}}
+find: {a: two.angular_acceleration at now}""",
+        "can't be greater than static",
+    ),
+    "plates of a clutch": (
+        {"F": "N", "R": "m", "r": "m"},
+        """plane: horizontal
+bodies: {one: {inertia: 2 kg m^2, radius: r}, two: {inertia: 1 kg m^2, radius: R}}
+connections: {axle: {axle: [one, two]}, plates: {clutch: [one, two], press: F, friction: 0.3}}
+states: {now: {one.angular_velocity: 2 rad/s, two.angular_velocity: 0}}
+find: {a: two.angular_acceleration at now}""",
+        "named first, is the smaller",
+    ),
     "restitution": (
         {"m": "kg", "M": "kg", "u": "m/s", "q": "number"},
         """surfaces: {ice: level}

@@ -11,7 +11,8 @@ SCENE = """
 title: Body of several radii
 given: {{R: 30 cm, r: 10 cm, I: 0.1 kg m^2, m: 2 kg, F: 5 N, mu: 0.5, beta: 20 deg, w: 3 rad/s}}
 surfaces: {{ramp: {{slope: beta, down: right}}, floor: level}}
-bodies: {{d: {{mass: m, inertia: I, {radii}}}, b: {{mass: m}}, a: {{inertia: I, radius: r}}, c: {{inertia: I, radius: r}}}}
+bodies: {{d: {{mass: m, inertia: I, {radii}}}, b: {{mass: m}}, a: {{inertia: I, radius: r}}, c: {{inertia: I, radius: r}},
+  e: {{inertia: I, radius: R}}}}
 {rest}
 """
 RADII = ("radii: {big: R, small: r}", "radii: {small: r, big: R}")
@@ -43,8 +44,8 @@ ELEMENTS = {  # what stands round the body, where `d` stands for its rim, and wh
         "d.angular_acceleration",
     ),
     "clutch": (
-        "connections: {axle: {axle: [d, a]}, x: {clutch: [d, a], press: F, friction: mu}}\n"
-        "states: {now: {d.angular_velocity: w, a.angular_velocity: 0}}",
+        "connections: {axle: {axle: [d, e]}, x: {clutch: [d, e], press: F, friction: mu}}\n"
+        "states: {now: {d.angular_velocity: w, e.angular_velocity: 0}}",
         "d.angular_acceleration",
     ),
 }  # fmt: skip

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule
+from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.touch import Friction
@@ -84,6 +85,15 @@ class Clutch(Rubbing, frozen=True):
         """Plates rub on each other as far out as the smaller one reaches."""
         return self.clutch[:1] if self.friction_torque is None else ()
 
+    def rooms(self, scene: Surroundings) -> Iterator[Limit]:
+        """Of two plates the first is not the larger, which else would rub beyond the other's rim."""
+        refs = self.clutch if self.on_rims(scene) else ()
+        radii = [rim_radius(scene.bodies[ref.owner], ref.point) for ref in refs]
+        if radii and radii[0] is not None and radii[1] is not None:
+            first, second = (f"{ref.owner}.{ref.point}" if ref.point else ref.owner for ref in refs)
+            help = f"the smaller plate is named first: `clutch: [{second}, {first}]`"
+            yield Limit(radii[1] - radii[0], f"of two plates `{first}`, named first, is the smaller one", help=help)
+
     def between(self) -> tuple[PointRef, ...]:
         return self.clutch
 
@@ -130,6 +140,9 @@ class Rims(Rubbing, frozen=True):
 
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         return self.wheels
+
+    def rooms(self, scene: Surroundings) -> Iterator[Limit]:
+        return self.friction.rooms(self.name)
 
     def rubs(self) -> bool:
         return self.friction.kind == "coefficient"

@@ -42,6 +42,12 @@ class Friction(Struct, frozen=True):
     static: Formula | None = None
     kinetic: Formula | None = None
 
+    def rooms(self, name: str) -> Iterator[Limit]:
+        """What slips rubs at most as much as what holds: μ_k ≤ μ_s."""
+        if self.static is not None and self.kinetic is not None and self.static != self.kinetic:
+            words = f"static friction of `{name}` can't be less than kinetic friction"
+            yield Limit(self.static - self.kinetic, words)
+
 
 class Touch(Connection, frozen=True):
     """Base of contacts: a normal force, friction that sticks or slips, and the rule that goes with it."""
@@ -170,7 +176,8 @@ class Touch(Connection, frozen=True):
             raise Unsolvable(message, span=ref.span, help="solved are forces and couples on it")
 
     def rooms(self, scene: Surroundings) -> Iterator[Limit]:
-        """A wheel fits into the bowl and is larger than the step."""
+        """A wheel fits into the bowl and is larger than the step; and what its friction asks."""
+        yield from self.grip().rooms(self.name)
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         rim = rim_radius(body, ref.point) if body is not None else None
         surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
@@ -332,9 +339,6 @@ class Touch(Connection, frozen=True):
 
     def static(self) -> Formula | None:
         return self.grip().static
-
-    def kinetic(self) -> Formula | None:
-        return self.grip().kinetic
 
     def slider(self) -> PointRef:
         return self.pair()[0]
