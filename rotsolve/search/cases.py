@@ -18,6 +18,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Call, Formula, Integral
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.search.answers import unsolvable
 from rotsolve.search.lettersigns import Proviso
 from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
 
@@ -84,10 +85,13 @@ def case_at(point: Point, space: LetterSpace, solve: Solving[Found], put: Mappin
             found, objected = solve({**numbers_of(point), **put})
         except (Unsolvable, SceneError) as error:
             fault = error
-    supposed = {with_put(value, put, space): sign for value, sign in witness.supposed.items()}
-    needed = {with_put(value, put, space): told for value, told in witness.needed.items()}
-    conditions = tuple(one for one in space.provisos(supposed, point) if space.fails_somewhere(one, point))
-    needs = tuple(needs_noted(needed, conditions, space, point))
+    try:
+        supposed = {with_put(value, put, space): sign for value, sign in witness.supposed.items()}
+        needed = {with_put(value, put, space): told for value, told in witness.needed.items()}
+        conditions = tuple(one for one in space.provisos(supposed, point) if space.fails_somewhere(one, point))
+        needs = tuple(needs_noted(needed, conditions, space, point))
+    except ZeroDivisionError:  # with these letters put in, what was supposed has no value: nothing is known there
+        return Case(point, (), fault=unsolvable(space.problem, "what it hangs on has no value there", None))
     return Case(point, conditions, needs, found, fault, objected)
 
 

@@ -225,3 +225,18 @@ find: {F: largest F where base sticks, N: base.normal_force at rest}
     answers = solve(scene).answers
     assert answers["N"].exact == "m g/(cos β − μ sin β)"
     assert answers["N"].conditions == answers["F"].conditions == ("μ < cos β/sin β",)
+
+
+def test_on_an_edge_on_which_it_never_gets_so_far_nothing_is_told() -> None:
+    """A clutch that only just holds the load never brings both to one speed: what was supposed on the way divides by zero there."""
+    found = solve("""
+title: A flywheel is coupled to a drum with a hanging load
+given: {I: kg m^2, J: kg m^2, m: kg, R: m, w: rad/s, tau: N m}
+bodies: {fly: {inertia: I}, drum: {inertia: J, radius: R}, load: {mass: m, moves: up}}
+connections: {ax: {axle: [fly, drum]}, cl: {clutch: [fly, drum], friction_torque: tau}, rope: {string: [drum, load]}}
+states: {start: {fly.angular_velocity: w, drum.angular_velocity: 0}, one: {cl: sticks}}
+find: {t: time from start to one, Q: size of cl.work from start to one}
+""")
+    assert found.answers["t"].conditions == found.answers["Q"].conditions == ("τ > m I g R/(I + J + m R²)",)
+    said = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
+    assert any(line.startswith("if τ = m I g R/(I + J + m R²) no answer is given") for line in said)
