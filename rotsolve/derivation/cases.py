@@ -89,13 +89,14 @@ class CaseTeller(Struct, frozen=True):
             for answer, own in groups
             for region in self.apart(closing.parted(answer, own), needing=True)
         ]
-        regions = list(zip(closing.closed(held), held, strict=True))
+        closed = closing.closed(held)
+        regions = list(zip(closed, held, strict=True))
         told = [
             replace(answer, conditions=self.equalities(region))
             for answer, _ in groups
             for region in united([own for own, item in regions if item.answers[0] is answer], self.space)
         ]
-        alone, bare = closing.alone(held)
+        alone, bare = closing.alone(held, closed)
         told += self.told_on_edges(alone)
         known = {edge.equality for edge, *_ in alone}
         for edge in bare:

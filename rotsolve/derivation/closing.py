@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.symbols import TIME
 from rotsolve.search.cases import Case
-from rotsolve.search.edges import Edge, Edges
+from rotsolve.search.edges import Edge, Edges, same_edge
 from rotsolve.search.lettersigns import Proviso, denominators
 from rotsolve.search.letterspace import LetterSpace, numbers_of
 from rotsolve.search.provisos import Region
@@ -69,24 +69,35 @@ class Closing:
         return not self.holds_at(edge, held)
 
     def holds_at(self, edge: Edge, held: Held) -> bool:
-        """Whether what is held is also what is found on an edge."""
+        """Whether what is held is also what is found on an edge, wherever that is one of its region."""
         if edge not in self.looked_at:
             self.looked_at.append(edge)
-        return self.agree(held.answers, self.found_at(edge), edge)
+        places = (place for place in self.edges.along(edge) if place == edge or self.reaches(held, place))
+        return all(self.agree(held.answers, self.found_at(place), place) for place in places)
 
-    def alone(self, told: Sequence[Held]) -> tuple[list[tuple[Edge, Solved, Answer]], list[Edge]]:
-        """What is found on edges, where that is what is held on neither side; and the edges on which no answer is known."""
+    def alone(
+        self, told: Sequence[Held], closed: Sequence[Region]
+    ) -> tuple[list[tuple[Edge, Solved, Answer]], list[Edge]]:
+        """What is found on edges, where that is not what is held on a side to which they belong; and the edges on which no answer is known.
+
+        `closed` are the regions of what is told, with the edges that belong to them.
+        """
         found, bare = [], []
         for edge in (place for seen in self.looked_at for place in self.edges.along(seen)):
             case, own = self.edges.case(edge), self.found_at(edge)
-            beside = [held for held in told if self.reaches(held, edge)]
-            if (own and any(self.agree(held.answers, own, edge) for held in beside)) or not beside:
+            beside = [(held, region) for held, region in zip(told, closed, strict=True) if self.reaches(held, edge)]
+            if not beside or (own and any(self.covers(held, region, own, edge) for held, region in beside)):
                 continue
             if case is not None and own and self.edges.confirmed(edge, own[0].name):
                 found.append((edge, case, own[0]))
             else:
                 bare.append(edge)
         return found, bare
+
+    def covers(self, held: Held, region: Region, own: Sequence[Answer], edge: Edge) -> bool:
+        """Whether what is held is what is found on an edge, and that belongs to its region."""
+        within = not any(one.strict and same_edge(one.gap, edge.gap) for one in region)
+        return within and self.agree(held.answers, own, edge)
 
     def parted(self, answer: Answer, own: Sequence[Solved]) -> list[Solved]:
         """Cases with the same answer, kept apart where on the edge between them another option holds, or a formula has no value."""
@@ -120,12 +131,15 @@ class Closing:
         return not self.edges.fails(edge, rest)
 
     def found_at(self, edge: Edge) -> tuple[Answer, ...]:
-        """The answers on an edge; none where there are none that hold."""
+        """The answers on an edge; none where there are none that hold, nor, where it starts from rest and nothing pushes or another check
+        is in doubt, those that are not confirmed."""
         case = self.edges.case(edge)
         if case is None or unanswered_in(case):
             return ()
         assert case.found is not None
-        return tuple(answer for answer in case.found.answers if self.name in ("", answer.name))
+        doubtful = any(check.holds is None for check in case.found.checks)
+        own = (answer for answer in case.found.answers if self.name in ("", answer.name))
+        return tuple(answer for answer in own if not doubtful or self.edges.confirmed(edge, answer.name))
 
     def agree(self, some: Sequence[Answer], others: Sequence[Answer], edge: Edge) -> bool:
         """Whether answers are the same on an edge."""

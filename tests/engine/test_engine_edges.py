@@ -7,6 +7,8 @@ import re
 import pytest
 
 from rotsolve.algebra.formula import Symbol
+from rotsolve.confirm.course.samples import holds, with_givens
+from rotsolve.confirm.numbers import value_of
 from rotsolve.pipeline import solve
 from rotsolve.solution import AnswerView
 
@@ -240,3 +242,77 @@ find: {t: time from start to one, Q: size of cl.work from start to one}
     assert found.answers["t"].conditions == found.answers["Q"].conditions == ("τ > m I g R/(I + J + m R²)",)
     said = ["".join(map(str, check.words)) for check in found.checks if check.holds is None]
     assert any(line.startswith("if τ = m I g R/(I + J + m R²) no answer is given") for line in said)
+
+
+THROWN = """
+title: A load thrown up or down against a stiff axle
+given: {I: kg m^2, m: kg, R: m, p: m/s, q: m/s, tau: N m}
+bodies: {drum: {inertia: I, radius: R}, load: {mass: m, moves: up}}
+connections: {ax: {axle: drum, friction_torque: tau}, rope: {string: [drum, load]}}
+states: {start: {load.velocity: p - q}}
+find: {T: rope.tension at start, a: load.acceleration at start, f: ax.torque at start}
+"""
+BRAKED = """
+title: A wheel that turns one way or the other, braked against a couple
+plane: horizontal
+given: {I: kg m^2, R: m, p: rad/s, q: rad/s, F: N, mu: number, Q: N m}
+bodies: {wheel: {inertia: I, radius: R}}
+connections: {ax: {axle: wheel}}
+actions: {brake: {press: F, on: wheel.rim, friction: mu}, drive: {couple: Q, on: wheel}}
+states: {start: {wheel.angular_velocity: p - q}}
+find: {a: wheel.angular_acceleration at start, f: brake.torque at start}
+"""
+PUSHED = """
+title: A crate that slides one way or the other, pushed
+given: {m: kg, p: m/s, q: m/s, mu: number, P: N}
+surfaces: {floor: level}
+bodies: {crate: {mass: m, moves: right}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+actions: {push: {force: P, on: crate, direction: right}}
+states: {start: {crate.velocity: p - q}}
+find: {a: crate.acceleration at start}
+"""
+SIZES = {"I": "1 kg m^2", "m": "1 kg", "R": "1 m", "F": "5 N", "mu": "0.5", "M": "2 kg"}
+AT_REST = [
+    (THROWN, {"tau": "20 N m"}),
+    (THROWN, {"tau": "2 N m"}),
+    (BRAKED, {"Q": "1 N m"}),
+    (BRAKED, {"Q": "4 N m"}),
+    (PUSHED, {"P": "1 N"}),
+    (PUSHED, {"P": "9 N"}),
+]
+
+
+@pytest.mark.parametrize(
+    ("written", "own"), AT_REST, ids=lambda item: ", ".join(item.values()) if isinstance(item, dict) else ""
+)
+def test_each_case_that_holds_on_an_edge_is_what_holds_there(written: str, own: dict[str, str]) -> None:
+    """At p = q all is at rest, and friction holds it or does not: no case that takes in that edge goes by one of these alone."""
+    letters = solve(written)
+    names = [given.name for given in letters.problem.givens if given.value is None]
+    speed = "1 m/s" if "p: m/s" in written else "1 rad/s"
+    sizes = {name: {**SIZES, **own, "p": speed, "q": speed}[name] for name in names}
+    there = solve(written, settings=sizes)
+    numbers = with_givens(there.problem, {})
+    for name, view in letters.answers.items():
+        cases = [
+            one for one in (view.answer, *view.answer.otherwise) if all(holds(line, numbers) for line in one.conditions)
+        ]
+        said = [value_of(one.closed or one.formula, numbers) for one in cases]
+        closed = there.answers[name].answer.closed
+        assert said == pytest.approx([value_of(closed, numbers)] * len(said))
+        assert said
+
+
+def test_what_the_least_push_decides_is_not_told_on_the_edge() -> None:
+    """Q = ½ m g L cos β balances the rod: it stays, and w is what it would have at the bottom; α = 0 holds there too."""
+    answers = solve("""title: Rod let go above the level against a couple
+given: {m: kg, L: m, Q: N m, beta: deg}
+bodies: {rod: {shape: rod, mass: m, length: L}}
+connections: {pin: {hinge: rod.start}}
+actions: {hold: {couple: Q, on: rod}}
+states: {start: {rod.angle: beta, at rest: all}, low: {rod.angle: -90 deg}}
+find: {w: rod.angular_velocity at low, alpha: rod.angular_acceleration at start}
+""").answers
+    assert "Q < ½ m g L cos β" in answers["w"].conditions
+    assert any("Q ≤ ½ m g L cos β" in case.conditions for case in answers["alpha"].branches)

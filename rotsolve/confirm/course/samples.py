@@ -254,22 +254,23 @@ def on_edges(
     """Numbers with which a condition that holds on its edge too holds only there: the letter that it tells is what it is compared with."""
     open_ = {given.name for given in letters_open(problem)}
     starts = [*sets_of_numbers(problem), *(within_case(problem, answers, point) for point in points)]
-    done: list[Formula] = []
+    done: list[object] = []
     for case in (case for answer in answers for case in (answer, *answer.otherwise)):
         for one in case.conditions:
             letter, limit = one.left, one.right
+            edge = (one, case.conditions) if one.relation == "=" else limit  # what holds only there is seen nowhere else
             if (
                 one.relation not in CLOSED
                 or not isinstance(letter, Symbol)
                 or letter.name not in open_
-                or limit in done
+                or edge in done
             ):
                 continue
             for start in starts:
                 size = size_of_limit(limit, start)
                 numbers = with_givens(problem, {**start, letter.name: size})
                 if size > 0 and all(holds(condition, numbers) for condition in case.conditions) and len(done) < EDGES:
-                    done.append(limit)
+                    done.append(edge)
                     yield numbers
                     break
 
