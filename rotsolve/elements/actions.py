@@ -65,6 +65,11 @@ class AppliedForce(Action, frozen=True):
         place = PointRef(on.owner, "center") if rim else on
         return (name,) if configuration.swings_round(place, state) else ()
 
+    def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
+        """Square to an arm, with no way round said."""
+        if self.on is not None and self.direction in (None, "tangential"):
+            yield self.force, self.on
+
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         """Where the pull leaves a rim, or goes square to the arm: of a body that turns, also without a direction."""
         square = self.direction in SQUARE[1:] or (self.direction is None and self.on and self.on.owner in scene.held)
@@ -135,6 +140,10 @@ class AppliedCouple(Action, frozen=True):
 
     def twists(self) -> bool:
         return True
+
+    def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
+        if self.on is not None and self.direction is None:
+            yield self.couple, self.on
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:

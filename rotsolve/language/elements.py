@@ -168,6 +168,10 @@ class ActingElement(Element, frozen=True):
         """Bodies on which it pulls in a direction that stays, at a point that goes round as they turn."""
         return ()
 
+    def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
+        """Its values that count along a body's positive turn, with the body."""
+        return iter(())
+
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The forces, couples, rules and requirements that it adds at a moment."""
         return iter(())

@@ -12,7 +12,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Connection
+from rotsolve.language.elements import ActingElement, Action, Connection
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rigid import centre_of_mass, locate, pieces, rim_centre, tidy
@@ -31,6 +31,7 @@ def check(problem: Problem) -> None:
     check_stacks(problem, scene.bodies)
     for item in (*problem.connections, *problem.actions):
         item.check(scene)
+        check_turning(item, scene)
     for connection in problem.connections:
         check_rooms(connection, scene)
     for event in problem.events:
@@ -44,6 +45,21 @@ def check_rooms(item: Connection, scene: Configuration) -> None:
         if sign == -1 or (sign == 0 and limit.strict):
             help = (limit.help if sign == -1 else "") or "check the lengths, radii and heights"
             raise Unsolvable(limit.words, span=item.touches()[0].span, help=help)
+
+
+def check_turning(item: ActingElement, scene: Configuration) -> None:
+    """A value that counts along a turn speaks of no angle that counts against it: −k θ would drive away what it seems to bring back."""
+    state = scene.timeline.states[0].name
+    for value, ref in item.along_turns():
+        spoken_of = sorted(value.symbols()) if value is not None else ()
+        for name in (word.removesuffix(".angle") for word in spoken_of if word.endswith(".angle")):
+            if name in scene.bodies and scene.sense(name, state) < 0:
+                said = f"`{name}.angle` counts counterclockwise, but `{name}` turns clockwise: which way `{item.name}` acts is not clear"
+                other = (
+                    "say `direction: counterclockwise`" if isinstance(item, Action) else "leave its clockwise sense out"
+                )
+                help = f"{other}, or let it go by `{name}.rotation`, which counts along the turn"
+                raise Unsolvable(said, span=ref.span, help=help)
 
 
 def check_sequence(problem: Problem) -> None:

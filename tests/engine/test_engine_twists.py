@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 
 PLATE = "{shape: rectangle, mass: M, sides: [b, b/2]}"
@@ -93,3 +94,70 @@ def test_the_angle_of_a_wire_between_two_is_how_far_it_is_twisted(
     }
     assert found == pytest.approx(expected)
     assert all(item.holds for item in solution.derivation.confirmed)
+
+
+AXLE = "bodies: {{wheel: {{inertia: 2 kg m^2, radius: 1 m, turns: {turns}}}}}\nconnections: {{pin: {{axle: wheel}}}}\n"
+LEVEL = (
+    "surfaces: {{floor: level}}\nbodies: {{wheel: {{shape: disc, mass: 2 kg, radius: 1 m, moves: {moves}}}}}\n"
+    "connections: {{touch: {{rolls: [wheel, floor]}}}}\n"
+)
+ALONG = {  # what goes by the angle along a turn, and the same with the way told
+    "couple": ("actions: {{it: {{couple: -k*wheel.angle, on: wheel{way}}}}}", ", direction: counterclockwise"),
+    "force": (
+        "actions: {{it: {{force: -k*wheel.angle/(1 m), on: wheel.rim{way}}}}}",
+        ", direction: counterclockwise",
+    ),
+}
+
+
+def by_angle(scene: str) -> float | None:
+    """The acceleration at 0.3 rad of a wheel that is brought back to 0."""
+    told = "states: {start: {wheel.angle: 0.3 rad, at rest: all}}\nfind: {a: wheel.angular_acceleration}"
+    return solve(f"title: by angle\ngiven: {{k: 3 N m}}\nplane: horizontal\n{scene}\n{told}").answers["a"].float
+
+
+@pytest.mark.parametrize("kind", ALONG)
+def test_what_goes_by_an_angle_against_the_turn_says_which_way(kind: str) -> None:
+    """Of a body that counts clockwise −k θ would drive it away: refused; counterclockwise, as the angle, it brings back."""
+    action, way = ALONG[kind]
+    assert by_angle(AXLE.format(turns="counterclockwise") + action.format(way="")) == pytest.approx(-0.45)
+    clockwise = AXLE.format(turns="clockwise")
+    with pytest.raises(
+        Unsolvable, match=r"`wheel.angle` counts counterclockwise, but `wheel` turns clockwise"
+    ) as refused:
+        by_angle(clockwise + action.format(way=", direction: tangential" if kind == "force" else ""))
+    assert "`direction: counterclockwise`" in refused.value.fault.help
+    assert by_angle(clockwise + action.format(way=way)) == pytest.approx(0.45)
+
+
+@pytest.mark.parametrize("moves", ["right", "left"])
+def test_so_does_what_rolls(moves: str) -> None:
+    """To the right it turns clockwise, though the scene does not say so."""
+    couple = "actions: {it: {couple: -k*wheel.angle, on: wheel}}"
+    scene = LEVEL.format(moves=moves) + couple
+    told = "states: {start: {wheel.angle: 0.3 rad, at rest: all}}\nfind: {a: wheel.angular_acceleration}"
+    text = f"title: rolling\ngiven: {{k: 3 N m}}\n{scene}\n{told}"
+    if moves == "right":
+        with pytest.raises(Unsolvable, match="which way `it` acts is not clear"):
+            solve(text)
+    else:
+        assert solve(text).answers["a"].float == pytest.approx(-0.3)
+
+
+@pytest.mark.parametrize(
+    ("element", "ask"),
+    [
+        ("pin: {axle: [carrier, wheel]}, legs: {drives: [carrier, wheel], couple: -k*wheel.angle}", "`legs`"),
+        ("pin: {axle: wheel, angular_acceleration: -k*wheel.angle/(1 kg m^2)}", "`pin`"),
+    ],
+)
+@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+def test_so_does_what_drives_along_the_turn(element: str, ask: str, turns: str) -> None:
+    """Couples between two bodies and rates that are given have no direction of their own."""
+    scene = f"bodies: {{wheel: {{inertia: 2 kg m^2, turns: {turns}}}, carrier: {{inertia: 1 kg m^2}}}}\nconnections: {{{element}}}"
+    if turns == "clockwise":
+        with pytest.raises(Unsolvable, match=f"which way {ask} acts is not clear") as refused:
+            by_angle(scene)
+        assert "leave its clockwise sense out" in refused.value.fault.help
+    else:
+        assert by_angle(scene) == pytest.approx(-0.45 if "legs" in element else -0.9)

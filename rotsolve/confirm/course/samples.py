@@ -258,13 +258,10 @@ def on_edges(
     for case in (case for answer in answers for case in (answer, *answer.otherwise)):
         for one in case.conditions:
             letter, limit = one.left, one.right
-            edge = (one, case.conditions) if one.relation == "=" else limit  # what holds only there is seen nowhere else
-            if (
-                one.relation not in CLOSED
-                or not isinstance(letter, Symbol)
-                or letter.name not in open_
-                or edge in done
-            ):
+            edge = (
+                (one, case.conditions) if one.relation == "=" else limit
+            )  # what holds only there is seen nowhere else
+            if one.relation not in CLOSED or not isinstance(letter, Symbol) or letter.name not in open_ or edge in done:
                 continue
             for start in starts:
                 size = size_of_limit(limit, start)

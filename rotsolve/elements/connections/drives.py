@@ -94,6 +94,9 @@ class MutualDrive(Connection, frozen=True):
     def between(self) -> tuple[PointRef, ...]:
         return self.drives
 
+    def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
+        yield self.couple, self.drives[1]
+
     def pace(self, configuration: Surroundings, state: str) -> str:
         return UNKNOWN if self.couple is None else pace_of(self.couple)
 

@@ -56,6 +56,9 @@ class Driven(Connection, frozen=True):
     def brakes(self) -> tuple[PointRef, ...]:
         return self.held() if self.friction_torque is not None else ()
 
+    def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
+        yield from ((rate, ref) for ref in self.held() for rate in (self.angular_velocity, self.angular_acceleration))
+
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
         values = [(word, value) for word in TURNING if (value := getattr(self, word)) is not None]
         if (values or self.friction_torque is not None) and not self.fixed_points():
