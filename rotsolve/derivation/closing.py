@@ -117,7 +117,7 @@ class Closing:
     def breaks(self, answer: Answer, below: Sequence[Formula], edge: Edge) -> bool:
         """Whether an option does not hold on an edge between cases, or what is below a line of a formula vanishes there."""
         if not answer.word:
-            return any(is_zero(edge.put(part)) for part in below)
+            return any(vanishes(edge.put(part)) for part in below)
         found = self.found_at(edge)
         return bool(found) and not self.agree((answer,), found, edge)
 
@@ -174,6 +174,14 @@ class Closing:
             return None
 
 
+def vanishes(value: Formula) -> bool:
+    """Whether what is below a line is zero, or has no value itself."""
+    try:
+        return is_zero(value)
+    except ZeroDivisionError:
+        return True
+
+
 def forms_of(answer: Answer) -> Iterator[Formula]:
     """The formulas of an answer, of its components too."""
     form = answer.closed or answer.formula
@@ -194,4 +202,6 @@ def answer_put(answer: Answer, edge: Edge, space: LetterSpace) -> Answer:
         return None if form is None else simplify(edge.put(form), order=space.order, positive=space.positive)
 
     parts = tuple(answer_put(part, edge, space) for part in answer.components)
-    return replace(answer, formula=put(answer.closed or answer.formula), closed=put(answer.closed), components=parts)
+    form = put(answer.closed or answer.formula)
+    value = space.oracle.number(form) if form is not None and answer.value is None else answer.value
+    return replace(answer, formula=form, closed=put(answer.closed), value=value, components=parts)

@@ -6,10 +6,17 @@ import re
 
 import pytest
 
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.confirm.course.samples import holds, with_givens
 from rotsolve.confirm.numbers import value_of
+from rotsolve.core.derivation import Equality
+from rotsolve.derivation.closing import answer_put
 from rotsolve.pipeline import solve
+from rotsolve.search.edges import Edge
+from rotsolve.search.letterspace import LetterSpace
 from rotsolve.solution import AnswerView
 
 BLOCKS = """
@@ -316,3 +323,14 @@ find: {w: rod.angular_velocity at low, alpha: rod.angular_acceleration at start}
 """).answers
     assert "Q < ½ m g L cos β" in answers["w"].conditions
     assert any("Q ≤ ½ m g L cos β" in case.conditions for case in answers["alpha"].branches)
+
+
+def test_an_answer_that_is_a_number_on_an_edge_has_its_value() -> None:
+    """a = R (τ − m g R)/(I + m R²) is 0 where τ = m g R."""
+    found = solve(THROWN)
+    cases = (found.answers["a"].answer, *found.answers["a"].answer.otherwise)
+    answer = next(one for one in cases if one.closed and to_text(one.closed) == "R (τ − m g R)/(I + m R²)")
+    space, limit = LetterSpace(found.problem, SignOracle(found.problem.values), ()), parse("m g R")
+    edge = Edge(Symbol("tau") - limit, "tau", limit, Equality(Symbol("tau"), limit), {})
+    put = answer_put(answer, edge, space)
+    assert put.value is not None and put.value.float == 0
