@@ -117,7 +117,7 @@ class Closing:
     def breaks(self, answer: Answer, below: Sequence[Formula], edge: Edge) -> bool:
         """Whether an option does not hold on an edge between cases, or what is below a line of a formula vanishes there."""
         if not answer.word:
-            return any(vanishes(edge.put(part)) for part in below)
+            return any(is_zero_or_undefined(edge.put(part)) for part in below)
         found = self.found_at(edge)
         return bool(found) and not self.agree((answer,), found, edge)
 
@@ -174,7 +174,7 @@ class Closing:
             return None
 
 
-def vanishes(value: Formula) -> bool:
+def is_zero_or_undefined(value: Formula) -> bool:
     """Whether what is below a line is zero, or has no value itself."""
     try:
         return is_zero(value)
