@@ -230,9 +230,8 @@ def with_cases(cases: Sequence[Solved], edges: Edges[Derivation], *, more: bool)
 
 def doubts_besides(main: Derivation, cases: Sequence[Solved]) -> tuple[Check, ...]:
     """What other cases than that of a derivation leave open of themselves, each once: an answer of theirs stands beside it."""
-    checks = [check for case in cases if case.found is not None for check in case.found.checks if check.holds is None]
-    known = [check.words for check in main.checks]
-    return tuple({check.words: check for check in checks if check.words not in known}.values())
+    checks = (check for case in cases if case.found is not None for check in case.found.checks)
+    return tuple(dict.fromkeys(check for check in checks if check.holds is None and check not in main.checks))
 
 
 def needs_within(case: Solved) -> tuple[Proviso, ...]:

@@ -114,37 +114,51 @@ def only_approached(passage: Passage, search: Search) -> str:
         found = pushes_at_ends(travel, search) if travel.leads and travel.pace == RATE else None
         if found is None:
             continue
-        (first, last), gained, between = found
+        (first, last), gained = found
         what = f"the {'velocity' if travel.kind == 'line' else 'angular velocity'} of {spoken(travel.body)}"
         way = search.numbers.side(first)
-        if way and search.numbers.side(signed(last, way)) == -1:
+        onward = search.numbers.side(signed(last, way)) if way else None
+        if onward == -1:
             return f"{what} would have to go beyond the one to which its forces lead"
-        if way and has_quantities(passage.times[1]):  # up to a told time it goes on, whatever speed that leads to
+        if (
+            onward == 1 and way and has_quantities(passage.times[1])
+        ):  # up to a told time it goes on, whatever speed that leads to
             if search.numbers.side(signed(gained, way)) == -1:
                 return f"{what} would have to change against its forces"
-            if any(search.numbers.side(signed(push, way)) in (0, -1) for push in between):
+            if any(search.numbers.side(signed(push, way)) in (0, -1) for push in pushes_between(travel, search)):
                 return f"{what} comes to one on the way at which nothing drives it on"
         if way == 0 and search.numbers.side(gained):
             return f"{what} does not change: nothing drives it at `{passage.start.state}`"
     return ""
 
 
-def pushes_at_ends(
-    travel: Travel, search: Search
-) -> tuple[tuple[Formula, Formula], Formula, tuple[Formula, ...]] | None:
-    """The acceleration at both ends of a phase, where the forces go by the speed alone, by how much that grows, and the acceleration where
-    it is largest or smallest between; None where the laws do not tell it."""
-    rate, speed = travel.acceleration, travel.moving
+def pushes_at_ends(travel: Travel, search: Search) -> tuple[tuple[Formula, Formula], Formula] | None:
+    """The acceleration at both ends of a phase, where the forces go by the speed alone, and by how much that grows; None where the laws
+    do not tell it."""
+    push, first, last = push_by_speed(travel, search)
+    if push is None or first is None or last is None or not isinstance(travel.moving, Symbol):
+        return None
+    ends = push.substitute({travel.moving.name: first}), push.substitute({travel.moving.name: last})
+    return None if any(map(has_quantities, ends)) else (ends, last - first)
+
+
+def push_by_speed(travel: Travel, search: Search) -> tuple[Formula | None, Formula | None, Formula | None]:
+    """The acceleration by the speed of a phase, and that speed at both ends; None each where the laws do not tell it."""
+    rate = travel.acceleration
     push = search.beside_by((NEWTON,)).settled(rate) if isinstance(rate, Symbol) else rate
-    first, last = (search.settled(speed) for speed in (travel.before, travel.after))
-    if push is None or first is None or last is None or not isinstance(speed, Symbol):
-        return None
-    ends = push.substitute({speed.name: first}), push.substitute({speed.name: last})
-    if any(map(has_quantities, ends)):
-        return None
-    extremes = solve_polynomial(simplify(differentiate(push, speed.name)), speed.name)
-    between = [at for at in extremes if search.numbers.side((at - first) * (last - at)) == 1]
-    return ends, last - first, tuple(simplify(push.substitute({speed.name: at})) for at in between)
+    return push, search.settled(travel.before), search.settled(travel.after)
+
+
+def pushes_between(travel: Travel, search: Search) -> Iterator[Formula]:
+    """The acceleration where it is largest or smallest between the speeds at both ends of a phase."""
+    push, first, last = push_by_speed(travel, search)
+    if push is None or first is None or last is None or not isinstance(travel.moving, Symbol):
+        return
+    name = travel.moving.name
+    for at in solve_polynomial(simplify(differentiate(push, name)), name):
+        gaps = simplify(at - first), simplify(last - at)
+        if ZERO not in gaps and search.numbers.side(gaps[0] * gaps[1]) == 1:
+            yield simplify(push.substitute({name: at}))
 
 
 def impossible(interval: Interval, passage: Passage, search: Search) -> str:

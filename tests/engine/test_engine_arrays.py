@@ -175,6 +175,6 @@ find: {d: crate.displacement from start to end}
     )
     assert crate.evaluate_many({"mu": np.array([0.1, 0.25])})["d"] == pytest.approx([9 / 1.96, 9 / 4.9])
     for certified in (False, True):
-        with pytest.raises(NotForMany, match=r"contradicts `d` with mu = 0\.4 \(`crate` tips over"):
-            crate.evaluate_many({"mu": np.array([0.1, 0.2, 0.4, 0.2])}, certified=certified)
+        found = crate.evaluate_many({"mu": np.array([0.1, 0.2, 0.4, 0.2])}, certified=certified)["d"]
+        assert (np.isnan(np.asarray(found)) == [False, False, True, False]).all()
     assert len(crate.evaluate_many({"mu": np.array([0.1, 0.4])}, as_decided=True)["d"]) == 2

@@ -83,9 +83,9 @@ def confirmations_in_plane(
     seen = set[int]()  # the cases that have been tried
     heard = Heard(answers, problem, solved)
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
-    meeting = Budget(BUDGET)
+    meeting, own = Budget(BUDGET), Budget(BUDGET)
     for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
-        limit = far_budget.portion(FAR_BUDGET) if kind == FAR else meeting if kind == MEETING else budget
+        limit = {FAR: far_budget.portion(FAR_BUDGET), MEETING: meeting, OWN: own}.get(kind, budget)
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)):
             continue
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
