@@ -154,7 +154,8 @@ class AnswerConfirmation(Struct, frozen=True):
     """What the independent assembly says of an answer: it `holds`, it does not, or None: not confirmed, and `why`.
 
     `answered` and `found` are the numbers of the answer and of the assembly in SI units, entry by entry of a vector. `astray` are
-    numbers of letters, within what is printed with the answer, with which the motion does not come to what is asked.
+    numbers of letters, within what is printed with the answer, with which the motion does not come to what is asked. `also` tells of a
+    value against the sense of a letter that makes it so as well.
     """
 
     name: str
@@ -163,6 +164,7 @@ class AnswerConfirmation(Struct, frozen=True):
     answered: tuple[float, ...] = ()
     found: tuple[float, ...] = ()
     astray: bool = False
+    also: str = ""
 
 
 class Trial(Struct, frozen=True):

@@ -280,6 +280,14 @@ class Course:
         phase = self._phases.get(start)
         return phase is not None and any(len(lap.step.pushes) > 1 for lap in phase.laps)
 
+    def way(self) -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
+        """How what rubs sticks and slips, at the states and on the ways between them, as far as they have been worked out."""
+        nodes = ((name, node) for name, node in self._nodes.items() if isinstance(node, Node))
+        known = [(name, [node.moment.modes]) for name, node in nodes if "moment" in vars(node)]
+        known += [(name, [*(lap.modes for lap in phase.laps), phase.modes]) for name, phase in self._phases.items()]
+        told = [(name, tuple(sorted(one.items()))) for name, modes in known for one in modes]
+        return tuple(dict.fromkeys(told))
+
     def slips(self) -> str:
         """What first slips in another way, on the way between two states, in words; '' where nothing does."""
         for start, phase in self._phases.items():

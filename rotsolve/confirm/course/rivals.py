@@ -1,18 +1,26 @@
 """Rivals: other values that a letter of the scene may have as well as that of its answer.
 
-An equation for a letter that is asked for may have several roots. Those that the scene lets it be are put into the scene like the answer
-itself; where every line then holds, the question has several answers, of which one alone is half of the truth.
+What a letter has to fulfil may have several roots. The other roots of its equation, and those that an assembly finds with numbers over the
+range of the letter, are put into the scene like the answer itself, as far as the scene lets it be such; where every line then holds, the
+question has several answers, of which one alone is half of the truth.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.samples import Fits, Numbers, holding
+from rotsolve.confirm.course.scan import Scan, places_beside
+from rotsolve.confirm.course.sizes import letters_open, natural_units
+from rotsolve.confirm.course.sought import reach_of
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.verdicts import SAME, not_so, said_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation
@@ -22,61 +30,157 @@ Said = dict[str, float | str]
 Judge = Callable[
     [Find, Said, Numbers], AnswerConfirmation
 ]  # what the assembly says of an answer, at numbers for all letters
-ASK = {False: "tell more of it", True: "ask for the `smallest` or the `largest` one"}
+ASK = {
+    "": ": tell more of it",
+    "where": ": ask for the `smallest` or the `largest` one",
+    "smallest": ", and is smaller",
+    "largest": ", and is larger",
+}
+NEAR = 1e-3  # share of a number within which what is found over a range is that number
+SCANS, SCAN_BUDGET = (
+    2,
+    2000,
+)  # sets of numbers at which each case is looked at over the range of its letter; instants for all
+NOT_LOOKED = "its other values were not all looked for: the motion takes too long to follow"
+UNTOLD = " was not looked for: the motion takes too long to follow"
 
 
-def rivalled(
-    verdicts: dict[str, AnswerConfirmation],
-    answers: Sequence[Answer],
-    problem: Problem,
-    known: Numbers,
-    fits: Fits,
-    judge: Judge,
-) -> dict[str, AnswerConfirmation]:
-    """The verdicts on answers at some numbers, where a letter with several values that all do is not confirmed, nor what hangs on it."""
-    finds = {find.group: find for find in problem.finds}
-    givens: dict[Formula, Given] = {Symbol(given.name): given for given in problem.givens}
-    for several in answers:
-        find, verdict = finds[several.name], verdicts[several.name]
-        answer, given = holding(several, known), givens.get(find.formula)
-        if not verdict.holds or answer is None or given is None:
-            continue
-        for value in values_beside(answer, find, given, known, verdict.answered[0]):
-            numbers = {**known, given.name: value, find.name: value}
-            if fits(numbers) and judge(find, {"": value}, numbers).holds:
-                why = f"{given.name} = {value:g} in SI units makes it so too: {ASK[find.where is not None]}"
-                told = {several.name: several}
-                if given.asked:
-                    told |= {
-                        one.name: one for one in answers if changes_with(one, finds[one.name], known, numbers, judge)
-                    }
-                letters = {name: known[name] for name in known if name in answer.rivals[0].symbols()}
-                verdicts |= {name: not_so(name, why, problem, letters) for name in told}
-                break
-    return verdicts
+class Rivals:
+    """The other values of the letters that answers tell, looked for at one set of numbers after the other.
 
+    Sizes are taken to be positive: of those that do against that sense `against` has the words, by answers.
+    """
 
-def values_beside(answer: Answer, find: Find, given: Given, known: Numbers, said: float) -> Iterator[float]:
-    """The values of the other roots that the letter can have: of the sign of a size, an angle like that of the answer; beyond the answer
-    where the largest or the smallest is asked for."""
-    angle = given.dimension == ANGLE
-    for root in answer.rivals:
+    def __init__(self, answers: Sequence[Answer], problem: Problem, fits: Fits, judge: Judge) -> None:
+        self.answers, self.problem, self.fits, self.judge = answers, problem, fits, judge
+        self.finds = {find.group: find for find in problem.finds}
+        self.givens: dict[Formula, Given] = {Symbol(given.name): given for given in problem.givens}
+        sought = {find.formula for find in problem.finds}
+        self.open = [given for given in letters_open(problem) if Symbol(given.name) not in sought]
+        self.in_numbers = all(given.automatic for given in self.open)
+        self.budget, self.other_budget = Budget(SCAN_BUDGET), Budget(SCAN_BUDGET)
+        self.scans: dict[int, int] = {}  # how often each case has been looked at
+        self.against: dict[str, str] = {}
+
+    def tried(self, verdicts: Mapping[str, AnswerConfirmation], known: Numbers) -> dict[str, AnswerConfirmation]:
+        """The verdicts at some numbers, where a letter with several values that all do is not confirmed, nor what hangs on it."""
+        found = dict(verdicts)
+        for several in self.answers:
+            find, verdict = self.finds[several.name], found[several.name]
+            answer, given = holding(several, known), self.givens.get(find.formula)
+            if not verdict.holds or answer is None or given is None:
+                continue
+            sought = Sought(find, given, known, verdict.answered[0])
+            try:
+                value = next(self.rivals(answer, sought), None)
+            except OverBudget:
+                if self.scans[id(answer)] == 1:
+                    found[several.name] = AnswerConfirmation(several.name, None, NOT_LOOKED, astray=True)
+                continue
+            if value is not None:
+                found |= self.rivalled(several, sought, value)
+        return found
+
+    def rivals(self, answer: Answer, sought: Sought) -> Iterator[float]:
+        """The values with which all holds as well, those of the equation's other roots first; others of a size stay `against` it."""
+        yield from filter(partial(self.does, sought), other_roots(answer, sought.known))
+        count = self.scans.get(id(answer), 0) + 1
+        if count > (1 if self.in_numbers else SCANS) or not self.fits(sought.known) or self.budget.left < 0 < count - 1:
+            return
+        self.scans[id(answer)] = count
+        places = places_beside(
+            sought.said, natural_units(self.problem).of(sought.given.dimension), sought.given.dimension
+        )
+        yield from filter(partial(self.does, sought), self.roots(sought, places, self.budget))
+        if sought.sized and answer.name not in self.against:
+            self.look_against(answer.name, sought, [-place for place in places])
+
+    def look_against(self, name: str, sought: Sought, places: Sequence[float]) -> None:
+        """Note the first value against the sense of a size with which all holds as well."""
         try:
-            value = float(value_of(root, known))
-        except (NotConfirmed, ArithmeticError, ValueError, TypeError):
-            continue
+            for value in self.roots(sought, places, self.other_budget):
+                if self.does(sought, value, sized=False):
+                    self.against[name] = f" = {value:g} in SI units makes it so too{self.numbers_of(sought)}"
+                    break
+        except OverBudget:
+            self.against[name] = UNTOLD
+
+    def roots(self, sought: Sought, places: Sequence[float], budget: Budget) -> Iterator[float]:
+        """What fulfils what is asked or told of the letter, between places that the scene lets it be; nothing of several that hang on
+        each other."""
+        allowed = [at for at in places if self.fits(sought.numbers(at))]
+        alone = sought.find.where is not None or sum(one.asked for one in self.problem.givens) == 1
+        letter = sought.given.name
+        reach = reach_of(sought.find, letter, self.problem, sought.known, budget) if allowed and alone else None
+        for value in Scan(reach, sought.said).roots(allowed) if reach is not None else ():
+            if abs(value - sought.said) > NEAR * max(abs(value), abs(sought.said)):
+                yield value
+
+    def does(self, sought: Sought, value: float, *, sized: bool = True) -> bool:
+        """Whether all holds with another value."""
+        if not sought.may_be(value, sized=sized) or not self.fits(sought.numbers(value)):
+            return False
+        return self.judge(sought.find, {"": value}, sought.numbers(value)).holds is True
+
+    def numbers_of(self, sought: Sought) -> str:
+        """With which numbers of the open letters."""
+        told = ", ".join(f"{one.name} = {sought.known[one.name]:g}" for one in self.open if not one.automatic)
+        return f" with {told}" if told else ""
+
+    def rivalled(self, several: Answer, sought: Sought, value: float) -> dict[str, AnswerConfirmation]:
+        """What is said where another value does as well: of its answer, and of what is another with it."""
+        find, given, known = sought.find, sought.given, sought.known
+        words = find.modifier if find.modifier in ASK else "where" if find.where is not None else ""
+        why = f"{given.name} = {value:g} in SI units makes it so too{ASK[words]}"
+        told = {several.name}
+        if given.asked:
+            told |= {one.name for one in self.answers if self.changes_with(one, known, sought.numbers(value))}
+        if self.in_numbers:
+            return {name: AnswerConfirmation(name, False, why) for name in told}
+        letters = {one.name: known[one.name] for one in self.open}
+        return {name: not_so(name, why, self.problem, letters) for name in told}
+
+    def changes_with(self, answer: Answer, known: Numbers, numbers: Numbers) -> bool:
+        """Whether an answer is another with other numbers."""
+        own = holding(answer, known)
+        said = {} if own is None else said_of(own, known)
+        return bool(said) and self.judge(self.finds[answer.name], said, numbers).holds is not True
+
+
+class Sought(Struct, frozen=True):
+    """A letter that a question tells, with the number that is said of it at the known ones of all letters."""
+
+    find: Find
+    given: Given
+    known: Numbers
+    said: float
+
+    @property
+    def sized(self) -> bool:
+        """Whether it is a size, of a kind that has a sense, as said: one that is positive, or none."""
+        return self.given.dimension not in (None, ANGLE) and self.said >= 0.0
+
+    def numbers(self, value: float) -> Numbers:
+        """The numbers of all letters, of this one another."""
+        return {**self.known, self.given.name: value, self.find.name: value}
+
+    def may_be(self, value: float, *, sized: bool = True) -> bool:
+        """Whether a value is another one that the letter can have: of the sign of a size, an angle like that of the answer; beyond the
+        answer where the largest or the smallest is asked for."""
+        angle, said = self.given.dimension == ANGLE, self.said
         apart = abs(math.remainder(value - said, math.tau) if angle else value - said)
         if not math.isfinite(value) or apart <= SAME * max(abs(value), abs(said)):
-            continue
+            return False
         if angle and not (0.0 < value < math.pi / 2 if 0.0 < said < math.pi / 2 else abs(value) <= math.pi):
+            return False
+        inside = {"largest": value < said, "smallest": value > said}.get(self.find.modifier, False)
+        return (angle or value >= 0.0 or said < 0.0 or not sized) and not inside
+
+
+def other_roots(answer: Answer, known: Numbers) -> Iterator[float]:
+    """The numbers of the other roots of the equation."""
+    for root in answer.rivals:
+        try:
+            yield float(value_of(root, known))
+        except (NotConfirmed, ArithmeticError, ValueError, TypeError):
             continue
-        inside = {"largest": value < said, "smallest": value > said}.get(find.modifier, False)
-        if (angle or value >= 0.0 or said < 0.0) and not inside:
-            yield value
-
-
-def changes_with(answer: Answer, find: Find, known: Numbers, numbers: Numbers, judge: Judge) -> bool:
-    """Whether an answer is another with other numbers."""
-    own = holding(answer, known)
-    said = {} if own is None else said_of(own, known)
-    return bool(said) and judge(find, said, numbers).holds is not True

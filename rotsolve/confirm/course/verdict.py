@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, repeat
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -56,6 +57,9 @@ from rotsolve.core.derivation import Answer, AnswerConfirmation
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Find, Problem
 
+if TYPE_CHECKING:
+    from rotsolve.confirm.course.rivals import Rivals
+
 NEARLY = SAME**0.5  # of roots of what is zero but for rounding, as speeds are where something just comes to rest
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
 POINTS = {"right": (1.0, 0.0), "left": (-1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}  # by the word of an answer
@@ -83,7 +87,7 @@ def confirmations_in_plane(
     seen = set[int]()  # the cases that have been tried
     heard = Heard(answers, problem, solved)
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
-    meeting, own = Budget(BUDGET), Budget(BUDGET)
+    meeting, own, rivals = Budget(BUDGET), Budget(BUDGET), rivals_of(answers, problem, limits)
     for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
         limit = {FAR: far_budget.portion(FAR_BUDGET), MEETING: meeting, OWN: own}.get(kind, budget)
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)):
@@ -92,8 +96,8 @@ def confirmations_in_plane(
         if kind == OWN and cases <= seen:
             continue
         found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit)}
-        if any(one.rivals for answer in answers for one in (answer, *answer.otherwise)):
-            found = without_rivals(found, answers, problem, numbers_known(answers, problem, numbers, solved), limits)
+        if rivals is not None:
+            found = rivals.tried(found, numbers_known(answers, problem, numbers, solved))
         if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
             continue
         if kind == ON:
@@ -104,7 +108,8 @@ def confirmations_in_plane(
             tried, seen = tried + 1, seen | cases
         elif any(verdict.why != NO_CASE for verdict in found.values()):
             in_vain += 1
-    return tuple(map(heard.of_all_cases, verdicts.values()))
+    against = rivals.against if rivals is not None else {}
+    return tuple(replace(heard.of_all_cases(one), also=against.get(one.name, "")) for one in verdicts.values())
 
 
 class Heard:
@@ -236,22 +241,19 @@ def numbers_known(answers: Sequence[Answer], problem: Problem, numbers: Numbers,
     return known
 
 
-def without_rivals(
-    found: dict[str, AnswerConfirmation],
-    answers: Sequence[Answer],
-    problem: Problem,
-    known: Numbers,
-    limits: Callable[[], Iterable[Limit]],
-) -> dict[str, AnswerConfirmation]:
-    """The verdicts, where no letter has a value that other values rival."""
-    from rotsolve.confirm.course.rivals import rivalled
+def rivals_of(answers: Sequence[Answer], problem: Problem, limits: Callable[[], Iterable[Limit]]) -> Rivals | None:
+    """What looks for other values of the letters that answers tell; None where none tells a letter."""
+    letters = {Symbol(given.name) for given in problem.givens}
+    if not any(find.formula in letters for find in problem.finds):
+        return None
+    from rotsolve.confirm.course.rivals import Rivals
 
     def judge(find: Find, said: dict[str, float | str], numbers: Numbers) -> AnswerConfirmation:
         course = Course(problem, numbers, Budget(BUDGET))
         verdict = judged(find, said, Asker(problem, course), numbers)
         return replace(verdict, holds=False) if verdict.holds and course.idle_event() else verdict
 
-    return rivalled(found, answers, problem, known, fits_of(tuple(limits())), judge)
+    return Rivals(answers, problem, fits_of(tuple(limits())), judge)
 
 
 def judged_in_plane(
