@@ -13,7 +13,7 @@ from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import CONDITION
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.equations.scene_equations import term_of
-from rotsolve.language.problem import Find
+from rotsolve.language.problem import EXTREMES, Find
 from rotsolve.paths.meaning import NotYet, label_of
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import NoAnswer
@@ -65,7 +65,7 @@ def with_equation(search: Search, find: Find) -> None:
     assert condition is not None and condition.phrase is not None and condition.value is not None
     letter = find.formula.name if isinstance(find.formula, Symbol) else ""
     free = letter in search.givens and letter not in search.values and letter not in search.solver.solved
-    if free and letter in search.known:
+    if free and (letter in search.known or (find.modifier in EXTREMES and has_values(search, find, letter))):
         over_letter(search, find, letter, condition.phrase, condition.value)
         return
     question = question_for(replace(find, where=None), search.scene, search.letters())
@@ -86,6 +86,19 @@ def with_equation(search: Search, find: Find) -> None:
             help="leave the condition out"
             + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
         )
+
+
+def has_values(search: Search, find: Find, letter: str) -> bool:
+    """Whether all values of a letter are found at which a quantity, as a function of it, has the value told, of which one is an end.
+
+    An equation more may fix the sign of a square on the way to the letter, and with that one of its values.
+    """
+    assert find.where is not None and find.where.phrase is not None and find.where.value is not None
+    try:
+        over_letter(search.another(search.families), find, letter, find.where.phrase, find.where.value)
+    except (NotYet, NoAnswer):
+        return False
+    return True
 
 
 def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Formula) -> None:

@@ -50,6 +50,10 @@ class RootChoice(Struct, frozen=True):
         if outwards and len(roots) > 1 and self._on_shaft(name):
             return PickedRoot(outwards[0], ("out from the axis, where the shaft turns fast enough for it",))
         real = [(index, number) for index, root in enumerate(roots) if (number := self.numbers.of(root)) is not None]
+        if len(roots) > 1 and any(
+            map(self._lacks_numbers, roots)
+        ):  # 0 for all values of a letter is the start, or none
+            real = [(index, number) for index, number in real if number]
         if not real:
             return self._unnumbered(name, roots) if any(map(self._lacks_numbers, roots)) else None
         numbered = [(index, roots[index]) for index, _ in real]
@@ -204,9 +208,10 @@ class RootChoice(Struct, frozen=True):
     def _unnumbered(self, name: str, roots: Sequence[Formula]) -> PickedRoot:
         """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""
         sign, words = Expected(self.scene, self.givens, self.numbers).sign(name)
+        moved = [index for index, root in enumerate(roots) if root != ZERO] or [0]
         if sign < 0 and len(roots) > 1:
-            return PickedRoot(1, words)
-        return PickedRoot(0, words or ("the root along the positive sense",))
+            return PickedRoot(moved[-1], words)
+        return PickedRoot(moved[0], words or ("the root along the positive sense",))
 
     def _lacks_numbers(self, root: Formula) -> bool:
         """Whether a root holds a given without a number."""
