@@ -31,7 +31,6 @@ Judge = Callable[
     [Find, Said, Numbers], AnswerConfirmation
 ]  # what the assembly says of an answer, at numbers for all letters
 ASK = {
-    "": ": tell more of it",
     "where": ": ask for the `smallest` or the `largest` one",
     "smallest": ", and is smaller",
     "largest": ", and is larger",
@@ -59,41 +58,48 @@ class Rivals:
         self.open = [given for given in letters_open(problem) if Symbol(given.name) not in sought]
         self.in_numbers = all(given.automatic for given in self.open)
         self.budget, self.other_budget = Budget(SCAN_BUDGET), Budget(SCAN_BUDGET)
-        self.scans: dict[int, int] = {}  # how often each case has been looked at
+        self.scans: dict[str, int] = {}  # how often each case has been looked at
         self.against: dict[str, str] = {}
 
     def tried(self, verdicts: Mapping[str, AnswerConfirmation], known: Numbers) -> dict[str, AnswerConfirmation]:
         """The verdicts at some numbers, where a letter with several values that all do is not confirmed, nor what hangs on it."""
         found = dict(verdicts)
-        for several in self.answers:
-            find, verdict = self.finds[several.name], found[several.name]
-            answer, given = holding(several, known), self.givens.get(find.formula)
-            if not verdict.holds or answer is None or given is None:
-                continue
-            sought = Sought(find, given, known, verdict.answered[0])
+        for sought in self.letters(found, known):
             try:
-                value = next(self.rivals(answer, sought), None)
+                value = next(self.rivals(sought), None)
             except OverBudget:
-                if self.scans[id(answer)] == 1:
-                    found[several.name] = AnswerConfirmation(several.name, None, NOT_LOOKED, astray=True)
+                if self.scans[sought.case] == 1 and sought.find.group in found:
+                    found[sought.find.group] = AnswerConfirmation(sought.find.group, None, NOT_LOOKED, astray=True)
                 continue
             if value is not None:
-                found |= self.rivalled(several, sought, value)
+                found |= self.rivalled(sought, value)
         return found
 
-    def rivals(self, answer: Answer, sought: Sought) -> Iterator[float]:
+    def letters(self, verdicts: Mapping[str, AnswerConfirmation], known: Numbers) -> Iterator[Sought]:
+        """The letters that answers tell, as far as these hold; and those on the way to answers for which no question asks."""
+        for several in self.answers:
+            find, verdict = self.finds[several.name], verdicts[several.name]
+            answer, given = holding(several, known), self.givens.get(find.formula)
+            if verdict.holds and answer is not None and given is not None:
+                yield Sought(find, given, known, verdict.answered[0], f"{find.group} {id(answer)}", answer.rivals)
+        told = {find.formula for find in self.finds.values()}
+        for letter, given in self.givens.items():
+            if given.asked and letter not in told and given.name in known and any(map(stands, verdicts.values())):
+                yield Sought(Find(given.name, letter, ()), given, known, known[given.name], given.name)
+
+    def rivals(self, sought: Sought) -> Iterator[float]:
         """The values with which all holds as well, those of the equation's other roots first; others of a size stay `against` it."""
-        yield from filter(partial(self.does, sought), other_roots(answer, sought.known))
-        count = self.scans.get(id(answer), 0) + 1
+        yield from filter(partial(self.does, sought), sought.other_roots())
+        count = self.scans.get(sought.case, 0) + 1
         if count > (1 if self.in_numbers else SCANS) or not self.fits(sought.known) or self.budget.left < 0 < count - 1:
             return
-        self.scans[id(answer)] = count
+        self.scans[sought.case] = count
         places = places_beside(
             sought.said, natural_units(self.problem).of(sought.given.dimension), sought.given.dimension
         )
         yield from filter(partial(self.does, sought), self.roots(sought, places, self.budget))
-        if sought.sized and answer.name not in self.against:
-            self.look_against(answer.name, sought, [-place for place in places])
+        if sought.sized and sought.find.group not in self.against:
+            self.look_against(sought.find.group, sought, [-place for place in places])
 
     def look_against(self, name: str, sought: Sought, places: Sequence[float]) -> None:
         """Note the first value against the sense of a size with which all holds as well."""
@@ -106,12 +112,9 @@ class Rivals:
             self.against[name] = UNTOLD
 
     def roots(self, sought: Sought, places: Sequence[float], budget: Budget) -> Iterator[float]:
-        """What fulfils what is asked or told of the letter, between places that the scene lets it be; nothing of several that hang on
-        each other."""
-        allowed = [at for at in places if self.fits(sought.numbers(at))]
-        alone = sought.find.where is not None or sum(one.asked for one in self.problem.givens) == 1
-        letter = sought.given.name
-        reach = reach_of(sought.find, letter, self.problem, sought.known, budget) if allowed and alone else None
+        """What fulfils what is asked or told of the letter, between places that the scene lets it be, while other letters stay."""
+        allowed, letter = [at for at in places if self.fits(sought.numbers(at))], sought.given.name
+        reach = reach_of(sought.find, letter, self.problem, sought.known, budget) if allowed else None
         for value in Scan(reach, sought.said).roots(allowed) if reach is not None else ():
             if abs(value - sought.said) > NEAR * max(abs(value), abs(sought.said)):
                 yield value
@@ -127,12 +130,12 @@ class Rivals:
         told = ", ".join(f"{one.name} = {sought.known[one.name]:g}" for one in self.open if not one.automatic)
         return f" with {told}" if told else ""
 
-    def rivalled(self, several: Answer, sought: Sought, value: float) -> dict[str, AnswerConfirmation]:
+    def rivalled(self, sought: Sought, value: float) -> dict[str, AnswerConfirmation]:
         """What is said where another value does as well: of its answer, and of what is another with it."""
         find, given, known = sought.find, sought.given, sought.known
-        words = find.modifier if find.modifier in ASK else "where" if find.where is not None else ""
-        why = f"{given.name} = {value:g} in SI units makes it so too{ASK[words]}"
-        told = {several.name}
+        ask = ASK.get(find.modifier, ASK["where"] if find.where is not None else ": tell more of it")
+        why = f"{given.name} = {value:g} in SI units makes it so too{ask}"
+        told = {one.name for one in self.answers if one.name == find.group}
         if given.asked:
             told |= {one.name for one in self.answers if self.changes_with(one, known, sought.numbers(value))}
         if self.in_numbers:
@@ -148,12 +151,22 @@ class Rivals:
 
 
 class Sought(Struct, frozen=True):
-    """A letter that a question tells, with the number that is said of it at the known ones of all letters."""
+    """A letter that a question tells, with the number that is said of it at the known ones of all letters, by a case of its answer."""
 
     find: Find
     given: Given
     known: Numbers
     said: float
+    case: str
+    roots: tuple[Formula, ...] = ()  # others of its equation
+
+    def other_roots(self) -> Iterator[float]:
+        """The numbers of the other roots of its equation."""
+        for root in self.roots:
+            try:
+                yield float(value_of(root, self.known))
+            except (NotConfirmed, ArithmeticError, ValueError, TypeError):
+                continue
 
     @property
     def sized(self) -> bool:
@@ -177,10 +190,5 @@ class Sought(Struct, frozen=True):
         return (angle or value >= 0.0 or said < 0.0 or not sized) and not inside
 
 
-def other_roots(answer: Answer, known: Numbers) -> Iterator[float]:
-    """The numbers of the other roots of the equation."""
-    for root in answer.rivals:
-        try:
-            yield float(value_of(root, known))
-        except (NotConfirmed, ArithmeticError, ValueError, TypeError):
-            continue
+def stands(verdict: AnswerConfirmation) -> bool:
+    return verdict.holds is True

@@ -18,7 +18,12 @@ STEPS, DECADES = 3, 2  # places in each decade, and decades to either side of th
 FAR = (4.0, -4.0)  # decades at which it is looked once more
 NEIGHBOURS = 10.0  # how much larger one of two places may be between which an edge is looked for
 WIDE = 9  # angles in their range
-EDGE, CLOSE, SECTIONS = 12, 30, 8  # halvings towards an edge, steps to a root, sections towards a least size
+EDGE, END = (
+    12,
+    4,
+)  # halvings towards where something begins to slip, and towards where the function ceases to have a value
+CLOSE, SECTIONS = 30, 8  # steps to a root, sections towards a least size
+SMOOTH = 0.01  # share by which it changes where it does not jump
 DROP = 0.9  # how much less than beside it a least size is that is looked at
 BESIDE = 1e-6  # share of the known root within which nothing is looked at
 EXACT = 1e-10  # share of a number within which a root is known
@@ -73,9 +78,11 @@ class Scan:
 
     def edge(self, low: Look, high: Look) -> list[Look]:
         """The places nearest to each other, of all looked at between two, between which the way changes."""
-        for _ in range(EDGE):
+        for _ in range(EDGE if low.value is not None and high.value is not None else END):
             middle = self.look(midst(low.at, high.at))
             low, high = (middle, high) if middle.way == low.way else (low, middle)
+            if low.value and high.value and abs(low.value / high.value - 1.0) < SMOOTH:
+                break
         return [low, high]
 
     def with_least(self, looks: Sequence[Look]) -> list[Look]:
