@@ -36,10 +36,9 @@ ASK = {
     "largest": ", and is larger",
 }
 NEAR = 1e-3  # share of a number within which what is found over a range is that number
-SCANS, SCAN_BUDGET = (
-    2,
-    2000,
-)  # sets of numbers at which each case is looked at over the range of its letter; instants for all
+SCANS = 2  # sets of numbers at which each case is looked at over the range of its letter
+SCAN_BUDGET = 5000  # instants of one body for all of them
+ENOUGH = 0.75  # share of these that has to be left where it is looked once more
 NOT_LOOKED = "its other values were not all looked for: the motion takes too long to follow"
 UNTOLD = " was not looked for: the motion takes too long to follow"
 
@@ -57,7 +56,7 @@ class Rivals:
         sought = {find.formula for find in problem.finds}
         self.open = [given for given in letters_open(problem) if Symbol(given.name) not in sought]
         self.in_numbers = all(given.automatic for given in self.open)
-        self.budget, self.other_budget = Budget(SCAN_BUDGET), Budget(SCAN_BUDGET)
+        self.budget = Budget(SCAN_BUDGET)
         self.scans: dict[str, int] = {}  # how often each case has been looked at
         self.against: dict[str, str] = {}
 
@@ -75,23 +74,29 @@ class Rivals:
                 found |= self.rivalled(sought, value)
         return found
 
-    def letters(self, verdicts: Mapping[str, AnswerConfirmation], known: Numbers) -> Iterator[Sought]:
+    def letters(self, verdicts: Mapping[str, AnswerConfirmation], known: Numbers) -> Iterator[SoughtLetter]:
         """The letters that answers tell, as far as these hold; and those on the way to answers for which no question asks."""
         for several in self.answers:
             find, verdict = self.finds[several.name], verdicts[several.name]
             answer, given = holding(several, known), self.givens.get(find.formula)
             if verdict.holds and answer is not None and given is not None:
-                yield Sought(find, given, known, verdict.answered[0], f"{find.group} {id(answer)}", answer.rivals)
+                yield SoughtLetter(find, given, known, verdict.answered[0], f"{find.group} {id(answer)}", answer.rivals)
         told = {find.formula for find in self.finds.values()}
         for letter, given in self.givens.items():
-            if given.asked and letter not in told and given.name in known and any(map(stands, verdicts.values())):
-                yield Sought(Find(given.name, letter, ()), given, known, known[given.name], given.name)
+            if (
+                given.asked
+                and letter not in told
+                and given.name in known
+                and any(map(stands_confirmed, verdicts.values()))
+            ):
+                yield SoughtLetter(Find(given.name, letter, ()), given, known, known[given.name], given.name)
 
-    def rivals(self, sought: Sought) -> Iterator[float]:
+    def rivals(self, sought: SoughtLetter) -> Iterator[float]:
         """The values with which all holds as well, those of the equation's other roots first; others of a size stay `against` it."""
         yield from filter(partial(self.does, sought), sought.other_roots())
         count = self.scans.get(sought.case, 0) + 1
-        if count > (1 if self.in_numbers else SCANS) or not self.fits(sought.known) or self.budget.left < 0 < count - 1:
+        again = not self.in_numbers and count <= SCANS and self.budget.left > ENOUGH * SCAN_BUDGET
+        if not self.fits(sought.known) or (count > 1 and not again):
             return
         self.scans[sought.case] = count
         places = places_beside(
@@ -101,17 +106,17 @@ class Rivals:
         if sought.sized and sought.find.group not in self.against:
             self.look_against(sought.find.group, sought, [-place for place in places])
 
-    def look_against(self, name: str, sought: Sought, places: Sequence[float]) -> None:
+    def look_against(self, name: str, sought: SoughtLetter, places: Sequence[float]) -> None:
         """Note the first value against the sense of a size with which all holds as well."""
         try:
-            for value in self.roots(sought, places, self.other_budget):
+            for value in self.roots(sought, places, self.budget):
                 if self.does(sought, value, sized=False):
                     self.against[name] = f" = {value:g} in SI units makes it so too{self.numbers_of(sought)}"
                     break
         except OverBudget:
             self.against[name] = UNTOLD
 
-    def roots(self, sought: Sought, places: Sequence[float], budget: Budget) -> Iterator[float]:
+    def roots(self, sought: SoughtLetter, places: Sequence[float], budget: Budget) -> Iterator[float]:
         """What fulfils what is asked or told of the letter, between places that the scene lets it be, while other letters stay."""
         allowed, letter = [at for at in places if self.fits(sought.numbers(at))], sought.given.name
         reach = reach_of(sought.find, letter, self.problem, sought.known, budget) if allowed else None
@@ -119,18 +124,18 @@ class Rivals:
             if abs(value - sought.said) > NEAR * max(abs(value), abs(sought.said)):
                 yield value
 
-    def does(self, sought: Sought, value: float, *, sized: bool = True) -> bool:
+    def does(self, sought: SoughtLetter, value: float, *, sized: bool = True) -> bool:
         """Whether all holds with another value."""
         if not sought.may_be(value, sized=sized) or not self.fits(sought.numbers(value)):
             return False
         return self.judge(sought.find, {"": value}, sought.numbers(value)).holds is True
 
-    def numbers_of(self, sought: Sought) -> str:
+    def numbers_of(self, sought: SoughtLetter) -> str:
         """With which numbers of the open letters."""
         told = ", ".join(f"{one.name} = {sought.known[one.name]:g}" for one in self.open if not one.automatic)
         return f" with {told}" if told else ""
 
-    def rivalled(self, sought: Sought, value: float) -> dict[str, AnswerConfirmation]:
+    def rivalled(self, sought: SoughtLetter, value: float) -> dict[str, AnswerConfirmation]:
         """What is said where another value does as well: of its answer, and of what is another with it."""
         find, given, known = sought.find, sought.given, sought.known
         ask = ASK.get(find.modifier, ASK["where"] if find.where is not None else ": tell more of it")
@@ -150,7 +155,7 @@ class Rivals:
         return bool(said) and self.judge(self.finds[answer.name], said, numbers).holds is not True
 
 
-class Sought(Struct, frozen=True):
+class SoughtLetter(Struct, frozen=True):
     """A letter that a question tells, with the number that is said of it at the known ones of all letters, by a case of its answer."""
 
     find: Find
@@ -190,5 +195,5 @@ class Sought(Struct, frozen=True):
         return (angle or value >= 0.0 or said < 0.0 or not sized) and not inside
 
 
-def stands(verdict: AnswerConfirmation) -> bool:
+def stands_confirmed(verdict: AnswerConfirmation) -> bool:
     return verdict.holds is True

@@ -105,7 +105,7 @@ class Scan:
             for look in looks:
                 if look.value is not None and look.value * value <= 0.0:
                     return [look]
-            if size(looks[0]) <= size(looks[1]):
+            if away(looks[0]) <= away(looks[1]):
                 b, looks = looks[1].at, [self.look(looks[1].at - GOLDEN * (looks[1].at - a)), looks[0]]
             else:
                 a, looks = looks[0].at, [looks[1], self.look(looks[0].at + GOLDEN * (b - looks[0].at))]
@@ -127,7 +127,7 @@ class Scan:
         return at
 
 
-def size(look: Look) -> float:
+def away(look: Look) -> float:
     return math.inf if look.value is None else abs(look.value)
 
 

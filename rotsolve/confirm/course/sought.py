@@ -30,7 +30,7 @@ def reach_of(find: Find, letter: str, problem: Problem, known: Numbers, budget: 
             gap = line_gap(state, line, line.value)
             reach = reaching(letter, without_line(problem, state, line), gap, known, budget)
             here, beside = reach(known[letter]), reach(known[letter] * BESIDE)
-            if here is not None and beside is not None and abs(here[0]) <= abs(beside[0]) * HOLDS:
+            if here is not None and beside is not None and abs(here[0]) < abs(beside[0]) * HOLDS:
                 return reach
         return None
     phrase, goal = condition.phrase, condition.value
