@@ -10,6 +10,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.symbols import TIME
 from rotsolve.pipeline import solve
+from rotsolve.solution import Solution
 
 PULLED = """
 title: A block that a growing force pulls
@@ -92,10 +93,14 @@ def holds(condition: Equality, values: Mapping[str, object]) -> bool:
     return {">": gap > 0, "<": gap < 0, "≥": gap >= 0, "≤": gap <= 0}[condition.relation]
 
 
-def fitting(answer: Answer, values: Mapping[str, object]) -> Answer:
-    """The one case of an answer whose conditions hold."""
-    (case,) = (one for one in (answer, *answer.otherwise) if all(holds(each, values) for each in one.conditions))
-    return case
+def fitting(answer: Answer, values: Mapping[str, object]) -> list[Answer]:
+    """The cases of an answer whose conditions hold."""
+    return [one for one in (answer, *answer.otherwise) if all(holds(each, values) for each in one.conditions)]
+
+
+def on_the_verge(solution: Solution) -> bool:
+    """Whether numbers say themselves that the least change decides what is so: letters may then give no answer on that edge."""
+    return any(check.holds is None and "least change" in "".join(map(str, check.words)) for check in solution.checks)
 
 
 @pytest.mark.parametrize(("text", "sets", "state"), KINDS)
@@ -107,7 +112,11 @@ def test_each_case_tells_the_part_that_numbers_do(text: str, sets: list[dict[str
         values = {**numbered.problem.values, TIME: numbered.problem.values["T"] / 7}
         assert [answer.name for answer in lettered] == [answer.name for answer in numbered.derivation.answers]
         for told, known in zip(lettered, numbered.derivation.answers, strict=True):
-            case = fitting(told, values)
+            cases = fitting(told, values)
+            assert len(cases) == 1 or (not cases and on_the_verge(numbered))
+            if not cases:
+                continue
+            (case,) = cases
             assert case.remark == known.remark
             forms = (case.closed, known.closed)
             found = [evaluate(form, values).float for form in forms if form is not None]
