@@ -188,8 +188,9 @@ def untold_slips(search: Search) -> Iterator[tuple[str, Words]]:
         interval = scene.configuration.timeline.interval(name)
         if interval is None or interval.end == OPEN or not goes_by_speed(passage):
             continue
+        lines = scene.configuration.timeline.state(interval.end).conditions
         told_to_stick = {
-            line.path.owner for line in scene.configuration.timeline.state(interval.end).conditions if line.path
+            line.path.owner for line in lines if line.path is not None and line.word in ("rolls", "sticks")
         }
         for rub in rubs_at(scene.configuration, interval.start):
             if scene.modes.get(rub.key, STICKS) in (FORWARD, BACK) and rub.owner not in told_to_stick:

@@ -179,7 +179,7 @@ def requirements_by_state(
 
 
 def pushes_vary(passage: Passage) -> bool:
-    """Whether forces that may let go vary in a phase with the time or with a place."""
+    """Whether forces that may let go vary in a phase, with the time, a place or a speed."""
     varies = any(travel.pace != CONSTANT for travel in passage.travels)
     return varies and any(not need.kind.placed for need in passage.midst.requirements)
 

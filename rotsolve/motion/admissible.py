@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import paths_in
 from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.bodies import Body, PointRef
@@ -51,8 +52,8 @@ def check_turning(item: ActingElement, scene: Configuration) -> None:
     """A value that counts along a turn speaks of no angle that counts against it: −k θ would drive away what it seems to bring back."""
     state = scene.timeline.states[0].name
     for value, ref in item.along_turns():
-        spoken_of = sorted(value.symbols()) if value is not None else ()
-        for name in (word.removesuffix(".angle") for word in spoken_of if word.endswith(".angle")):
+        paths = paths_in(value) if value is not None else ()
+        for name in (owner for _, owner, word in paths if word == "angle"):
             if name in scene.bodies and scene.sense(name, state) < 0:
                 said = f"`{name}.angle` counts counterclockwise, but `{name}` turns clockwise: which way `{item.name}` acts is not clear"
                 other = (

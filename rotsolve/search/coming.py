@@ -7,7 +7,8 @@ what swings on a hinge may have to pass its highest place before.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, cast
 
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
 from rotsolve.core.symbols import has_quantities
@@ -15,6 +16,10 @@ from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.explain import contradicted, unreachable
 from rotsolve.search.search import Search
+
+if TYPE_CHECKING:
+    from rotsolve.space.laws import SpaceLaws
+    from rotsolve.space.scene import SpaceEquations
 
 STEADY = ("precession",)  # with which a state is steady
 COMING = ("angular_velocity", "nutation")  # the rates with which a body comes to an angle or a tilt
@@ -26,9 +31,14 @@ def not_come_to(search: Search) -> Iterator[Unsolvable]:
         if state.steady:
             yield from without_rates(state.name, STEADY, search)
     for interval in search.scene.configuration.timeline.intervals:
-        if interval.event is None and interval.end in search.scene.dynamics:  # type: ignore[attr-defined]
+        if interval.event is None and interval.end in dynamics_of(search):
             yield from without_rates(interval.end, COMING, search)
             yield from below_summit(interval, search)
+
+
+def dynamics_of(search: Search) -> Mapping[str, SpaceLaws]:
+    """The laws at each state of a scene in space."""
+    return cast("SpaceEquations", search.scene).dynamics
 
 
 def without_rates(state: str, kinds: tuple[str, ...], search: Search) -> Iterator[Unsolvable]:
@@ -54,7 +64,7 @@ def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:
     from rotsolve.space.summit import summit_of
 
     numbers, configuration = search.numbers, search.scene.configuration
-    before, after = (search.scene.dynamics[state] for state in (interval.start, interval.end))  # type: ignore[attr-defined]
+    before, after = (dynamics_of(search)[state] for state in (interval.start, interval.end))
     for body in configuration.problem.bodies:
         found = summit_of(body.name, before, after, numbers.side)
         if found is None:

@@ -122,7 +122,7 @@ def only_approached(passage: Passage, search: Search) -> str:
             return f"{what} would have to go beyond the one to which its forces lead"
         if (
             onward == 1 and way and has_quantities(passage.times[1])
-        ):  # up to a told time it goes on, whatever speed that leads to
+        ):  # else it goes on to that time, whatever speed it has
             if search.numbers.side(signed(gained, way)) == -1:
                 return f"{what} would have to change against its forces"
             if any(search.numbers.side(signed(push, way)) in (0, -1) for push in pushes_between(travel, search)):

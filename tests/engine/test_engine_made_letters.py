@@ -13,6 +13,14 @@ DRUM = """
 bodies: {drum: {inertia: I, radius: R}, load: {mass: m, moves: up}}
 connections: {ax: {axle: drum}, rope: {string: [drum, load]}}
 """
+BRAKED = """
+plane: horizontal
+bodies: {{wheel: {{inertia: I, radius: R}}}}
+connections: {{ax: {{axle: wheel}}}}
+actions: {{brake: {{press: {press}, on: wheel.rim, friction: {friction}}}}}
+states: {{start: {{wheel.angular_velocity: w}}, stop: {{at rest: all}}}}
+find: {{t: time from start to stop}}
+"""
 KINDS = {  # by what stands there: the unit of a and b, the rest of the scene, and what it asks of them
     "a place on a rod": (
         "m",
@@ -48,26 +56,12 @@ find: {acc: one.acceleration at start, T: rope.one.tension at start}
     ),
     "a coefficient of friction": (
         "number",
-        """
-plane: horizontal
-bodies: {wheel: {inertia: I, radius: R}}
-connections: {ax: {axle: wheel}}
-actions: {brake: {press: F, on: wheel.rim, friction: d}}
-states: {start: {wheel.angular_velocity: w}, stop: {at rest: all}}
-find: {t: time from start to stop}
-""",
+        BRAKED.format(press="F", friction="d"),
         "a ≥ b",
     ),
     "a press": (
         "N",
-        """
-plane: horizontal
-bodies: {wheel: {inertia: I, radius: R}}
-connections: {ax: {axle: wheel}}
-actions: {brake: {press: d, on: wheel.rim, friction: mu}}
-states: {start: {wheel.angular_velocity: w}, stop: {at rest: all}}
-find: {t: time from start to stop}
-""",
+        BRAKED.format(press="d", friction="mu"),
         "a ≥ b",
     ),
     "a restitution": (
