@@ -5,7 +5,7 @@ A scene that says too much (a state that is never reached, a block that sticks y
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -14,8 +14,8 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Precision, decided_by_size, evaluate, note, watched
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
-from rotsolve.core.equation import SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Sum, Symbol
+from rotsolve.core.equation import FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
@@ -38,8 +38,39 @@ def contradiction(search: Search) -> tuple[Equation | None, KnownBalls]:
     """
     with Precision(BITS):
         numbers = KnownBalls.known(search)
-        broken = first_broken(search, numbers)
-        return broken or backwards(search, numbers) or too_far(search, numbers), numbers
+        broken = impossible_in_time(search, numbers)
+        if broken is None and (squares := squares_alone(search, numbers)):
+            sides = {name: search.numbers.side(search.solver.with_found(one.right)) for name, one in squares.items()}
+            broken = next((one for name, one in squares.items() if sides[name] == -1), None)
+            numbers.found.update(speeds_of_squares(sides, search, numbers))
+            broken = broken or impossible_in_time(search, numbers)
+        return broken, numbers
+
+
+def impossible_in_time(search: Search, numbers: KnownBalls) -> Equation | None:
+    """The first equation that can not hold, or that time would have to run backwards, or a body to turn back before an end."""
+    return first_broken(search, numbers) or backwards(search, numbers) or too_far(search, numbers)
+
+
+def squares_alone(search: Search, numbers: KnownBalls) -> dict[str, Equation]:
+    """The letters of which the answers needed the square alone, v² = 2 g h, which may be no square of a real number."""
+    found = {}
+    for equation in search.planner.pool:
+        base = equation.left.base if isinstance(equation.left, Power) else None
+        if equation.law == FOUND and isinstance(base, Symbol) and base.name not in numbers.found:
+            found[base.name] = equation
+    return found
+
+
+def speeds_of_squares(
+    sides: Mapping[str, int | None], search: Search, numbers: KnownBalls
+) -> Iterator[tuple[str, Ball]]:
+    """Their numbers by the sides of their squares, with the sign of the way in which the body goes there."""
+    for name, side in sides.items():
+        value = search.apart().settled(Symbol(name)) if side == 1 else None
+        size = arb(0) if side == 0 else None if value is None else numbers.size(value)
+        if size is not None:
+            yield name, size
 
 
 def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:

@@ -167,3 +167,38 @@ def test_a_blow_on_the_way_is_answered() -> None:
     letters = solve(STRUCK.replace("2 kg", "kg").replace("1 m,", "m,").replace("1 N s", "N s").replace("0.9 m", "m"))
     assert not letters.answers["P"].answer.conditions
     assert letters.answers["w"].answer.conditions
+
+
+BRAKED = """
+given: {M: 10 kg, I: 2 kg m^2, R: 0.5 m, h: 1 m, F: PRESS, mu: 0.5, g: 10 m/s^2}
+bodies: {drum: {inertia: I, mass: 1 kg, radius: R, turns: WAY}, load: {mass: M, moves: DRIVE}}
+connections: {axle: {axle: drum}, rope: {string: [load, drum]}}
+actions: {brake: {press: F, on: drum, friction: mu, from: mid, to: end}}
+states: {start: at rest, mid: {load.displacement: h}, end: {load.velocity: 0}}
+find: {QUESTIONS}
+"""
+QUESTIONS = ("s: load.displacement from mid to end", "W: brake.work from mid to end", "t: time from mid to end")
+
+
+@pytest.mark.parametrize("asked", [QUESTIONS, *((question,) for question in QUESTIONS)], ids=["all", "s", "W", "t"])
+@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+def test_a_speed_that_is_needed_as_its_square_alone_has_a_way_too(asked: tuple[str, ...], turns: str) -> None:
+    """A load of 10 kg falls h, then a brake holds against it: μ F > M g stops it after s = h M g/(μ F − M g), a weaker one never."""
+    text = BRAKED.replace("WAY", turns).replace("DRIVE", "down").replace("QUESTIONS", ", ".join(asked))
+    stopped = solve(text.replace("PRESS", "400 N"))
+    speed = math.sqrt(2 * 100 / (10 + 2 / 0.25))
+    told = {"s": 1.0, "W": -200.0, "t": 2 / speed}
+    assert all(answer.float == pytest.approx(told[name]) for name, answer in stopped.answers.items())
+    with pytest.raises(Unsolvable, match="`end` is never reached from `mid`"):
+        solve(text.replace("PRESS", "100 N"))
+    letters = solve(text.replace("PRESS", "N").replace("10 kg", "kg").replace("0.5, g", "number, g"))
+    for answer in letters.answers.values():
+        assert len(answer.branches) == 1 and answer.answer.conditions
+
+
+def test_a_square_that_is_negative_bars_what_needs_it_alone() -> None:
+    """The load does not rise by itself."""
+    text = BRAKED.replace("WAY", "clockwise").replace("DRIVE", "up").replace("QUESTIONS", QUESTIONS[0])
+    for press in ("400 N", "100 N"):
+        with pytest.raises(Unsolvable, match="`mid` is never reached from `start`"):
+            solve(text.replace("PRESS", press))
