@@ -176,7 +176,10 @@ def line(name: str, model: Known) -> Way | None:
 
 
 def hangs(name: str, model: Known) -> bool:
-    """Whether a body hangs from a string or a spring by its centre."""
+    """Whether a body hangs from a string or a spring by its centre, and no other body carries it."""
+    for item in model.acting.connections:
+        if any(carrier is not None for _, carrier in carried_by(item, name, frozenset(), model)):
+            return False
     for item in model.acting.connections:
         refs: tuple[PointRef, ...] = ()
         if isinstance(item, String):

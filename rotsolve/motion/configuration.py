@@ -228,6 +228,8 @@ class Configuration(Arrangement, frozen=True, dict=True):
             return None
         if body.moves:
             return WORDS[body.moves], body.moves
+        if self.hung(name, state) is not None:
+            return None  # it goes where its carrier takes it, whatever string leads to it
         hangs = any(item.hangs(body) for item in self.connections(state))
         return (UP, "up") if hangs and self.problem.gravity is not None and self.problem.plane == "vertical" else None
 

@@ -26,6 +26,8 @@ I_WHEEL = 10 * 0.25**2 / 2
 SPIN = 2 / I_WHEEL * sqrt(6) / 1.5  # Q t/I
 HEAVY = 20 / 3 + 10  # (M/3 + m) L²
 ARM = 20 / 2 + 10  # (M/2 + m) L
+WOUND = 2 * 2 / (10 * 0.25) / (1 + 5 / 30 + 2 * 5 / 10)  # of a crate on a winch's rope
+UNWOUND = -ARM * G * sqrt(3) / 2 / (HEAVY + 10 / 2 * 3 / 4)  # of a rod with a wheel on a thread
 
 CASES = {
     "truck": (
@@ -91,6 +93,35 @@ CASES = {
             "Kw: wheel.kinetic_energy": 80,
             "p: wheel.momentum": 40,
         },
+    ),
+    "winch on a truck": (  # M + m = 30 kg to one side, 5 kg to the other, at Q/R less what turns the winch
+        TRUCK.replace("moves: right", "moves: left")
+        .replace("bodies: {", "bodies: {crate: {mass: 5 kg, moves: right}, ")
+        .replace("radius: R", "radius: R, turns: clockwise")
+        + "connections: {under: {contact: [truck, rails]}, base: {contact: [crate, rails]}, axle: {axle: ORDER},\n"
+        "  rope: {string: [crate, wheel]}}\n"
+        "actions: {turn: {couple: Q, on: wheel}}\nstates: {start: at rest}\n",
+        "truck, wheel",
+        {
+            "A: truck.acceleration at start": 5 / 30 * WOUND,
+            "a: crate.acceleration at start": WOUND,
+            "T: rope.tension at start": 5 * WOUND,
+        },
+    ),
+    "wheel on a truck, drawn over a pulley": (
+        TRUCK.replace("bodies: {", "bodies: {load: {mass: 5 kg, moves: down}, drum: {mass: 0, radius: 1 cm, turns: clockwise}, ")
+        + "connections: {under: {contact: [truck, rails]}, axle: {axle: ORDER}, shaft: {axle: drum},\n"
+        "  rope: {string: [wheel.center, drum, load]}}\n"
+        "states: {start: at rest}\n",
+        "truck, wheel",
+        {"a: truck.acceleration at start": 5 * G / 35, "T: rope.load.tension at start": 5 * G * 30 / 35},
+    ),
+    "wheel at the end of a rod, on a thread": (  # T = m R β/2, β = L α cos φ/R
+        ROD.replace("axle: {axle: ORDER}", "axle: {axle: ORDER}, thread: {string: [ceiling, wheel]}")
+        .replace("radius: R", "radius: R, turns: counterclockwise")
+        + "states: {start: {rod.angle: b, at rest: all}}\n",
+        "rod.end, wheel",
+        {"alpha: rod.angular_acceleration at start": UNWOUND, "beta: wheel.angular_acceleration at start": -UNWOUND * sqrt(3) / 2 / 0.25},
     ),
 }  # fmt: skip
 
