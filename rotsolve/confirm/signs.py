@@ -154,6 +154,17 @@ def carried_by(
         yield from ((own, other) for own, other in ((first, second), (second, first)) if own.owner == name)
 
 
+def mover(name: str, model: Known) -> str:
+    """The body along whose line another one travels: what carries it by a joint, and so on, else itself."""
+    seen = [name]
+    while True:
+        held = (pair for item in model.acting.connections for pair in carried_by(item, seen[-1], frozenset(), model))
+        carrier = next((carrier.owner for _, carrier in held if carrier is not None), seen[-1])
+        if carrier in seen:
+            return seen[-1]
+        seen.append(carrier)
+
+
 def line(name: str, model: Known) -> Way | None:
     """The positive direction of a body's travel: on what it lies, as it `moves`, up where it hangs; None where it is free."""
     if name in model.held:
@@ -177,9 +188,8 @@ def line(name: str, model: Known) -> Way | None:
 
 def hangs(name: str, model: Known) -> bool:
     """Whether a body hangs from a string or a spring by its centre, and no other body carries it."""
-    for item in model.acting.connections:
-        if any(carrier is not None for _, carrier in carried_by(item, name, frozenset(), model)):
-            return False
+    if mover(name, model) != name:
+        return False
     for item in model.acting.connections:
         refs: tuple[PointRef, ...] = ()
         if isinstance(item, String):

@@ -233,6 +233,17 @@ class Configuration(Arrangement, frozen=True, dict=True):
         hangs = any(item.hangs(body) for item in self.connections(state))
         return (UP, "up") if hangs and self.problem.gravity is not None and self.problem.plane == "vertical" else None
 
+    def mover(self, name: str, state: str) -> str:
+        """The body along whose line another one travels: what carries it, where that hangs it by a joint, else what stands for it."""
+        seen = [self.host(name, state)]
+        while seen[-1] in self.bodies and self.hung(seen[-1], state) is not None:
+            joints = (item.joint() for item in self.connections(state))
+            carrier = next(refs[0].owner for refs in joints if any(ref.owner == seen[-1] for ref in refs[1:]))
+            if self.host(carrier, state) in seen:
+                break
+            seen.append(self.host(carrier, state))
+        return seen[-1]
+
     def drives(self, name: str, state: str) -> tuple[Drive, ...]:
         """The motions of a body that are given from outside."""
         host = self.host(name, state)

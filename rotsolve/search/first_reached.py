@@ -18,6 +18,7 @@ from rotsolve.search.numbers import Numbers
 from rotsolve.solver.steps import PickedRoot
 
 TURN = 2 * PI
+FIRST: Words = ("the first place on the way where this holds",)
 SAME_PLACE = 1e-9  # rad: how far numerical roots may be apart that are one place, whole turns apart
 
 
@@ -51,15 +52,20 @@ class FirstReached(Struct, frozen=True):
                 begin = self._begin(travel, letter, interval)
                 if begin is None:
                     continue
-                places = [(k, root, (root - shift) / scale) for k, root in roots]
                 turned_back = period is None and not all(isinstance(root, Number) for _, root in roots)
                 turned_back |= travel.kind == "turn" and self.scene.instant(passage.end.state).wound(travel.body)
-                ways = self._there_and_back(places, *begin) if turned_back else self._round(places, *begin)
-                first = min(ways, key=cmp_to_key(self._compared))
-                words: Words = ("the first place on the way where this holds",)
-                turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
-                return PickedRoot(first.root, words, turns)
+                places = [(k, root, (root - shift) / scale) for k, root in roots]
+                return self.first_of(places, *begin, scale, again=not turned_back)
         return None
+
+    def first_of(
+        self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int, scale: Formula, *, again: bool
+    ) -> PickedRoot:
+        """Of places, each with its root and that, the first one on the way from a start; whether it holds `again` a turn later."""
+        ways = self._round(places, start, way) if again else self._there_and_back(places, start, way)
+        first = min(ways, key=cmp_to_key(self._compared))
+        turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
+        return PickedRoot(first.root, FIRST, turns)
 
     def _compared(self, one: WayToRoot, other: WayToRoot) -> int:
         """Which way is shorter; from a summit it may go to either side, equally far: the smaller angle is told."""
@@ -83,7 +89,7 @@ class FirstReached(Struct, frozen=True):
             return None if circle is None or start is None else (start, circle.way * (self._onset(travel) or 1))
         if travel.kind != "turn" or travel.start is None or travel.end is None or letter not in travel.end.symbols():
             return None
-        found = self._linear(travel.end, letter)
+        found = self.linear(travel.end, letter)
         start = self._known(travel.start)
         if found is None or start is None:
             return None
@@ -92,7 +98,7 @@ class FirstReached(Struct, frozen=True):
             return None
         return (start - rest) / slope, (self.numbers.side(slope) or 0) * self._onset(travel)
 
-    def _linear(self, value: Formula, letter: str) -> tuple[Formula, Formula] | None:
+    def linear(self, value: Formula, letter: str) -> tuple[Formula, Formula] | None:
         """Slope and rest of a value that is slope · letter + rest; None of any other."""
         at = [value.substitute({letter: Number(Fraction(number))}) for number in range(3)]
         if self.numbers.side(add(at[2], at[0]) - 2 * at[1]) != 0 or not self.numbers.side(at[1] - at[0]):
@@ -154,5 +160,5 @@ class FirstReached(Struct, frozen=True):
         angles = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
         if formula is None or len(angles) != 1:
             return name, ONE, ZERO
-        found = self._linear(formula, angles[0])
+        found = self.linear(formula, angles[0])
         return (name, ONE, ZERO) if found is None else (angles[0], *found)

@@ -273,3 +273,37 @@ def test_an_axle_goes_with_what_is_led_by_way_of_others(
 def test_an_axle_that_may_be_fixed_or_carried_is_refused(setting: str, bodies: str, more: str, named: str) -> None:
     with pytest.raises(Unsolvable, match=named):
         solve(setting.replace("BODIES", bodies).replace("MORE", more).replace("LINES", ""))
+
+
+SLEDGE = """
+given: {M: 20 kg, m: 10 kg, R: 25 cm, Q: 60 N m, b: 30 deg}
+surfaces: {ramp: {slope: b, down: SIDE}, hill: {slope: 40 deg, down: right}}
+bodies: {sledge: {mass: M, moves: up}, drum: {shape: disc, mass: m, radius: R, turns: TURNS}}
+connections:
+  under: {contact: [sledge, ramp]}
+  axle: {axle: [sledge, drum]}
+  rope: {string: ROPE, ALONG}
+actions: {motor: {couple: Q, on: drum, direction: AGAINST}}
+states: {start: at rest}
+find: {A: sledge.acceleration at start, T: rope.tension at start}
+"""
+
+
+@pytest.mark.parametrize("along", ["along: ramp", ""])
+@pytest.mark.parametrize("drum", ["drum", "drum.rim"])
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_a_rope_of_what_a_sledge_carries_runs_up_its_slope(side: str, drum: str, along: str) -> None:
+    """A drum hauls its sledge up: (M + m) A = T − (M + m) g sin β, Q − T R = ½ m R² A/R."""
+    turns = ("clockwise", "counterclockwise") if side == "left" else ("counterclockwise", "clockwise")
+    rope = f"[{drum}, ground]" if side == "left" else f"[ground, {drum}]"
+    text = SLEDGE.replace("ROPE", rope).replace("SIDE", side).replace("TURNS", turns[0]).replace("AGAINST", turns[1])
+    answers = solve(text.replace(", ALONG", f", {along}" if along else "")).answers
+    gain = (60 / 0.25 - 30 * G / 2) / (30 + 10 / 2)
+    assert answers["A"].float == pytest.approx(gain)
+    assert answers["T"].float == pytest.approx(30 * (gain + G / 2))
+
+
+def test_a_surface_along_which_nothing_on_a_string_travels_is_refused() -> None:
+    text = SLEDGE.replace("ROPE", "[drum, ground]").replace("SIDE", "left").replace("TURNS", "clockwise")
+    with pytest.raises(Unsolvable, match="nothing that `rope` touches travels along `hill`"):
+        solve(text.replace("AGAINST", "counterclockwise").replace("ALONG", "along: hill"))

@@ -61,10 +61,19 @@ class Routing(Struct, frozen=True, dict=True):
     @cached_property
     def legs(self) -> tuple[Leg, ...]:
         """All legs, with the points where they meet the bodies."""
+        self.check_along()
         pairs = list(pairwise(self.points))
         along = [self.direction(index) for index in range(len(pairs))]
         ends = [(self.meeting(k, along, k), self.meeting(k + 1, along, k)) for k in range(len(pairs))]
         return tuple(Leg(*pair, way, arms) for pair, way, arms in zip(pairs, along, ends, strict=True))
+
+    def check_along(self) -> None:
+        """Something that the string touches travels along the surface that it is said to run along."""
+        surface = self.instant.configuration.surfaces.get(self.along or "")
+        if surface is not None and not any(self.travels(ref.owner, surface) for ref in self.points):
+            message = f"nothing that `{self.name}` touches travels along `{self.along}`"
+            help = "say by `pulls` which way it pulls a body"
+            raise Unsolvable(message, span=self.points[0].span, help=help)
 
     def direction(self, index: int) -> Vector:
         """Unit vector of a leg from its first to its second body: as `pulls` says of either, else by whichever end settles it."""
@@ -98,9 +107,13 @@ class Routing(Struct, frozen=True, dict=True):
         return None if right is None else unit(right)
 
     def line(self, owner: str) -> Heading | None:
-        """The direction in which a body travels; nothing of what is no body, or turns only."""
-        found = self.instant.line(self.instant.host(owner)) if owner in self.instant.configuration.bodies else None
+        """The direction in which a body travels, or what carries it; nothing of what is no body, or turns only."""
+        found = self.instant.line(self.mover(owner)) if owner in self.instant.configuration.bodies else None
         return None if found is None else found[0]
+
+    def mover(self, owner: str) -> str:
+        """The body along whose line another one travels."""
+        return self.instant.configuration.mover(owner, self.instant.state)
 
     def settled(self, index: int, leaving: Callable[[int, int], Vector | None]) -> Vector | None:
         """The direction of a leg by how the string leaves its first end, or else its second."""
@@ -123,9 +136,7 @@ class Routing(Struct, frozen=True, dict=True):
         """Unit vector of a direction at an end: `up` and `down` of what lies on a slope mean along the slope."""
         owner = self.points[station].owner
         bodily = owner in self.instant.configuration.bodies
-        surface = (
-            supporting(self.instant.host(owner), self.instant.configuration, self.instant.state) if bodily else None
-        )
+        surface = supporting(self.mover(owner), self.instant.configuration, self.instant.state) if bodily else None
         if surface is not None and surface.slanted and word in ("up", "down"):
             return unit(surface.travel(word)[0])
         return unit(WORDS[word])
@@ -176,7 +187,7 @@ class Routing(Struct, frozen=True, dict=True):
                 return None
             hanging = neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
             return unit(DOWN if hanging else UP)
-        surface = supporting(self.instant.host(ref.owner), self.instant.configuration, self.instant.state)
+        surface = supporting(self.mover(ref.owner), self.instant.configuration, self.instant.state)
         if surface is not None and surface.slanted:
             return unit(uphill(surface))
         if direction.sin() == ZERO:
