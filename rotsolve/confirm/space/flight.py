@@ -262,11 +262,12 @@ class Flight:
         if path is None or line.word in EXTREMES:
             return None
         if path.quantity == "angle" and self.swings(path.owner):
-            axis = self.axes[path.owner]
-            return lambda world: inner_product(
-                world.now.arrow(TURNING, path.owner), times_arrow(world.stance.turned(path.owner), axis)
-            )
+            return partial(self.swung_rate, path.owner)
         return (lambda world: world.now.one("euler", path.owner, 1)) if path.quantity == "tilt" else None
+
+    def swung_rate(self, name: str, world: World) -> float:
+        """How fast a body turns about its hinge, in the sense of that."""
+        return inner_product(world.now.arrow(TURNING, name), times_arrow(world.stance.turned(name), self.axes[name]))
 
     def refuse_elsewhere(self, line: Condition, one: Numbers, other: Numbers) -> None:
         """Give up a body alone on a hinge that has been everywhere: between two turning points, or far off in one sense."""
@@ -370,6 +371,8 @@ class Flight:
         told, term = self.rig.value(line.value), Term(path, axes=line.axes or None)
         if path.quantity == "angle" and self.swings(path.owner):
             return lambda world: world.stance.swung[path.owner] - told
+        if path.quantity == "angular_velocity" and path.component is None and self.swings(path.owner):
+            return lambda world: self.swung_rate(path.owner, world) - told
         return lambda world: Reading(world).number(term) - told
 
     def size_of(self, line: Condition, world: World) -> float:

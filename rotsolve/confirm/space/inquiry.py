@@ -408,23 +408,29 @@ class Inquiry:
         return left
 
     def off_arrival(self, before: State, state: State) -> Iterator[float]:
-        """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it."""
+        """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it, and by
+        how much it has that rate at another angle the first time."""
         from rotsolve.confirm.space.flight import Flight
 
+        asked = {given.name for given in self.problem.givens if given.asked}
         lines = [line for line in state.conditions if line.path is not None and line.value is not None]
         for line in (line for line in lines if line.path is not None and line.path.quantity == "angle"):
-            told = Lines(self.rig, state, {}).told(line.path.owner, "angular_velocity")  # type: ignore[union-attr]
-            ways = self.ways(before.name) if told else []
+            paced = Lines(self.rig, state, {}).line(line.path.owner, "angular_velocity")  # type: ignore[union-attr]
+            ways = self.ways(before.name) if paced is not None and paced.value is not None else []
             if (
-                told is None
+                paced is None
+                or paced.value is None
                 or len(ways) != 1
                 or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds)
             ):
                 continue
-            flight = Flight(self.rig, ways[0].worlds[0], state)
-            rate = flight.rate_of(line)
-            if rate is not None:
-                yield rate(flight.arrival(line)) - told
+            there, paced_there = (Flight(self.rig, ways[0].worlds[0], state) for _ in range(2))
+            if there.rate_of(line) is None:
+                continue
+            if self.rig.value(paced.value):  # else it turns back there, and does not pass through
+                yield there.gap_of(paced)(there.arrival(line))
+            if line.value is not None and line.value.symbols() & asked:
+                yield paced_there.gap_of(line)(paced_there.arrival(paced))
 
     def off_lines(self, standing: Moving, state: State | None) -> Iterator[float]:
         """By how much lines that are no ties do not hold."""

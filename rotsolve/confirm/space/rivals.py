@@ -30,7 +30,9 @@ Left = Callable[[float], "list[float]"]
 
 def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
     """Whether an answer that fits is the one that is asked for among all that do; None where nothing tells which is meant."""
-    if len(hearing.places) != 1 or not any(state.steady for state in hearing.problem.states):
+    if not any(state.steady for state in hearing.problem.states):
+        return None if find.modifier in EXTREMES else True
+    if len(hearing.places) != 1:
         return True
     place = hearing.places[0]
     least = 1.0 if put_in_as_angle(hearing, place) else 0.0
