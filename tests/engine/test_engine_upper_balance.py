@@ -118,3 +118,18 @@ def test_at_its_highest_it_is_up_there_also_on_the_edge() -> None:
     solution = solve(text.replace("find: {", "find: {phi: rod.angle at top, "))
     assert solution.answers["phi"].float == pytest.approx(1.5707963)
     assert "v" in solution.refused
+
+
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("turns", TURNS)
+def test_it_does_not_come_to_rest_up_there(name: str, turns: str) -> None:
+    """The state at which it is at rest is itself not reached on the edge, as its `rod.angle: largest` is; in letters that is left out."""
+    letters, *_ = SCENES[name]
+    edge = {one: number for one, (number, _) in letters.items()}
+    ask = ("v: rod.angular_velocity at back", "th: rod.rotation from start to top")
+    with pytest.raises(NeverReached, match="is never reached"):
+        solve(scene(name, turns, "rod.angular_velocity: 0", **edge).replace(*ask))
+    (answer,) = solve(scene(name, turns, "rod.angular_velocity: 0").replace(*ask)).answers.values()
+    for g, there in ((0.97, False), (1.0, False), (1.03, True), (2.0, True)):
+        case = holding(answer.answer, {**edge, "g": g * edge["g"]})
+        assert (case is not None) == there, f"{answer} at {g} of the edge"
