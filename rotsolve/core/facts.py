@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import ZERO, Formula, call, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import Drive
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector
@@ -365,6 +365,11 @@ class Facts(Struct, frozen=True):
 def signed(value: Formula, sense: int) -> Formula:
     """`value` counted along a sense: itself for +1, its negative for −1."""
     return value if sense > 0 else negate(value)
+
+
+def enough(owner: str, size: Formula, most: Formula, otherwise: str) -> Requirement:
+    """Friction that holds is at most as large as it can be: |f| ≤ f_max."""
+    return Requirement(owner, GRIPS, most, call("abs", size), "", otherwise)
 
 
 def held_still(owner: str, name: str, motion: Motion) -> Rule:

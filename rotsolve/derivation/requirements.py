@@ -46,7 +46,10 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
             at = place if event or need.kind.placed else search.scene.section(place)
             # each part of a string has a tension of its own
             key = (need.owner, need.otherwise, at, need.left - need.right)
-            if key in told or not (concerns(need.owner, search) or (event and asked_after(need, place, search))):
+            stands = need.kind.grips and not event and search.scene.instant(place).in_balance  # all the rest by it
+            if key in told or not (
+                stands or concerns(need.owner, search) or (event and asked_after(need, place, search))
+            ):
                 continue
             for sought in values_sought(search):
                 for holds, words in met_or_not(need, place, search, letters, sought):

@@ -135,6 +135,11 @@ class Standing(Struct, frozen=True, dict=True):
             return self.ask("angle", drive.body, words=TURNS)
         return self.rate(word, drive.body)
 
+    @property
+    def in_balance(self) -> bool:
+        """Whether the state says that all stands in balance."""
+        return self.configuration.timeline.state(self.state).balance
+
     def orientation(self, name: str) -> Heading:
         """How far a body's own axes are turned in space: by its angle, or not at all where it stands as drawn."""
         angle = self.angle(name)

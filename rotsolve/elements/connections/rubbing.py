@@ -9,7 +9,7 @@ from msgspec import field
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
-from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule
+from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule, enough
 from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
@@ -125,6 +125,8 @@ class Clutch(Rubbing, frozen=True):
             yield Couple(self.name, FRICTION, name, torque, "friction torque", size, sense, internal=sticks)
         if sticks:
             yield self.grip_rule(instant)
+        if sticks and instant.in_balance:
+            yield enough(self.name, size, self.torque(instant), "slips")
 
 
 class Rims(Rubbing, frozen=True):
@@ -186,3 +188,5 @@ class Rims(Rubbing, frozen=True):
             yield Force(self.name, FRICTION, name, size, along, arm, noun, way, works=not sticks, internal=sticks)
         if sticks:
             yield self.grip_rule(instant)
+        if sticks and instant.in_balance and self.friction.static is not None:
+            yield enough(self.name, size, self.friction.static * self.press, "slips")

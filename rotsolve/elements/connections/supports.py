@@ -20,6 +20,7 @@ from rotsolve.core.facts import (
     Role,
     Rule,
     Whirl,
+    enough,
     held_still,
     signed,
 )
@@ -106,14 +107,16 @@ class Driven(Connection, frozen=True):
         """Friction of the axle: against the turn, whichever way that is; as large as it takes while it holds the body still."""
         mode = instant.mode(f"{self.name}.{name}")
         forward, back = instant.turn_words(name)
+        most = (self.friction_torque or ZERO).substitute({"time": instant.time()})
         if mode == "holds":
             size = instant.ask("torque", self.name, when=instant.span(name), words=(forward, back))
             yield Couple(self.name, FRICTION, name, signed(size, sense), "friction torque", size)
             yield held_still(self.name, name, instant.motion(name))
+            if instant.in_balance:
+                yield enough(self.name, size, most, "turns")
             return
-        size = (self.friction_torque or ZERO).substitute({"time": instant.time()})
         turn, against = (sense, forward) if mode == "turns back" else (-sense, back)
-        yield Couple(self.name, FRICTION, name, signed(size, turn), "friction torque", size, against)
+        yield Couple(self.name, FRICTION, name, signed(most, turn), "friction torque", most, against)
 
 
 Axis = tuple[Formula, ...]

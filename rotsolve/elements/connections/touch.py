@@ -9,9 +9,9 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
+from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import FRICTION, GRIPS, NORMAL, TOUCHES, Force, Requirement, Rule, square
+from rotsolve.core.facts import FRICTION, NORMAL, TOUCHES, Force, Requirement, Rule, enough, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import has_quantities
@@ -438,7 +438,7 @@ class Touch(Connection, frozen=True):
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
-            yield Requirement(self.name, GRIPS, grip.static * normal, call("abs", size), "", "slips")
+            yield enough(self.name, size, grip.static * normal, "slips")
 
     def both(self, force: Force, instant: Moment, noun: str, way: str, of: str) -> Iterator[Force]:
         """A force on the body, and that by which it acts back on the body that carries it."""

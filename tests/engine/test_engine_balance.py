@@ -1,0 +1,80 @@
+"""What a state says to be in balance is held by friction there: no harder than that can hold, also where an event follows at once."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+
+LOAD = "load: {mass: m, moves: DOWN}"
+SCENES = {  # the bodies, what holds them, and how large a friction has to be beside m g R or m g
+    "a rubbing axle": (
+        f"drum: {{inertia: I, radius: R, turns: WAY}}, {LOAD}",
+        "axle: {axle: drum, friction_torque: tau}, rope: {string: [load, drum]}",
+        "",
+        "m g R ≤ τ",
+    ),
+    "a brake": (
+        f"drum: {{inertia: I, radius: R, turns: WAY}}, {LOAD}",
+        "axle: {axle: drum}, rope: {string: [load, drum]}",
+        "actions: {brake: {press: F, on: drum, friction: mu}}",
+        "m g ≤ μ F",
+    ),
+    "a slope": (
+        "load: {mass: m}",
+        "base: {contact: [load, ramp], friction: mu}",
+        "surfaces: {ramp: {slope: b, down: SIDE}}",
+        "tan b ≤ μ",
+    ),
+}
+GIVEN = {"m": "kg", "R": "m", "I": "kg m^2", "tau": "N m", "F": "N", "mu": "number", "b": "deg"}
+HIT = "events: {hit: {impulse: 2 N s, on: load, direction: DOWN, from: hold, to: after}}\n"
+ENOUGH = {"m": 2, "R": 0.5, "I": 1, "tau": 12, "F": 50, "mu": 0.5, "b": 20}
+TOO_LITTLE = ENOUGH | {"tau": 9, "F": 30, "b": 30}
+
+
+def scene(name: str, way: str, question: str, numbers: dict[str, float] | None, *, struck: bool) -> str:
+    bodies, held, more, _ = SCENES[name]
+    given = {
+        key: unit if numbers is None else f"{numbers[key]} {unit}".removesuffix(" number")
+        for key, unit in GIVEN.items()
+    }
+    used = {
+        key: value for key, value in given.items() if any(f"{key}{end}" in f"{bodies} {held} {more}" for end in ",}")
+    }
+    states = "{hold: {balance: true}, after: {}}" if struck else "{hold: {balance: true}}"
+    text = f"""given: {{{", ".join(f"{key}: {value}" for key, value in used.items())}}}
+bodies: {{{bodies}}}
+{more}
+connections: {{{held}}}
+states: {states}
+{HIT if struck else ""}find: {{{question}}}
+"""
+    down = "right" if way == "clockwise" else "left"
+    return text.replace("WAY", way).replace("DOWN", "down").replace("SIDE", down)
+
+
+QUESTIONS = {
+    "a rubbing axle": "T: rope.tension at hold",
+    "a brake": "T: rope.tension at hold",
+    "a slope": "N: base.normal_force at hold",
+}
+
+
+@pytest.mark.parametrize("struck", [False, True])
+@pytest.mark.parametrize("way", ["clockwise", "counterclockwise"])
+@pytest.mark.parametrize("name", SCENES)
+def test_a_balance_that_friction_can_not_hold_is_none(name: str, way: str, struck: bool) -> None:
+    question = QUESTIONS[name]
+    held = solve(scene(name, way, question, ENOUGH, struck=struck))
+    assert all(check.holds is not False for check in held.derivation.checks)
+    assert all(verdict.holds for verdict in held.derivation.confirmed)
+    try:
+        slips = solve(scene(name, way, question, TOO_LITTLE, struck=struck))
+    except Unsolvable:
+        pass
+    else:
+        assert any(check.holds is False for check in slips.derivation.checks)
+    (answer,) = solve(scene(name, way, question, None, struck=struck)).answers.values()
+    assert answer.answer.conditions, "letters say up to where friction holds it"
