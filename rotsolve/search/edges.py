@@ -16,13 +16,15 @@ from rotsolve.algebra.effort import Allowance, Exhausted
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import degree, is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Formula, call
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, call
 from rotsolve.core.derivation import Equality
 from rotsolve.search.cases import Case, Found, Solving, case_at
 from rotsolve.search.lettersigns import LONG, Proviso
 from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
 from rotsolve.search.provisos import divides, letter_rank, shown
 
+INVERSES = {"cos": "acos", "sin": "asin", "tan": "atan"}
+INSIDE = "#inside"  # a function in whose argument a letter stands
 MOST = 12  # edges on which a case is solved
 STEPS = 4_000  # of work for all of them
 
@@ -111,9 +113,12 @@ class Edges(Generic[Found]):
                         yield Edge(gap, name, limit, equality, {**point, name: size})
 
     def limit(self, gap: Formula, name: str) -> Formula | None:
-        """What a letter is where a gap is zero, if it stands in it to the first power, or as a square alone."""
+        """What a letter is where a gap is zero, if it stands in it to the first power, as a square alone, or in one cosine or its like."""
         if degree(gap, name) == 1:
-            return solve_linear(gap, name, order=self.space.order, positive=self.space.positive)
+            return self.solved(gap, name)
+        functions = {node for node in gap.walk(*INVERSES) if isinstance(node, Call) and name in node.symbols()}
+        if len(functions) == 1:
+            return self.limit_inside(gap, functions.pop(), name)
         slope = differentiate(gap, name)
         if degree(gap, name) != 2 or not is_zero(slope.substitute({name: ZERO})):
             return None
@@ -123,6 +128,18 @@ class Edges(Generic[Found]):
             order=self.space.order,
             positive=self.space.positive,
         )
+
+    def limit_inside(self, gap: Formula, function: Call, name: str) -> Formula | None:
+        """What a letter is that stands in a function of an angle to the first power, and nowhere else: cos 2 α = 0 at α = π/4."""
+        plain, (angle,) = gap.transform(lambda node: Symbol(INSIDE) if node == function else node), function.arguments
+        if name in plain.symbols() or degree(plain, INSIDE) != 1 or degree(angle, name) != 1:
+            return None
+        value = self.solved(plain, INSIDE)
+        return None if value is None else self.solved(angle - call(INVERSES[function.function], value), name)
+
+    def solved(self, gap: Formula, name: str) -> Formula | None:
+        """The root of what is linear in a letter."""
+        return solve_linear(gap, name, order=self.space.order, positive=self.space.positive)
 
     def limits(self, gap: Formula) -> Iterator[tuple[str, Formula]]:
         """What each letter is that stands in a gap to the first power, as a page would have it first."""
