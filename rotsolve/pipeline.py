@@ -28,6 +28,7 @@ from rotsolve.core.faults import (
     SceneError,
     Unsolvable,
 )
+from rotsolve.core.letters import letters_of
 from rotsolve.language.problem import Find, Problem, before
 from rotsolve.motion.block import asked_block
 from rotsolve.motion.complete import configured
@@ -35,7 +36,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
 from rotsolve.profile import stage
 from rotsolve.scene.read import read_source, read_text
-from rotsolve.search.answering import Unanswered, letters_of, needed_for
+from rotsolve.search.answering import Unanswered, needed_for
 from rotsolve.search.answers import unsolvable
 from rotsolve.solution import Solution
 from rotsolve.solving import solved

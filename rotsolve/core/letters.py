@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -19,6 +19,18 @@ def letter_order(letters: Iterable[tuple[str, Dimension | None]]) -> tuple[str, 
     """Names in the order of a printed product; equal ranks keep the order in which they come."""
     ranked = [(product_rank(dimension), index, name) for index, (name, dimension) in enumerate(letters)]
     return tuple(name for _, _, name in sorted(ranked))
+
+
+def letters_of(item: object) -> Iterator[str]:
+    """All letters in the formulas of a part of a scene: of a question those in its condition and in its options too."""
+    if isinstance(item, Formula):
+        yield from item.symbols()
+    elif isinstance(item, tuple):
+        for part in item:
+            yield from letters_of(part)
+    elif isinstance(item, Struct):
+        for name in item.__struct_fields__:
+            yield from letters_of(getattr(item, name))
 
 
 class Given(Struct, frozen=True):

@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.language.problem import Find, Problem
@@ -90,18 +89,6 @@ def with_named(names: set[str], problem: Problem) -> tuple[Find, ...]:
     while more := {name for own in names for name in letters_of(finds[own]) if name in finds} - names:
         names |= more
     return tuple(item for item in problem.finds if item.name in names)
-
-
-def letters_of(item: object) -> Iterator[str]:
-    """All letters in a question, in its condition and in its options."""
-    if isinstance(item, Formula):
-        yield from item.symbols()
-    elif isinstance(item, tuple):
-        for part in item:
-            yield from letters_of(part)
-    elif isinstance(item, Struct):
-        for name in item.__struct_fields__:
-            yield from letters_of(getattr(item, name))
 
 
 def answer_all(search: Search, finds: Sequence[Find]) -> Refused:

@@ -15,6 +15,7 @@ from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.core.facts import Force, Requirement, signed
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import POSITION, RATES, has_quantities, of_kinds, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
@@ -27,7 +28,6 @@ from rotsolve.motion.positive import limits_of
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs, rubs_at
 from rotsolve.plan import PATIENCE
 from rotsolve.questions.find import Asked
-from rotsolve.search.answering import letters_of
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.explain import unreachable
 from rotsolve.search.openings import tell_ends

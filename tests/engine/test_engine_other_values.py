@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import rotsolve
@@ -181,3 +183,20 @@ def test_roots_beside_a_known_one(name: str) -> None:
 
     found = sorted(Scan(reach, known).roots(places_beside(known, 1.0, None)))
     assert found == pytest.approx(roots)
+
+
+@pytest.mark.parametrize(("start", "way"), [(-150, 1), (-30, -1), (150, 1), (30, -1)])
+def test_a_place_to_which_the_motion_comes_later_is_no_other_value(start: int, way: int) -> None:
+    """A rod let go has 1.5 rad/s on both sides of its lowest place; a state is the first of them."""
+    solution = rotsolve.solve(f"""
+given: {{m: 2 kg, L: 0.6 m, th: unknown, g: 9.8 m/s^2, w: 1.5 rad/s}}
+bodies: {{rod: {{shape: rod, mass: m, length: L}}}}
+connections: {{pin: {{hinge: rod.start}}}}
+states: {{start: {{rod.angle: {start} deg, at rest: all}}, fast: {{rod.angle: th, rod.angular_velocity: {way}*w}}}}
+find: {{th: th}}
+""")
+    fallen = math.asin(math.sin(math.radians(start)) - 1.5**2 * 0.6 / (3 * 9.8))
+    (told,) = solution.answers.values()
+    assert math.sin(told.float) == pytest.approx(math.sin(fallen))
+    assert abs(told.float - math.radians(start)) < 0.3
+    assert [verdict.holds for verdict in solution.derivation.confirmed] == [True if start < 0 else None]  # not all looked for

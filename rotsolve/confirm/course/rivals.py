@@ -16,11 +16,12 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.samples import Fits, Numbers, holding
 from rotsolve.confirm.course.scan import Scan, places_beside
 from rotsolve.confirm.course.sizes import letters_open, natural_units
-from rotsolve.confirm.course.sought import reach_of
+from rotsolve.confirm.course.sought import place_told, reach_of
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.verdicts import SAME, not_so, said_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation
@@ -128,7 +129,20 @@ class Rivals:
         """Whether all holds with another value."""
         if not sought.may_be(value, sized=sized) or not self.fits(sought.numbers(value)):
             return False
-        return self.judge(sought.find, {"": value}, sought.numbers(value)).holds is True
+        holds = self.judge(sought.find, {"": value}, sought.numbers(value)).holds is True
+        return holds and not self.later(sought, value)
+
+    def later(self, sought: SoughtLetter, value: float) -> bool:
+        """Whether another value is a place to which the same motion comes later: a state is the first time at which its lines hold."""
+        state = place_told(self.problem, sought.given.name)
+        if state is None or sought.find.modifier or sought.find.where is not None:
+            return False
+        courses = (Course(self.problem, sought.numbers(at), self.budget) for at in (sought.said, value))
+        try:
+            own, other = (course.time(self.problem.states[0].name, state.name) for course in courses)
+        except (NotConfirmed, ArithmeticError, ValueError):
+            return False
+        return other > own
 
     def numbers_of(self, sought: SoughtLetter) -> str:
         """With which numbers of the open letters."""

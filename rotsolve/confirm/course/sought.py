@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Course
@@ -15,6 +15,8 @@ from rotsolve.confirm.course.gauges import HOLDS, gauges
 from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.samples import Numbers
 from rotsolve.confirm.course.scan import Reach
+from rotsolve.core.letters import letters_of
+from rotsolve.core.symbols import PLACES
 from rotsolve.language.problem import Condition, Find, Problem, State
 
 BESIDE = 1.01  # another value of the letter, with which a line that tells it does not hold
@@ -63,6 +65,16 @@ def lines_told(problem: Problem) -> Iterator[tuple[State, Condition]]:
         for line in reversed(state.conditions):
             if line.path is not None and line.value is not None:
                 yield state, line
+
+
+def place_told(problem: Problem, letter: str) -> State | None:
+    """The later state at whose place a letter is told, and told by nothing else; it says how far a motion goes, and not how."""
+    for state, line in lines_told(problem):
+        placed = line.path is not None and line.path.quantity in PLACES and line.value == Symbol(letter)
+        if placed and state is not problem.states[0] and not any(event.to == state.name for event in problem.events):
+            rest = replace(without_line(problem, state, line), finds=())
+            return None if letter in letters_of(rest) else state
+    return None
 
 
 def without_line(problem: Problem, state: State, line: Condition) -> Problem:
