@@ -117,8 +117,8 @@ class Edges(Generic[Found]):
         if degree(gap, name) == 1:
             return self.solved(gap, name)
         functions = {node for node in gap.walk(*INVERSES) if isinstance(node, Call) and name in node.symbols()}
-        if len(functions) == 1:
-            return self.limit_inside(gap, functions.pop(), name)
+        if len(functions) == 1 and (function := functions.pop()).function in INVERSES:
+            return self.limit_inside(gap, function, name)
         slope = differentiate(gap, name)
         if degree(gap, name) != 2 or not is_zero(slope.substitute({name: ZERO})):
             return None
