@@ -34,7 +34,7 @@ def direction(item: String, index: int, model: Known) -> Way | None:
     if told_apart(first, second, model):
         return None
     ends = [(index, index + 1, 1.0), (index + 1, index, -1.0)]
-    for rule in (declared, supported, abreast, pulled, wheeled):
+    for rule in (declared, supported, abreast, pulled, wheeled, carried):
         for here, there, sign in ends:
             way = rule(item, here, there, model)
             if way is not None:
@@ -64,13 +64,13 @@ def declared(item: String, here: int, there: int, model: Known) -> Way | None:
     if surface is None:
         return None
     up = uphill(surface, model)
-    on = [parallel(travel_of(end.owner, model), up) for end in (ref, neighbour) if end.owner in model.seats]
+    on = [parallel(line_led(end.owner, model), up) for end in (ref, neighbour) if end.owner in model.seats]
     if sum(on) != 1:  # two that lie on it are drawn from left to right
         return None
     return up if ref.owner in model.seats else (-up[0], -up[1])
 
 
-def travel_of(name: str, model: Known) -> Way | None:
+def line_led(name: str, model: Known) -> Way | None:
     """The positive direction of a body's travel, or of that of what carries it."""
     return line(mover(name, model), model)
 
@@ -84,9 +84,7 @@ def abreast(item: String, here: int, there: int, model: Known) -> Way | None:
     ends = (0, len(item.string) - 1)
     if any(wraps(item.string[index], model) and index not in ends for index in (here, there)):
         return None
-    ways = [
-        travel_of(item.string[index].owner, model) for index in (here, there) if item.string[index].owner in model.seats
-    ]
+    ways = [line(item.string[index].owner, model) for index in (here, there) if item.string[index].owner in model.seats]
     way = ways[0] if len(ways) == 2 else None
     if way is None or not parallel(ways[1], way) or abs(way[0]) < 1e-9:
         return None
@@ -108,7 +106,7 @@ def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
     ref = item.string[here]
     if ref.owner not in model.seats:
         return None
-    way = travel_of(ref.owner, model)
+    way = line(ref.owner, model)
     if way is None:
         aside = held_aside(ref, model) and not wraps(ref, model)
         return (DOWN if below(item, there, model) else UP) if aside else None
@@ -122,10 +120,22 @@ def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
     return DOWN if slung(item, there, model) or (there > here and below(item, there, model)) else UP
 
 
+def carried(item: String, here: int, there: int, model: Known) -> Way | None:
+    """What another body carries is pulled as that is: up a slope, on the level towards its neighbour in the list, else up."""
+    owner = item.string[here].owner
+    way = line_led(owner, model) if owner in model.seats and line(owner, model) is None else None
+    if way is None:
+        return None
+    slope = lain_on(owner, model)
+    if isinstance(slope, Slope):
+        return uphill(slope, model)
+    return UP if abs(way[1]) > 1e-9 else RIGHT if there > here else (-1.0, 0.0)
+
+
 def slung(item: String, index: int, model: Known) -> bool:
     """Whether a wheel between the ends of a string, which passes under it, travels up and down: its neighbours are above it."""
     ref, between = item.string[index], 0 < index < len(item.string) - 1
-    way = travel_of(ref.owner, model) if between and ref.owner in item.under and wraps(ref, model) else None
+    way = line(ref.owner, model) if between and ref.owner in item.under and wraps(ref, model) else None
     return way is not None and abs(way[1]) > 1e-9
 
 
@@ -137,22 +147,18 @@ def held_aside(ref: PointRef, model: Known) -> bool:
 def below(item: String, there: int, model: Known) -> bool:
     """Whether a neighbour hangs there: it travels, and the string does not go round it."""
     ref = item.string[there]
-    return ref.owner in model.seats and not wraps(ref, model) and travel_of(ref.owner, model) is not None
+    return ref.owner in model.seats and not wraps(ref, model) and line(ref.owner, model) is not None
 
 
 def wheeled(item: String, here: int, there: int, model: Known) -> Way | None:
     """A wheel that travels up and down is pulled up where the string passes under it, or ends at it; down where it passes over."""
     ref = item.string[here]
-    way = travel_of(ref.owner, model) if ref.owner in model.seats else None
+    way = line(ref.owner, model) if ref.owner in model.seats else None
     if way is None or not wraps(ref, model):
         return None
     ends = (0, len(item.string) - 1)
     if here in ends:  # of two wheels on which it ends the first hangs higher
-        both = (
-            there in ends
-            and wraps(item.string[there], model)
-            and travel_of(item.string[there].owner, model) is not None
-        )
+        both = there in ends and wraps(item.string[there], model) and line(item.string[there].owner, model) is not None
         return DOWN if both and there > here else UP
     return UP if ref.owner in item.under else DOWN
 

@@ -27,6 +27,7 @@ SPIN = 2 / I_WHEEL * sqrt(6) / 1.5  # Q t/I
 HEAVY = 20 / 3 + 10  # (M/3 + m) L²
 ARM = 20 / 2 + 10  # (M/2 + m) L
 WOUND = 2 * 2 / (10 * 0.25) / (1 + 5 / 30 + 2 * 5 / 10)  # of a crate on a winch's rope
+OVER = 5 * G / (5 + 10 / 2 + 1 / (1 / 8 + 1 / 30))  # of a load beside a truck of 30 kg with a crate of 8 kg
 UNWOUND = -ARM * G * sqrt(3) / 2 / (HEAVY + 10 / 2 * 3 / 4)  # of a rod with a wheel on a thread
 
 CASES = {
@@ -106,6 +107,26 @@ CASES = {
             "A: truck.acceleration at start": 5 / 30 * WOUND,
             "a: crate.acceleration at start": WOUND,
             "T: rope.tension at start": 5 * WOUND,
+        },
+    ),
+    "load that hangs from a winch on a truck": (  # nothing pulls the truck: a = m g/(m + ½ m_winch)
+        TRUCK.replace("bodies: {", "bodies: {load: {mass: 5 kg, moves: down}, ").replace("radius: R", "radius: R, turns: clockwise")
+        + "connections: {under: {contact: [truck, rails]}, axle: {axle: ORDER}, rope: {string: [wheel, load]}}\n"
+        "states: {start: at rest}\n",
+        "truck, wheel",
+        {"a: truck.acceleration at start": 0.0, "l: load.acceleration at start": G / 2, "T: rope.tension at start": 5 * G / 2},
+    ),
+    "load beside a truck, over its pulley to a crate on it": (  # T (1/8 + 1/30) = l, 5 (g − l) = T + T_turn
+        TRUCK.replace("bodies: {", "bodies: {load: {mass: 5 kg, moves: down}, crate: {mass: 8 kg, moves: right}, ").replace(
+            "truck: {mass: M, moves: right}", "truck: {mass: M, moves: left}"
+        )
+        + "connections: {under: {contact: [truck, rails]}, base: {contact: [crate, truck]}, axle: {axle: ORDER},\n"
+        "  rope: {string: [crate, wheel, load]}}\nstates: {start: at rest}\n",
+        "truck, wheel",
+        {
+            "A: truck.acceleration at start": OVER / (1 / 8 + 1 / 30) / 30,
+            "l: load.acceleration at start": OVER,
+            "T: rope.crate.tension at start": OVER / (1 / 8 + 1 / 30),
         },
     ),
     "wheel on a truck, drawn over a pulley": (

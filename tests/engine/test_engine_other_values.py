@@ -199,4 +199,6 @@ find: {{th: th}}
     (told,) = solution.answers.values()
     assert math.sin(told.float) == pytest.approx(math.sin(fallen))
     assert abs(told.float - math.radians(start)) < 0.3
-    assert [verdict.holds for verdict in solution.derivation.confirmed] == [True if start < 0 else None]  # not all looked for
+    assert [verdict.holds for verdict in solution.derivation.confirmed] == [
+        True if start < 0 else None
+    ]  # not all looked for

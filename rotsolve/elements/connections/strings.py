@@ -83,7 +83,8 @@ class Routing(Struct, frozen=True, dict=True):
         if said.parts:
             return said
         self.check_straight(index)
-        return self.abreast(index) or self.settled(index, self.leaving_mover) or unit(RIGHT)
+        ways = (self.settled(index, leaving) for leaving in (self.leaving_mover, self.leaving_carried))
+        return self.abreast(index) or next((way for way in ways if way is not None), unit(RIGHT))
 
     def check_straight(self, index: int) -> None:
         """A straight piece does not pull each of two bodies along another line: a block on a table, a load that falls."""
@@ -107,7 +108,12 @@ class Routing(Struct, frozen=True, dict=True):
         return None if right is None else unit(right)
 
     def line(self, owner: str) -> Heading | None:
-        """The direction in which a body travels, or what carries it; nothing of what is no body, or turns only."""
+        """The direction in which a body travels; nothing of what is no body, is carried by another, or turns only."""
+        found = self.instant.line(self.instant.host(owner)) if owner in self.instant.configuration.bodies else None
+        return None if found is None else found[0]
+
+    def line_led(self, owner: str) -> Heading | None:
+        """The direction in which a body travels, or what carries it."""
         found = self.instant.line(self.mover(owner)) if owner in self.instant.configuration.bodies else None
         return None if found is None else found[0]
 
@@ -167,8 +173,8 @@ class Routing(Struct, frozen=True, dict=True):
         return between(ref, neighbour, self.instant)
 
     def travels(self, owner: str, surface: Surface) -> bool:
-        """Whether a body travels along a surface."""
-        line = self.line(owner)
+        """Whether a body travels along a surface, or what carries it."""
+        line = self.line_led(owner)
         return line is not None and (line - uphill(surface)).sin() == ZERO
 
     def leaving_mover(self, index: int, other: int) -> Vector | None:
@@ -187,7 +193,7 @@ class Routing(Struct, frozen=True, dict=True):
                 return None
             hanging = neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
             return unit(DOWN if hanging else UP)
-        surface = supporting(self.mover(ref.owner), self.instant.configuration, self.instant.state)
+        surface = supporting(self.instant.host(ref.owner), self.instant.configuration, self.instant.state)
         if surface is not None and surface.slanted:
             return unit(uphill(surface))
         if direction.sin() == ZERO:
@@ -198,6 +204,18 @@ class Routing(Struct, frozen=True, dict=True):
             return unit(UP if ref.owner in self.under else DOWN)
         lower = other > index and neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
         return unit(DOWN if lower or self.slung(other) else UP)
+
+    def leaving_carried(self, index: int, other: int) -> Vector | None:
+        """Direction in which the string leaves what is carried by a body that travels, where nothing else settles it: as it leaves that."""
+        owner = self.points[index].owner
+        direction = self.line_led(owner)
+        if direction is None or self.line(owner) is not None:
+            return None
+        surface = supporting(self.mover(owner), self.instant.configuration, self.instant.state)
+        if surface is not None and surface.slanted:
+            return unit(uphill(surface))
+        level = direction.sin() == ZERO
+        return unit(UP if not level else RIGHT if other > index else LEFT)
 
     def slung(self, index: int) -> bool:
         """Whether a wheel that travels up and down hangs in the string, which runs up from it on both sides."""
