@@ -279,9 +279,14 @@ def verge_words(need: Requirement, state: str, search: Search, letters: Letters)
 
 
 def symbols_in(need: Requirement, search: Search, letters: Letters) -> dict[str, Formula]:
-    """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none."""
+    """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none, with the name of its owner
+    where the scene has that letter for something else."""
     names = [name for name in (need.left - need.right).symbols() if is_key(name)]
-    plain = {name: Symbol(search.scene.registry.quantities[name].letter) for name in names}
+    asked = [(name, search.scene.registry.quantities[name]) for name in names]
+    plain = {
+        name: Symbol(one.letter if one.letter not in search.givens else f"{one.letter}_{one.owner}")
+        for name, one in asked
+    }
     return {**plain, **letters.symbols}
 
 
