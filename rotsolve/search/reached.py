@@ -52,7 +52,8 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         turned = "" if why else not_grown(interval, passage, end, aside)
         why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
         why = why or only_neared(passage, search, aside)
-        if slowest and not any(line.word in GROWS for line in end.conditions):  # of a highest place that is the limit
+        limit = end.balance or any(line.word in GROWS for line in end.conditions)  # an equilibrium, or a highest place
+        if slowest and not limit:
             why = why or f"{slowest} comes there ever more slowly"
         if why or turned:
             # what turns back at the other extreme may come to it from there
