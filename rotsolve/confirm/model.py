@@ -30,7 +30,7 @@ from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way, along
 from rotsolve.confirm.routing import legs
-from rotsolve.confirm.signs import carrier_of, grounded, line, sense
+from rotsolve.confirm.signs import carrier_of, carriers, grounded, line, sense
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
@@ -218,6 +218,11 @@ class Model:
             ride.rider.owner for item in self.acting.connections if (ride := item.ride()) is not None and ride.free
         )
         return frozenset(ropes | {name for name in riders if self.body(name).count > 1})
+
+    @cached_property
+    def carriers(self) -> dict[str, str]:
+        """What carries each body that a hinge or an axle hangs from another one."""
+        return carriers(self)
 
     @cached_property
     def guided(self) -> tuple[str, ...]:

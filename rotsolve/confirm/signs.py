@@ -154,15 +154,22 @@ def carried_by(
         yield from ((own, other) for own, other in ((first, second), (second, first)) if own.owner == name)
 
 
+def carriers(model: Known) -> dict[str, str]:
+    """What carries each body that a hinge or an axle hangs from another one."""
+    found: dict[str, str] = {}
+    for item in model.acting.connections:
+        for ref in item.touches() if isinstance(item, (Hinge, Axle)) and len(item.touches()) > 1 else ():
+            held = carried_by(item, ref.owner, frozenset(), model) if ref.owner in model.seats else ()
+            found.update((ref.owner, carrier.owner) for _, carrier in held if carrier is not None)
+    return found
+
+
 def mover(name: str, model: Known) -> str:
     """The body along whose line another one travels: what carries it by a joint, and so on, else itself."""
     seen = [name]
-    while True:
-        held = (pair for item in model.acting.connections for pair in carried_by(item, seen[-1], frozenset(), model))
-        carrier = next((carrier.owner for _, carrier in held if carrier is not None), seen[-1])
-        if carrier in seen:
-            return seen[-1]
+    while (carrier := model.carriers.get(seen[-1], seen[-1])) not in seen:
         seen.append(carrier)
+    return seen[-1]
 
 
 def line(name: str, model: Known) -> Way | None:
@@ -188,8 +195,6 @@ def line(name: str, model: Known) -> Way | None:
 
 def hangs(name: str, model: Known) -> bool:
     """Whether a body hangs from a string or a spring by its centre, and no other body carries it."""
-    if mover(name, model) != name:
-        return False
     for item in model.acting.connections:
         refs: tuple[PointRef, ...] = ()
         if isinstance(item, String):
@@ -199,7 +204,7 @@ def hangs(name: str, model: Known) -> bool:
         elif isinstance(item, Drapes):
             refs = item.drapes[2:]
         if any(ref.owner == name and ref.point in (None, "center") for ref in refs):
-            return True
+            return mover(name, model) == name
     return False
 
 
