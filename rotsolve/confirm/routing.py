@@ -34,7 +34,7 @@ def direction(item: String, index: int, model: Known) -> Way | None:
     if told_apart(first, second, model):
         return None
     ends = [(index, index + 1, 1.0), (index + 1, index, -1.0)]
-    for rule in (declared, supported, abreast, pulled, wheeled, carried):
+    for rule in (declared, supported, abreast, pulled, wheeled, as_carrier):
         for here, there, sign in ends:
             way = rule(item, here, there, model)
             if way is not None:
@@ -120,7 +120,7 @@ def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
     return DOWN if slung(item, there, model) or (there > here and below(item, there, model)) else UP
 
 
-def carried(item: String, here: int, there: int, model: Known) -> Way | None:
+def as_carrier(item: String, here: int, there: int, model: Known) -> Way | None:
     """What another body carries is pulled as that is: up a slope, on the level towards its neighbour in the list, else up."""
     owner = item.string[here].owner
     way = line_led(owner, model) if owner in model.seats and line(owner, model) is None else None

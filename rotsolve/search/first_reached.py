@@ -89,7 +89,7 @@ class FirstReached(Struct, frozen=True):
             return None if circle is None or start is None else (start, circle.way * (self._onset(travel) or 1))
         if travel.kind != "turn" or travel.start is None or travel.end is None or letter not in travel.end.symbols():
             return None
-        found = self.linear(travel.end, letter)
+        found = self._linear(travel.end, letter)
         start = self._known(travel.start)
         if found is None or start is None:
             return None
@@ -98,7 +98,7 @@ class FirstReached(Struct, frozen=True):
             return None
         return (start - rest) / slope, (self.numbers.side(slope) or 0) * self._onset(travel)
 
-    def linear(self, value: Formula, letter: str) -> tuple[Formula, Formula] | None:
+    def _linear(self, value: Formula, letter: str) -> tuple[Formula, Formula] | None:
         """Slope and rest of a value that is slope · letter + rest; None of any other."""
         at = [value.substitute({letter: Number(Fraction(number))}) for number in range(3)]
         if self.numbers.side(add(at[2], at[0]) - 2 * at[1]) != 0 or not self.numbers.side(at[1] - at[0]):
@@ -160,5 +160,5 @@ class FirstReached(Struct, frozen=True):
         angles = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
         if formula is None or len(angles) != 1:
             return name, ONE, ZERO
-        found = self.linear(formula, angles[0])
+        found = self._linear(formula, angles[0])
         return (name, ONE, ZERO) if found is None else (angles[0], *found)

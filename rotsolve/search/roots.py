@@ -43,7 +43,7 @@ class RootChoice(Struct, frozen=True):
         if self.scene.configuration.problem.space:
             from rotsolve.space.roots import chosen
 
-            picked = chosen(name, roots, self.scene, self.numbers, period)
+            picked = chosen(name, roots, self.scene, self.numbers, period) or self._first_on_hinge(name, roots, period)
             if picked is not None:
                 return picked
         outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]
@@ -73,6 +73,17 @@ class RootChoice(Struct, frozen=True):
             opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
             return PickedRoot(index, dropped, fits=not opposed)
         return self._of_several(name, real, numbered, roots, period)
+
+    def _first_on_hinge(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
+        """Of several angles of a body on a hinge in space the one to which it comes first."""
+        from rotsolve.space.roots import way_on_hinge
+
+        way = way_on_hinge(name, self.scene, self.numbers) if len(roots) > 1 else None
+        places = [(index, root, root) for index, root in enumerate(roots) if self.numbers.of(root) is not None]
+        if way is None or not places:
+            return None
+        reached = FirstReached(self.scene, self.numbers, self.definition)
+        return reached.first_of(places, *way, ONE, again=period is not None)
 
     def _of_several(
         self,

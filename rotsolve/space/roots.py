@@ -6,12 +6,12 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ONE, Formula, add, multiply, negate, sqrt
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, sqrt
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
 from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.language.problem import EXTREMES, Problem
-from rotsolve.search.first_reached import FirstReached
 from rotsolve.solver.steps import PickedRoot
 from rotsolve.space.passing import left_alone
 from rotsolve.space.swings import top_of
@@ -46,7 +46,7 @@ def chosen(
     if key.kind in TURNED and not key.component and len(roots) > 1:
         return first_there(name, roots, scene, numbers)
     if key.kind != "precession":
-        return on_the_hinge(name, roots, scene, numbers, period)
+        return None
     real = [index for index, root in enumerate(roots) if numbers.of(root) is not None]
     if not real:
         refuse_too_slow(key.owner, key.when, scene, numbers)
@@ -138,25 +138,19 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
     )
 
 
-def on_the_hinge(
-    name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers, period: Formula | None
-) -> PickedRoot | None:
-    """The angle to which a body on a hinge comes first on its way, for a letter by which a later state tells it; None of all else."""
-    reached = FirstReached(scene, numbers, lambda _: None)
-    for interval in scene.configuration.timeline.intervals if len(roots) > 1 else ():
-        lines = () if interval.event is not None else scene.configuration.timeline.state(interval.end).conditions
-        for line in (line for line in lines if line.value is not None and name in line.value.symbols()):
-            told = None if line.path is None or line.path.quantity != "angle" else reached.linear(line.value, name)  # type: ignore[arg-type]
-            before, after = (scene.dynamics[end].moment for end in (interval.start, interval.end))  # type: ignore[attr-defined]
-            start = None if told is None else before.stood(line.path.owner, "angle")  # type: ignore[union-attr]
-            way = 0 if start is None else setting_out(line.path.owner, before, after, numbers)  # type: ignore[union-attr]
-            if told is None or start is None or not way or numbers.side(told[0] ** 2 - 1) != 0:
+def way_on_hinge(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[Formula, int] | None:
+    """Where a letter by which a later state tells the angle of a body on a hinge sets out, and which way it goes; None of all else."""
+    timeline = scene.configuration.timeline
+    for interval in timeline.intervals:
+        for line in () if interval.event is not None else timeline.state(interval.end).conditions:
+            path, told = line.path, line.value
+            if path is None or told is None or path.quantity != "angle" or name not in told.symbols():
                 continue
-            places = [(index, root, root) for index, root in enumerate(roots) if numbers.of(root) is not None]
-            if not places:
-                return None
-            sense = way * (numbers.side(told[0]) or 0)
-            return reached.first_of(places, (start - told[1]) / told[0], sense, ONE, again=period is not None)
+            before, after = (scene.dynamics[end].moment for end in (interval.start, interval.end))  # type: ignore[attr-defined]
+            slope, start = differentiate(told, name), before.stood(path.owner, "angle")
+            way = 0 if start is None else setting_out(path.owner, before, after, numbers)
+            if way and start is not None and numbers.side(slope**2 - 1) == 0:
+                return (start - told.substitute({name: ZERO})) / slope, way * (numbers.side(slope) or 0)
     return None
 
 
