@@ -122,6 +122,9 @@ DEDUCT: dict[str, Key] = {
     "rounding": Key("deduction", "rounded too early, or to too few figures (default 25 %)"),
     "form": Key("deduction", "a number where a formula is wanted, or the other way round (default 25 %)"),
     "followed": Key("deduction", "right by the student's own earlier answers alone (default 25 %)"),
+    "case": Key(
+        "deduction", "in letters right in some of the cases alone, not in the first or but for the sign (default 50 %)"
+    ),
 }
 
 CLAUSES = ("about", "along", "by", "relative", "at", "during", "from", "to", "where", "in")

@@ -15,7 +15,7 @@ ALL = "all"  # in place of a name: what holds for every answer
 FORMS = ANY, EXACT, NUMBER = ("any", "exact", "number")
 UNITS = WANTED, OPTIONAL = ("wanted", "optional")
 SIGNS = STRICT, LENIENT = ("strict", "lenient")
-FLAWS = UNIT, ROUNDING, FORM, FOLLOWED = ("unit", "rounding", "form", "followed")
+FLAWS = UNIT, ROUNDING, FORM, FOLLOWED, CASE = ("unit", "rounding", "form", "followed", "case")
 
 
 class Tolerance(Struct, frozen=True):
@@ -38,7 +38,7 @@ class Deduction(Struct, frozen=True):
         return min(points, self.amount * points if self.share else self.amount)
 
 
-QUARTER = Deduction(Fraction(1, 4), share=True)
+QUARTER, HALF = Deduction(Fraction(1, 4), share=True), Deduction(Fraction(1, 2), share=True)
 
 
 class Marking(Struct, frozen=True):
@@ -50,7 +50,7 @@ class Marking(Struct, frozen=True):
     form: str = ANY
     unit: str = WANTED
     sign: str = STRICT
-    deduct: tuple[tuple[str, Deduction], ...] = tuple((flaw, QUARTER) for flaw in FLAWS)
+    deduct: tuple[tuple[str, Deduction], ...] = tuple((flaw, HALF if flaw == CASE else QUARTER) for flaw in FLAWS)
     span: Span | None = None
 
     def left(self, flaws: Iterable[str]) -> Fraction:

@@ -12,9 +12,11 @@ from fractions import Fraction
 from functools import cached_property
 from math import pi
 from random import Random
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
@@ -29,7 +31,7 @@ from rotsolve.grading.comparing.forms import Yardstick, term_count
 from rotsolve.motion.positive import is_angle
 
 if TYPE_CHECKING:
-    from rotsolve.language.problem import Given
+    from rotsolve.language.problem import Given, Problem
     from rotsolve.solution import Solution
 
 SEED = 20
@@ -44,7 +46,6 @@ QUARTER = pi / 2
 
 Point = Mapping[str, Ball]
 REFERENCES = 256  # that a domain remembers
-NOTHING = Fraction(1, 10**20)  # a share by which equal formulas may differ in balls
 LARGEST = 20_000  # terms that a formula may have when it is multiplied out
 
 
@@ -86,14 +87,22 @@ def region_of(solution: Solution) -> Region:
     valid = solution.trace.validity() if solution.trace.validity is not None else None
     positive = valid.positive if valid is not None else frozenset()
     values = solution.problem.values
-    told = {name: given.value for name, given in givens.items() if given.value is not None and given.value.symbols()}
-    told |= {name: form for name, form in answer_forms(solution.derivation.answers) if name not in givens}
-    told = {name: in_givens(form, told) for name, form in told.items()}
-    free = [_free_letter(given, values, positive) for name, given in givens.items() if name not in told]
+    told = told_by_letters(solution.problem, solution.derivation.answers)
+    free = [free_letter(given, values, positive) for name, given in givens.items() if name not in told]
     bounds = (*valid.bounds, *valid.sides) if valid is not None else ()
     others = {TIME, *(name for bound in bounds for name in bound.symbols())} - givens.keys() - told.keys()
     free += [FreeLetter(name, TYPICAL, name not in positive | {TIME}, False, None) for name in sorted(others)]
     return Region(tuple(free), told, positive | {TIME}, bounds)
+
+
+def told_by_letters(
+    problem: Problem, answers: tuple[Answer, ...], edges: Mapping[str, Formula] = MappingProxyType({})
+) -> dict[str, Formula]:
+    """What givens are that hold others (`L: 2*R`), and answers, by letters that may have any value; `edges` tell more of these."""
+    givens = {given.name: given.value for given in problem.givens if not given.asked}
+    told = {name: value for name, value in givens.items() if value is not None and value.symbols()} | dict(edges)
+    told |= {name: form for name, form in answer_forms(answers) if name not in givens}
+    return {name: in_givens(form, told) for name, form in told.items()}
 
 
 def answer_forms(answers: tuple[Answer, ...]) -> Iterator[tuple[str, Formula]]:
@@ -104,7 +113,7 @@ def answer_forms(answers: tuple[Answer, ...]) -> Iterator[tuple[str, Formula]]:
         yield from answer_forms(answer.components)
 
 
-def _free_letter(given: Given, values: Mapping[str, Formula], positive: frozenset[str]) -> FreeLetter:
+def free_letter(given: Given, values: Mapping[str, Formula], positive: frozenset[str]) -> FreeLetter:
     signed = given.name not in positive
     if given.value is None:
         return FreeLetter(given.name, TYPICAL_ANGLE if is_angle(given) else TYPICAL, signed, False, None)
@@ -171,14 +180,17 @@ class SampledRegion:
     """The region of a scene with its points; what a reference is there is worked out once."""
 
     def __init__(self, region: Region, own: bool = False) -> None:
-        self.region = region
+        self.region, self.is_own = region, own
         self.points = sample_points(region, own)
         self._references: dict[Formula, Reference] = {}
 
     @cached_property
     def own(self) -> SampledRegion:
         """The part of the domain in which all letters have the signs of the scene's numbers, and angles their quadrant."""
-        return SampledRegion(self.region, own=True)
+        if self.is_own:
+            return self
+        positive = {letter.name for letter in self.region.letters if not letter.negative}
+        return SampledRegion(replace(self.region, positive=self.region.positive | positive), own=True)
 
     @classmethod
     def of(cls, solution: Solution) -> SampledRegion:
@@ -272,16 +284,6 @@ def same_everywhere(left: Formula, right: Formula, domain: SampledRegion) -> boo
         if exact is not None:
             return exact
     return reference.is_exactly(left) if not tried else None
-
-
-def same_here(left: Formula, right: Formula, domain: SampledRegion) -> bool:
-    """Whether both formulas are equal for the signs that the scene's numbers have, as sin(θ/2) and √(1 − cos θ)/√2 for θ > 0.
-
-    Their squares, or these squared, are proved to be equal, and at every point they have one sign.
-    """
-    if left.holds(Integral) or right.holds(Integral) or not close_everywhere(left, right, domain.own, NOTHING):
-        return False
-    return any(domain.reference(right**power).is_exactly(left**power) for power in (2, 4))
 
 
 def close_everywhere(left: Formula, right: Formula, domain: SampledRegion, share: Fraction) -> bool:

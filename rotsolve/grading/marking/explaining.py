@@ -90,7 +90,9 @@ class Explaining:
         """The answers of the scene with each mistake in it, the commonest first."""
         from rotsolve.grading.mistakes.table import WrongAnswers  # a right answer needs none of them
 
-        return WrongAnswers.of(self.letters.problem) if self._wrong is None else self._wrong()
+        points = self.letters.solution.trace.points  # of the case that is printed first
+        point = points[0] if points else {}
+        return WrongAnswers.of(self.letters.problem, point) if self._wrong is None else self._wrong()
 
     def number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """What a wrong number comes of; None where nothing tells. Its unit is the one that is asked for where it has none."""

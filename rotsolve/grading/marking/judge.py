@@ -7,18 +7,18 @@ from fractions import Fraction
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
-from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere, same_everywhere, same_here
+from rotsolve.grading.comparing.equality import SampledRegion
 from rotsolve.grading.comparing.numbers import Typed, measured_unit
 from rotsolve.grading.comparing.readings import COMPONENT
 from rotsolve.grading.comparing.scalars import lacking_unit
+from rotsolve.grading.marking.cases import Cases
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
-from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
+from rotsolve.grading.marking.target import SceneLetters, Target
 from rotsolve.grading.marking.texts import CHAIN, Defined, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR
@@ -43,12 +43,12 @@ class Judge:
 
     def __init__(self, solution: Solution, wrong: Wrong | None = None) -> None:
         self.letters = SceneLetters.of(solution)
-        self.domain = SampledRegion.of(solution)
-        self.texts = Texts(self.letters, self.same, self.close)
-        self.targets = {target.name: target for target in targets_of(self.letters, self.same, self.close)}
-        self.following = Following(self.letters, self.same)
+        self.texts = Texts.of(self.letters, SampledRegion.of(solution))
+        self.targets, same = self.texts.targets, self.texts.same
+        self.cases = Cases(solution)
+        self.following = Following(self.letters, same)
         self.explaining = Explaining(self.letters, wrong)
-        self.working = WorkingJudge(self.letters, frozenset(self.targets), self.same, self.explaining)
+        self.working = WorkingJudge(self.letters, frozenset(self.targets), same, self.explaining)
 
     def mark(self, paper: Paper) -> Marked:
         """The paper, marked: every answer in the order in which the scene asks, then the working."""
@@ -70,7 +70,7 @@ class Judge:
         """The answers that are told by each other alone."""
         holds = {}
         for name, target in self.targets.items():
-            reading = self.texts.judged(target, answers.get(name, "")).reading
+            reading = self._judged(target, answers.get(name, "")).reading
             if reading is not None and reading.kind == FORMULA and reading.formula is not None:
                 holds[name] = (reading.formula.symbols() & self.targets.keys()) - self.letters.givens
         return circles(holds) if len(holds) > 1 else {}
@@ -79,9 +79,9 @@ class Judge:
         self, target: Target, text: str, wrong: Mapping[str, str], defined: Defined
     ) -> tuple[JudgedText, bool]:
         """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
-        one = self.texts.judged(target, text)
+        one = self._judged(target, text)
         if one.reading is None and defined:
-            one = self.texts.judged(target, text, defined)
+            one = self._judged(target, text, defined)
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
         followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
@@ -92,10 +92,14 @@ class Judge:
             return one, False
         return self._explain(target, text), False
 
+    def _judged(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
+        """What is found in a text by itself, in all cases of its answer."""
+        return self.cases.judged(target, text, defined) or self.texts.judged(target, text, defined)
+
     @remembered
     def _follow(self, target: Target, text: str, wrong: tuple[tuple[str, str], ...]) -> JudgedText | None:
         """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
-        one, given = self.texts.judged(target, text), self.own(target, text)
+        one, given = self._judged(target, text), self.own(target, text)
         owned = {name: self.own(self.targets[name], typed) for name, typed in wrong}
         earlier = {name: value for name, value in owned.items() if value is not None}
         if given is None or not earlier:
@@ -113,7 +117,7 @@ class Judge:
     @remembered
     def _explain(self, target: Target, text: str) -> JudgedText:
         """A wrong answer with what it comes of, where that is found."""
-        one = self.texts.judged(target, text)
+        one = self._judged(target, text)
         reading, asked = one.reading, target.whole
         finding = None
         if reading is not None and reading.kind == VECTOR:
@@ -132,7 +136,7 @@ class Judge:
     @remembered
     def own(self, target: Target, text: str) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
-        one = self.texts.judged(target, text)
+        one = self._judged(target, text)
         reading, asked = one.reading, target.whole
         if reading is None or reading.formula is None or asked is None:
             return None
@@ -145,22 +149,7 @@ class Judge:
             typed = Typed(reading.formula, reading.figures, reading.unit)
             return None if not isinstance(unit, Unit) or typed.rational == 0 else own_number(typed, unit.factor)
         formula = self.letters.meant(reading.formula)
-        return None if reading.kind != FORMULA or self.same(formula, ZERO) is not False else Own(formula)
-
-    def close(self, left: Formula, right: Formula, share: Fraction) -> bool:
-        """Whether two formulas differ by no more than a share in the scene's domain; the right one is the reference."""
-        return close_everywhere(left, right, self.domain, share)
-
-    def same(self, left: Formula, right: Formula) -> bool | None:
-        """Whether two formulas are equal in the scene's domain, or for the signs of its numbers; the right one is the reference.
-
-        None also where one has no value.
-        """
-        try:
-            everywhere = same_everywhere(left, right, self.domain)
-            return everywhere or same_here(left, right, self.domain) or everywhere
-        except (Undefined, ZeroDivisionError):
-            return None
+        return None if reading.kind != FORMULA or self.texts.same(formula, ZERO) is not False else Own(formula)
 
 
 def unsolved_judged(one: JudgedText, others: frozenset[str]) -> JudgedText:

@@ -11,10 +11,12 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.remembered import remembered
+from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
+from rotsolve.grading.comparing.here import same_in
 from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
 from rotsolve.grading.comparing.scalars import Close, Same
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
-from rotsolve.grading.marking.target import SceneLetters, Target
+from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Definitions, clause
 from rotsolve.grading.reading.lines import chain_members, without_asides
@@ -45,6 +47,20 @@ class Texts:
 
     def __init__(self, letters: SceneLetters, same: Same, close: Close) -> None:
         self.letters, self.same, self.close = letters, same, close
+
+    @classmethod
+    def of(cls, letters: SceneLetters, domain: SampledRegion) -> Texts:
+        """Those of a scene whose formulas are compared in a domain."""
+        return cls(
+            letters,
+            lambda left, right: same_in(domain, left, right),
+            lambda left, right, share: close_everywhere(left, right, domain, share),
+        )
+
+    @cached_property
+    def targets(self) -> dict[str, Target]:
+        """What every answer is held against, by its name, in the order of the questions."""
+        return {target.name: target for target in targets_of(self.letters, self.same, self.close)}
 
     @cached_property
     def others(self) -> OtherAxes:

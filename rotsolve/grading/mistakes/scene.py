@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property
+from types import MappingProxyType
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -30,6 +31,7 @@ from rotsolve.pipeline import asked_part, made_ready
 from rotsolve.search.answering import answer
 from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
+from rotsolve.search.letterspace import Point, at_point, numbers_of
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solving import scene_equations_of
@@ -41,13 +43,18 @@ DIGITS = 10  # to which a difference of two forms is worked out
 
 
 class Scene(Struct, frozen=True, dict=True):
-    """A problem that has been read, with all that its mistakes have in common worked out once."""
+    """A problem that has been read, with all that its mistakes have in common worked out once.
+
+    Where letters decide what slips, or which way, mistakes are made in the case that the numbers of a `point` are of.
+    """
 
     whole: Problem
+    point: Point = MappingProxyType({})
 
     @cached_property
     def configuration(self) -> Configuration:
-        return made_ready(self.whole)[1] if self.whole.space else asked_part(self.whole)
+        own = made_ready(self.whole)[1] if self.whole.space else asked_part(self.whole)
+        return Configuration(at_point(own.problem, numbers_of(self.point))) if self.point else own
 
     @property
     def problem(self) -> Problem:
@@ -67,6 +74,14 @@ class Scene(Struct, frozen=True, dict=True):
     def moments(self) -> tuple[Facts, ...]:
         """The facts at all states."""
         return tuple(self.equations.facts(state.name) for state in self.configuration.timeline.states)
+
+    @cached_property
+    def settled(self) -> bool:
+        """Whether it is known what slips, and which way: else nothing can be said of mistakes."""
+        try:
+            return bool(self.moments) or self.problem.space
+        except NO_ANSWER:
+            return False
 
     @cached_property
     def bodies(self) -> Mapping[str, BodyFacts]:

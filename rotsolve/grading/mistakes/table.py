@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from itertools import count
+from types import MappingProxyType
 
 from msgspec import Struct
 
@@ -17,6 +18,7 @@ from rotsolve.grading.mistakes import energies, forces, in_space, inertias, misr
 from rotsolve.grading.mistakes.mistake import Made, Mistake
 from rotsolve.grading.mistakes.scene import Scene, same_answers
 from rotsolve.language.problem import Problem
+from rotsolve.search.letterspace import Point
 
 Wrong = tuple[Mistake, Mapping[str, Answer]]  # a mistake with the answers that it changes
 
@@ -142,9 +144,9 @@ class WrongAnswers:
         self._rest = rest
 
     @classmethod
-    def of(cls, problem: Problem) -> WrongAnswers:
-        """Those of a problem, which is solved with each mistake in it."""
-        scene = Scene(problem)
+    def of(cls, problem: Problem, point: Point = MappingProxyType({})) -> WrongAnswers:
+        """Those of a problem, which is solved with each mistake in it; of letters in the case that the numbers of a point are of."""
+        scene = Scene(problem, point)
         return cls(scene, solved_with_mistakes(scene))
 
     def __iter__(self) -> Iterator[Wrong]:
@@ -163,7 +165,7 @@ class WrongAnswers:
 
 
 def solved_with_mistakes(scene: Scene) -> Iterator[Wrong]:
-    for kind in MISTAKES:
+    for kind in MISTAKES if scene.settled else ():
         given: list[Mapping[str, Answer]] = []
         for mistake in kind.mistakes(scene):
             answers = scene.with_mistake(mistake)
