@@ -220,6 +220,43 @@ def test_an_answer_is_judged_in_all_cases(scene: str, name: str, text: str, expe
     assert said(part(scene, name, text)) == expected
 
 
+CLAIMS = [
+    (
+        "hoop",
+        "a",
+        "½ g sin β (if tan(beta) <= 2 mu)",
+        "partly right 1/2 | right if μ ≥ ½ tan β; if μ < ½ tan β it is g (sin β − μ cos β)",
+    ),
+    ("hoop", "a", "½ g sin β, for μ < ½ tan β", "wrong 0 | right if μ ≥ ½ tan β"),
+    (
+        "hoop",
+        "a",
+        "g (sin β - μ cos β) if μ < ½ tan β",
+        "right 1 | right if μ < ½ tan β; if μ ≥ ½ tan β it is ½ g sin β",
+    ),
+    (
+        "hoop",
+        "a",
+        "g (sin β - μ cos β) if μ < tan β",
+        "partly right 1/2 | right if μ < ½ tan β; if μ ≥ ½ tan β it is ½ g sin β",
+    ),
+    ("hoop", "a", "g (sin β - μ cos β) if μ < ½ tan β; ½ g sin β if μ ≥ ½ tan β", "right 1"),
+    ("hoop", "a", "a = g (sin β - μ cos β) if μ < ½ tan β; a = ½ g sin β otherwise", "right 1"),
+    ("hoop", "a", "½ g sin β if μ < ½ tan β; g (sin β - μ cos β) otherwise", "wrong 0"),
+    ("hoop", "a", "½ g sin β if it rolls", "can't decide 0 | unknown name `if`; did you mean `f`?"),
+    ("wheel", "phi", "I (u - w)²/(2q) if 0 < w < u", "right 1 | right if u > w; if u ≤ w it is −I (u − w)²/(2 q)"),
+    ("wheel", "phi", "I (u - w)²/(2q) if u < w", "wrong 0 | right if u > w"),
+    ("wheel", "K", "I (u - w)²/2 if u > w", "right 1 | right, and without its condition too"),
+    ("crate", "a", "P/M - μ g for P > μ M g; 0 else", "right 1"),
+    ("toss", "v", "√(u² - 2 g h) if u² > 2 g h", "right 1"),
+]
+
+
+@pytest.mark.parametrize(("scene", "name", "text", "expected"), CLAIMS, ids=[" ".join(row[:3]) for row in CLAIMS])
+def test_a_condition_is_held_against_the_cases(scene: str, name: str, text: str, expected: str) -> None:
+    assert said(part(scene, name, text)) == expected
+
+
 def printed() -> list[tuple[str, Answer, Answer]]:
     """Every answer of the scenes that has cases, with each of them."""
     answers = ((scene, answer) for scene in SCENES for answer in judge(scene).letters.solution.derivation.answers)

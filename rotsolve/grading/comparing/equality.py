@@ -88,7 +88,7 @@ def region_of(solution: Solution) -> Region:
     positive = valid.positive if valid is not None else frozenset()
     values = solution.problem.values
     told = told_by_letters(solution.problem, solution.derivation.answers)
-    free = [free_letter(given, values, positive) for name, given in givens.items() if name not in told]
+    free = [free_letter_of(given, values, positive) for name, given in givens.items() if name not in told]
     bounds = (*valid.bounds, *valid.sides) if valid is not None else ()
     others = {TIME, *(name for bound in bounds for name in bound.symbols())} - givens.keys() - told.keys()
     free += [FreeLetter(name, TYPICAL, name not in positive | {TIME}, False, None) for name in sorted(others)]
@@ -113,7 +113,7 @@ def answer_forms(answers: tuple[Answer, ...]) -> Iterator[tuple[str, Formula]]:
         yield from answer_forms(answer.components)
 
 
-def free_letter(given: Given, values: Mapping[str, Formula], positive: frozenset[str]) -> FreeLetter:
+def free_letter_of(given: Given, values: Mapping[str, Formula], positive: frozenset[str]) -> FreeLetter:
     signed = given.name not in positive
     if given.value is None:
         return FreeLetter(given.name, TYPICAL_ANGLE if is_angle(given) else TYPICAL, signed, False, None)

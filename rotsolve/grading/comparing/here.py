@@ -69,10 +69,10 @@ def same_slopes(left: Formula, right: Formula, domain: SampledRegion) -> bool:
 
 def without_bars(formula: Formula, domain: SampledRegion) -> Formula:
     """A formula with x or −x for |x| where x has one sign at all points of a domain."""
-    return formula.transform(partial(by_sign, domain), Call) if formula.holds(Call) else formula
+    return formula.transform(partial(unbarred_by_sign, domain), Call) if formula.holds(Call) else formula
 
 
-def by_sign(domain: SampledRegion, node: Formula) -> Formula:
+def unbarred_by_sign(domain: SampledRegion, node: Formula) -> Formula:
     if not isinstance(node, Call) or node.function != "abs":
         return node
     inner = node.arguments[0]

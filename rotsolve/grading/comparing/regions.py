@@ -19,7 +19,7 @@ from rotsolve.grading.comparing.equality import (
     Point,
     Region,
     SampledRegion,
-    free_letter,
+    free_letter_of,
     told_by_letters,
 )
 from rotsolve.language.problem import Problem
@@ -54,7 +54,7 @@ def numbers_of_cases(solution: Solution) -> Iterator[Numbers]:
     yield from (with_givens(solution.problem, start) for start in starts)
     for case in (case for answer in solution.derivation.answers for case in answer.otherwise):
         for edge in (one for one in case.conditions if is_edge(one)):
-            yield from on_edge(solution.problem, case, edge, starts)
+            yield from numbers_on_edge(solution.problem, case, edge, starts)
 
 
 def is_edge(condition: Equality) -> bool:
@@ -62,12 +62,12 @@ def is_edge(condition: Equality) -> bool:
     return condition.relation == "=" and isinstance(condition.left, Symbol)
 
 
-def edges_of(case: CaseRegion) -> dict[str, Formula]:
+def letters_on_edges(case: CaseRegion) -> dict[str, Formula]:
     """The letters that are told where a case holds on an edge alone."""
     return {one.left.name: one.right for one in case.conditions if isinstance(one.left, Symbol) and is_edge(one)}
 
 
-def on_edge(problem: Problem, case: Answer, edge: Equality, starts: Iterable[Numbers]) -> Iterator[Numbers]:
+def numbers_on_edge(problem: Problem, case: Answer, edge: Equality, starts: Iterable[Numbers]) -> Iterator[Numbers]:
     """Numbers with which a case holds that does so on an edge alone."""
     assert isinstance(edge.left, Symbol)
     for start in starts:
@@ -85,14 +85,14 @@ def sampled(case: CaseRegion, solution: Solution) -> SampledRegion:
     open_ = {name: size for name, size in case.numbers.items() if name not in givens or givens[name].value is None}
     acute = {name for name in open_ if name in givens and is_angle(givens[name])}
     positive = frozenset(open_.keys() - acute | {TIME}) | (valid.positive if valid is not None else frozenset())
-    told = told_by_letters(problem, case.answers, edges_of(case))
-    letters = [free_letter(given, problem.values, positive) for given in problem.givens if given.value is not None]
+    told = told_by_letters(problem, case.answers, letters_on_edges(case))
+    letters = [free_letter_of(given, problem.values, positive) for given in problem.givens if given.value is not None]
     for name, size in {TIME: 1.0, **open_}.items():
         quadrant = (0.0, QUARTER) if name in acute else None
         letters.append(FreeLetter(name, size, signed=False, known=False, order=None, quadrant=quadrant))
     free = tuple(letter for letter in letters if letter.name not in told)
     known = {letter.name for letter in free} | told.keys()
-    bounds = (*gaps(case.conditions), *(limit.gap for limit in limits_of_scene(made_ready(problem)[1])))
+    bounds = (*gaps_of_conditions(case.conditions), *(limit.gap for limit in limits_of_scene(made_ready(problem)[1])))
     domain = SampledRegion(
         Region(free, told, positive, tuple(one for one in bounds if one.symbols() <= known)), own=True
     )
@@ -101,7 +101,7 @@ def sampled(case: CaseRegion, solution: Solution) -> SampledRegion:
     return domain
 
 
-def gaps(conditions: Iterable[Equality]) -> Iterator[Formula]:
+def gaps_of_conditions(conditions: Iterable[Equality]) -> Iterator[Formula]:
     """What is not negative where conditions hold; of those with an integral nothing, which takes long."""
     for one in conditions:
         if one.relation in "<>≤≥" and not takes_integral(one):

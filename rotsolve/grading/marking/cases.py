@@ -116,7 +116,7 @@ class Cases:
         claims = claims_in(text, own[0].texts.names(target))
         parts = [region.judged(target, text, claims, defined) for region in own]
         parts.sort(key=lambda part: order.index(id(part.answer)))
-        return over_all(merged(parts), first=order[0])
+        return over_all(told_once(parts), first=order[0])
 
     def branches(self, name: str) -> tuple[Answer, ...]:
         """An answer in all its cases, as they are printed."""
@@ -124,7 +124,7 @@ class Cases:
         return answer, *answer.otherwise
 
 
-def merged(parts: Sequence[JudgedCase]) -> list[JudgedCase]:
+def told_once(parts: Sequence[JudgedCase]) -> list[JudgedCase]:
     """One for each case of the answer, with its conditions, where one thing is found in all of it."""
     found: list[JudgedCase] = []
     for answer in dict.fromkeys(id(part.answer) for part in parts):
@@ -176,7 +176,13 @@ def words_of(good: Sequence[JudgedCase], other: Sequence[JudgedCase]) -> Iterato
             yield " that can't be told"
         else:
             value = value_in_words(part.answer)
-            sign = " it has the wrong sign" if part.turned and part.claimed is not False else "" if value else " it is another"
+            sign = (
+                " it has the wrong sign"
+                if part.turned and part.claimed is not False
+                else ""
+                if value
+                else " it is another"
+            )
             yield from (sign, *((": " if sign else " it is ", *value) if value else ()))
     if len(other) > MOST_TOLD:
         yield "; and not in other cases"
