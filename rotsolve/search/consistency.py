@@ -40,7 +40,7 @@ def contradiction(search: Search) -> tuple[Equation | None, KnownBalls]:
         numbers = KnownBalls.known(search)
         broken = impossible_in_time(search, numbers)
         if broken is None and (squares := squares_alone(search, numbers)):
-            sides = {name: search.numbers.side(search.solver.with_found(one.right)) for name, one in squares.items()}
+            sides = {name: side_of_square(one.right, search) for name, one in squares.items()}
             broken = next((one for name, one in squares.items() if sides[name] == -1), None)
             numbers.found.update(speeds_of_squares(sides, search, numbers))
             broken = broken or impossible_in_time(search, numbers)
@@ -60,6 +60,15 @@ def squares_alone(search: Search, numbers: KnownBalls) -> dict[str, Equation]:
         if equation.law == FOUND and isinstance(base, Symbol) and base.name not in numbers.found:
             found[base.name] = equation
     return found
+
+
+def side_of_square(square: Formula, search: Search) -> int | None:
+    """The sign of a square, which is a condition of letters; None where it is not told in closed form."""
+    try:
+        value = search.solver.carried_out(search.solver.with_found(square))
+    except (Undefined, ZeroDivisionError):
+        return None
+    return None if value.holds(Integral) else search.numbers.side(value)
 
 
 def speeds_of_squares(
