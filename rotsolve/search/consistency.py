@@ -5,7 +5,7 @@ A scene that says too much (a state that is never reached, a block that sticks y
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -13,12 +13,14 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Precision, decided_by_size, evaluate, note, watched
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Sum, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Sum, Symbol, call
 from rotsolve.core.equation import FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
+from rotsolve.search.letterspace import LONGEST
 from rotsolve.search.search import Search
 from rotsolve.search.within import seeks
 
@@ -40,10 +42,7 @@ def contradiction(search: Search) -> tuple[Equation | None, KnownBalls]:
         numbers = KnownBalls.known(search)
         broken = impossible_in_time(search, numbers)
         if broken is None and (squares := squares_alone(search, numbers)):
-            sides = {name: side_of_square(one.right, search) for name, one in squares.items()}
-            broken = next((one for name, one in squares.items() if sides[name] == -1), None)
-            numbers.found.update(speeds_of_squares(sides, search, numbers))
-            broken = broken or impossible_in_time(search, numbers)
+            broken = impossible_square(squares, search, numbers) or impossible_in_time(search, numbers)
         return broken, numbers
 
 
@@ -62,24 +61,37 @@ def squares_alone(search: Search, numbers: KnownBalls) -> dict[str, Equation]:
     return found
 
 
-def side_of_square(square: Formula, search: Search) -> int | None:
-    """The sign of a square, which is a condition of letters; None where it is not told in closed form."""
+def impossible_square(squares: Mapping[str, Equation], search: Search, numbers: KnownBalls) -> Equation | None:
+    """The first square that is negative; the numbers of the others' letters are found with it."""
+    for name, equation in squares.items():
+        square = told_square(equation.right, search)
+        side = None if square is None else search.numbers.side(square)
+        if side == -1:
+            return equation
+        rate = rate_of_square(name, square, search) if square is not None and side == 1 else None
+        size = arb(0) if side == 0 else None if rate is None else numbers.size(rate)
+        numbers.found.update({} if size is None else {name: size})
+    return None
+
+
+def told_square(square: Formula, search: Search) -> Formula | None:
+    """A square with the answers put in; None where it has no closed form, or none that could be printed as a condition."""
     try:
         value = search.solver.carried_out(search.solver.with_found(square))
     except (Undefined, ZeroDivisionError):
         return None
-    return None if value.holds(Integral) else search.numbers.side(value)
+    long = bool(search.signs.trials) and length(value) > LONGEST
+    return None if long or value.holds(Integral) or has_quantities(value) else value
 
 
-def speeds_of_squares(
-    sides: Mapping[str, int | None], search: Search, numbers: KnownBalls
-) -> Iterator[tuple[str, Ball]]:
-    """Their numbers by the sides of their squares, with the sign of the way in which the body goes there."""
-    for name, side in sides.items():
-        value = search.apart().settled(Symbol(name)) if side == 1 else None
-        size = arb(0) if side == 0 else None if value is None else numbers.size(value)
-        if size is not None:
-            yield name, size
+def rate_of_square(name: str, square: Formula, search: Search) -> Formula | None:
+    """The rate of a square that is positive, with the sign of the way in which the body goes there."""
+    from rotsolve.search.roots import RootChoice
+
+    roots = [call("sqrt", square), -call("sqrt", square)]
+    choice = RootChoice(search.scene, search.givens, search.numbers, search.definitions.formula)
+    picked = choice.choose(name, roots)
+    return None if picked is None else roots[picked.root]
 
 
 def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
