@@ -48,7 +48,9 @@ def normed(a: Arrow) -> Arrow:
 
 def times_arrow(rows: Turned, a: Arrow) -> Arrow:
     """R a."""
-    return (inner_product(rows[0], a), inner_product(rows[1], a), inner_product(rows[2], a))
+    (p, q, r), (s, t, u), (v, w, k) = rows  # written out, as this is most of what following a motion takes
+    x, y, z = a
+    return (p * x + q * y + r * z, s * x + t * y + u * z, v * x + w * y + k * z)
 
 
 def rows_back(rows: Turned) -> Turned:
@@ -59,17 +61,19 @@ def rows_back(rows: Turned) -> Turned:
 
 def product_of(first: Turned, second: Turned) -> Turned:
     """A B."""
-    a, b, c = (times_arrow(first, column) for column in rows_back(second))
-    return rows_back((a, b, c))
+    columns = rows_back(second)
+    return (times_arrow(columns, first[0]), times_arrow(columns, first[1]), times_arrow(columns, first[2]))
 
 
 def rotation_about(axis: Arrow, angle: float) -> Turned:
     """The rotation about an axis, counterclockwise as seen against it: n nᵀ + cos φ (1 − n nᵀ) + sin φ [n]×."""
-    n, c, s = normed(axis), math.cos(angle), math.sin(angle)
-    x, y, z = (
-        sum_of(scaled(n[k] * (1.0 - c), n), scaled(c, ALONG[k]), scaled(s, crossed(n, ALONG[k]))) for k in range(3)
+    (x, y, z), c, s = normed(axis), math.cos(angle), math.sin(angle)
+    a, b, d = scaled(1.0 - c, (x, y, z))
+    return (
+        (a * x + c, b * x - s * z, d * x + s * y),
+        (a * y + s * z, b * y + c, d * y - s * x),
+        (a * z - s * y, b * z + s * x, d * z + c),
     )
-    return rows_back((x, y, z))
 
 
 def least_turn(start: Arrow, end: Arrow) -> Turned:

@@ -318,10 +318,12 @@ class Flight:
     def round_once(self, gaps: Sequence[Gap], size: float) -> float:
         """The time between two zeros in one sense of one of some numbers that change their signs, looked at so often."""
         numbers, clock = self.first(), 0.0
-        before, passed = [gap(self.world(numbers)) for gap in gaps], [list[Passing]() for _ in gaps]
+        world, passed = self.world(numbers), [list[Passing]() for _ in gaps]
+        before = [gap(world) for gap in gaps]
         while True:
             later = self.step(numbers, size)
-            there = [gap(self.world(later)) for gap in gaps]
+            world = self.world(later)
+            there = [gap(world) for gap in gaps]
             for axis, gap in enumerate(gaps):
                 if before[axis] < 0.0 <= there[axis]:
                     passed[axis].append((clock, numbers, before[axis], there[axis]))

@@ -1,6 +1,6 @@
 """Unheld: the rates of bodies that nothing holds and nothing but their weight acts on, written out.
 
-I α = −(ω × I ω) about each centre of mass, which falls with g. The equations of a rig say the same, but set up and eliminated at every look
+I α = I ω × ω about each centre of mass, which falls with g. The equations of a rig say the same, but set up and eliminated at every look
 they take some seven times as long: on the way of a body that tumbles for long that is most of a run.
 """
 
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.confirm.space.arrows import Arrow, Turned, crossed, inner_product, scaled, seen_from, times_arrow
+from rotsolve.confirm.space.arrows import Arrow, Turned, crossed, inner_product, rows_back, scaled, times_arrow
 from rotsolve.confirm.space.efforts import DOWN
 from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.confirm.space.rig import THIN, Rig
@@ -22,18 +22,20 @@ def gains_unheld(rig: Rig) -> Gains | None:
     problem = rig.problem
     if problem.connections or problem.actions or any(body.moved for body in rig.bodies.values()):
         return None
+    tensors: dict[str, Turned] = {}
     inverses: dict[str, Turned] = {}
     for name in rig.bodies:
         own = rig.solid(name)
         moments = [moment for moment, _ in moments_and_axes(own.tensor)]
         if own.mass <= 0.0 or min(moments) <= THIN * max(moments):
             return None
-        inverses[name] = inverted_tensor(own.tensor)
+        tensors[name], inverses[name] = own.tensor, inverted_tensor(own.tensor)
     fall = scaled(rig.gravity, DOWN)
 
     def gains(name: str, rows: Turned, omega: Arrow) -> tuple[Arrow, Arrow]:
-        momentum = times_arrow(seen_from(rows, rig.solid(name).tensor), omega)
-        return scaled(-1.0, times_arrow(seen_from(rows, inverses[name]), crossed(omega, momentum))), fall
+        own = times_arrow(rows_back(rows), omega)  # in the body's own axes, in which its tensor stays
+        gain = times_arrow(inverses[name], crossed(times_arrow(tensors[name], own), own))
+        return times_arrow(rows, gain), fall
 
     return gains
 
