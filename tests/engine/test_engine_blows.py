@@ -92,8 +92,11 @@ def test_rods_struck_anywhere_in_any_direction(seed: int, count: int, held: str)
     """All angular velocities, and both components of every joint's impulse; a cart that would have to be pulled down leaves the floor."""
     scene, truth = chain(100 * count + seed, count, held)
     if truth.pop("N", 1) < 0:
+        few = scene.partition("\n  w1:")[
+            0
+        ]  # each question is tried alone too: as many as chains of four have are enough
         with pytest.raises(Unsolvable, match="in `blow` cart leaves the surface"):
-            solve(scene)
+            solve(few if count > 4 else scene)
         return
     answers = solve(scene).answers
     assert {name: answers[name].float for name in truth} == pytest.approx(truth, rel=1e-9, abs=1e-9)

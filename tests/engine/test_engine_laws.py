@@ -88,7 +88,7 @@ def near(one: float, other: float) -> bool:
 def unanswered(path: Path, law: str, problem_of: ProblemOf) -> str:
     """Why a law does not answer all that a scene asks; '' where it does and has a part in it."""
     try:
-        solve_problem(problem_of(path), law=law)
+        solve_problem(problem_of(path), law=law, confirm=False)
     except Unsolvable as error:
         return f"{path.stem}: {error}"
     return ""
@@ -144,8 +144,8 @@ def test_declared_senses_change_no_motion(scene: Path, which: int, problem_of: P
     bodies = tuple(turned_round(body, index, which) for index, body in enumerate(problem.bodies))
     if signed_in_words(problem) or bodies == problem.bodies:
         return  # nothing to turn round
-    before = solve_problem(problem).derivation.answers
-    after = solve_problem(replace(problem, bodies=bodies)).derivation.answers
+    before = solve_problem(problem, confirm=False).derivation.answers
+    after = solve_problem(replace(problem, bodies=bodies), confirm=False).derivation.answers
     for one, other in zip(before, after, strict=True):
         assert one.value is not None and other.value is not None
         assert one.direction == other.direction, f"{one.name}: {one.direction}, then {other.direction}"

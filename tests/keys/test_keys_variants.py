@@ -96,7 +96,7 @@ def problem_in(file: Path) -> Problem:
 @settings(max_examples=3, deadline=None)
 def test_every_number_is_that_of_a_solution_of_its_own(file: Path, seed: int) -> None:
     for variant, worked in worked_variants(problem_in(file), 4, seed):
-        fresh = solve(file, settings=variant.settings)
+        fresh = solve(file, settings=variant.settings, confirm=variant.number == 1)  # one of them is confirmed too
         assert [said(answer) for answer in worked.answers] == [said(answer) for answer in fresh.derivation.answers]
         assert all(check.holds is not False for check in fresh.checks)
 

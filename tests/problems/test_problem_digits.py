@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import cache
 from pathlib import Path
 
 import pytest
@@ -15,6 +14,7 @@ from rotsolve.core.derivation import Answer
 from rotsolve.page.values import certified_digits, machine_number
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
+from solutions import solved
 from trials.evaluate import Unknown, value
 from trials.figures import wrong
 from trials.held import givens
@@ -22,11 +22,6 @@ from trials.outcome import Printed
 
 FORMATS = ("text", "markdown", "latex", "html", "json")
 MOMENT = "t=0.5s"
-
-
-@cache
-def solved(file: Path, at: str | None = None) -> Solution:
-    return solve(file, at=at)
 
 
 def numbers(solution: Solution) -> Iterator[Answer]:
@@ -42,7 +37,7 @@ def moments(file: Path) -> tuple[Solution, ...]:
     """The problem, and where it asks for functions of time, those at a moment."""
     solution = solved(file)
     runs = any(find.runs for find in solution.problem.finds)
-    return (solution, solved(file, MOMENT)) if runs else (solution,)
+    return (solution, solved(file, at=MOMENT)) if runs else (solution,)
 
 
 def rounded(text: str, digits: int) -> Fraction:

@@ -110,7 +110,7 @@ def word_of(section: str, item: Tree, key: str) -> str:
 def said(tree: Tree) -> object:
     """What a scene answers; None where it is refused."""
     try:
-        solution = solve(yaml.dump(tree, sort_keys=False, allow_unicode=True, width=10**6))
+        solution = solve(yaml.dump(tree, sort_keys=False, allow_unicode=True, width=10**6), confirm=False)
     except (SceneError, Unsolvable):
         return None
     answers = solution.answers.values()
