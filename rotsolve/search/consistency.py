@@ -20,7 +20,6 @@ from rotsolve.core.equation import FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STE
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
-from rotsolve.search.letterspace import LONGEST
 from rotsolve.search.search import Search
 from rotsolve.search.within import seeks
 
@@ -80,8 +79,12 @@ def told_square(square: Formula, search: Search) -> Formula | None:
         value = search.solver.carried_out(search.solver.with_found(square))
     except (Undefined, ZeroDivisionError):
         return None
-    long = bool(search.signs.trials) and length(value) > LONGEST
-    return None if long or value.holds(Integral) or has_quantities(value) else value
+    if search.signs.trials:
+        from rotsolve.search.letterspace import LONGEST
+
+        if length(value) > LONGEST:
+            return None
+    return None if value.holds(Integral) or has_quantities(value) else value
 
 
 def rate_of_square(name: str, square: Formula, search: Search) -> Formula | None:
