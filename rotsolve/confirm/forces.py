@@ -13,7 +13,7 @@ from rotsolve.confirm.jet import Jet, Slope, distance
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
-from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, pointing
+from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, mover, pointing
 from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Press
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import MutualDrive
@@ -101,7 +101,7 @@ def spring_way(item: Spring, model: Known) -> Way:
     the ceiling, up from whatever else it stands on, of two bodies down."""
     first, second = item.spring
     anchor, body = (first, second) if first.owner not in model.seats else (second, first)
-    way = model.line(body.owner) if body.owner in model.seats else None
+    way = model.line(mover(body.owner, model)) if body.owner in model.seats else None
     wall = model.surfaces.get(anchor.owner)
     right = way if way is None or way[0] > 0 else (-way[0], -way[1])
     sideways = right is not None and abs(right[0]) > 1e-9

@@ -84,7 +84,9 @@ def abreast(item: String, here: int, there: int, model: Known) -> Way | None:
     ends = (0, len(item.string) - 1)
     if any(wraps(item.string[index], model) and index not in ends for index in (here, there)):
         return None
-    ways = [line(item.string[index].owner, model) for index in (here, there) if item.string[index].owner in model.seats]
+    ways = [
+        line_led(item.string[index].owner, model) for index in (here, there) if item.string[index].owner in model.seats
+    ]
     way = ways[0] if len(ways) == 2 else None
     if way is None or not parallel(ways[1], way) or abs(way[0]) < 1e-9:
         return None

@@ -328,3 +328,33 @@ def test_a_surface_along_which_nothing_on_a_string_travels_is_refused() -> None:
     text = SLEDGE.replace("ROPE", "[drum, ground]").replace("SIDE", "left").replace("TURNS", "clockwise")
     with pytest.raises(Unsolvable, match="nothing that `rope` touches travels along `hill`"):
         solve(text.replace("AGAINST", "counterclockwise").replace("ALONG", "along: hill"))
+
+
+@pytest.mark.parametrize("end", ["truck", "drum.center", "drum"])
+@pytest.mark.parametrize("floor", ["level", "{slope: b, down: left}", "{slope: b, down: right}"])
+@pytest.mark.parametrize("first", [True, False], ids=["truck first", "crate first"])
+def test_a_spring_or_a_string_is_drawn_to_what_a_truck_carries_as_to_the_truck(
+    end: str, floor: str, first: bool
+) -> None:
+    """The earlier-named of two on one line stands on the left, whatever names the truck's end; a stretched spring draws both together."""
+    moves = "right" if floor == "level" else "up"
+    ends = f"{end}, crate" if first else f"crate, {end}"
+    scene = f"""
+given: {{M: 20 kg, m: 10 kg, n: 5 kg, R: 25 cm, k: 40 N/m, e: 0.5 m, b: 30 deg}}
+surfaces: {{rails: {floor}}}
+bodies: {{truck: {{mass: M, moves: {moves}}}, crate: {{mass: n, moves: {moves}}}, drum: {{shape: disc, mass: m, radius: R}}}}
+connections:
+  under: {{contact: [truck, rails]}}
+  base: {{contact: [crate, rails]}}
+  axle: {{axle: [truck, drum]}}
+  coil: {{spring: [{ends}], stiffness: k}}
+states: {{start: {{coil.elongation: e, at rest: all}}}}
+find: {{A: truck.acceleration, a: crate.acceleration}}
+"""
+    solution = solve(scene)
+    weight = 0.0 if floor == "level" else -G / 2
+    right = -1 if "down: right" in floor else 1  # there `up` runs to the left
+    pull = 20.0 * (right if first else -right)
+    assert solution.answers["A"].float == pytest.approx(weight + pull / 30)
+    assert solution.answers["a"].float == pytest.approx(weight - pull / 5)
+    assert all(verdict.holds for verdict in solution.derivation.confirmed)

@@ -79,7 +79,8 @@ class Spring(Connection, frozen=True):
         if straight is not None:
             return straight
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
-        line = instant.line(instant.host(body.owner)) if body.owner in configuration.bodies else None
+        mover = configuration.mover(body.owner, instant.state) if body.owner in configuration.bodies else ""
+        line = instant.line(mover) if mover else None  # of what carries the body, where that has none
         right = rightward(line[0], body, instant) if line is not None else None
         surface = configuration.surfaces.get(anchor.owner)
         if surface is not None and surface.upright:

@@ -101,7 +101,7 @@ class Routing(Struct, frozen=True, dict=True):
         pair = self.points[index : index + 2]
         if any(self.wraps(index + k) and not self.at_end(index + k) for k in (0, 1)):
             return None
-        lines = [self.line(ref.owner) for ref in pair]
+        lines = [self.line_led(ref.owner) for ref in pair]
         if lines[0] is None or lines[1] is None or (lines[0] - lines[1]).sin() != ZERO:
             return None
         right = rightward(lines[0], pair[0], self.instant)
