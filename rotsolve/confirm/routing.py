@@ -34,7 +34,7 @@ def direction(item: String, index: int, model: Known) -> Way | None:
     if told_apart(first, second, model):
         return None
     ends = [(index, index + 1, 1.0), (index + 1, index, -1.0)]
-    for rule in (declared, supported, abreast, pulled, wheeled, as_carrier):
+    for rule in (declared, supported, abreast, pulled, wheeled, turned_aside, as_carrier):
         for here, there, sign in ends:
             way = rule(item, here, there, model)
             if way is not None:
@@ -110,8 +110,7 @@ def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
         return None
     way = line(ref.owner, model)
     if way is None:
-        aside = held_aside(ref, model) and not wraps(ref, model)
-        return (DOWN if below(item, there, model) else UP) if aside else None
+        return None
     slope = lain_on(ref.owner, model)
     if isinstance(slope, Slope):
         return uphill(slope, model)
@@ -120,6 +119,13 @@ def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
     if wraps(ref, model):
         return None
     return DOWN if slung(item, there, model) or (there > here and below(item, there, model)) else UP
+
+
+def turned_aside(item: String, here: int, there: int, model: Known) -> Way | None:
+    """A point of a turning body off its axis is pulled up, down by what hangs from it."""
+    ref = item.string[here]
+    turns = ref.owner in model.seats and line(ref.owner, model) is None and held_aside(ref, model)
+    return (DOWN if below(item, there, model) else UP) if turns and not wraps(ref, model) else None
 
 
 def as_carrier(item: String, here: int, there: int, model: Known) -> Way | None:

@@ -83,7 +83,9 @@ class Routing(Struct, frozen=True, dict=True):
         if said.parts:
             return said
         self.check_straight(index)
-        ways = (self.settled(index, leaving) for leaving in (self.leaving_mover, self.leaving_carried))
+        ways = (
+            self.settled(index, leaving) for leaving in (self.leaving_mover, self.leaving_hinged, self.leaving_carried)
+        )
         return self.abreast(index) or next((way for way in ways if way is not None), unit(RIGHT))
 
     def check_straight(self, index: int) -> None:
@@ -188,11 +190,7 @@ class Routing(Struct, frozen=True, dict=True):
             return None
         direction = self.line(ref.owner)
         if direction is None:
-            hinged = ref.point not in (None, "rim", "center") and self.instant.configuration.heavy
-            if not hinged or self.wraps(index):
-                return None
-            hanging = neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
-            return unit(DOWN if hanging else UP)
+            return None
         surface = supporting(self.instant.host(ref.owner), self.instant.configuration, self.instant.state)
         if surface is not None and surface.slanted:
             return unit(uphill(surface))
@@ -204,6 +202,15 @@ class Routing(Struct, frozen=True, dict=True):
             return unit(UP if ref.owner in self.under else DOWN)
         lower = other > index and neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
         return unit(DOWN if lower or self.slung(other) else UP)
+
+    def leaving_hinged(self, index: int, other: int) -> Vector | None:
+        """Direction in which the string leaves a point of a body that turns: up, down to what hangs from it."""
+        ref, neighbour = self.points[index], self.points[other]
+        bodies = self.instant.configuration.bodies
+        turns = ref.owner in bodies and self.line(ref.owner) is None and ref.point not in (None, "rim", "center")
+        if not turns or not self.instant.configuration.heavy or self.wraps(index):
+            return None
+        return unit(DOWN if neighbour.owner in bodies and self.same_line(other) else UP)
 
     def leaving_carried(self, index: int, other: int) -> Vector | None:
         """Direction in which the string leaves what is carried by a body that travels, where nothing else settles it: as it leaves that."""
