@@ -161,8 +161,8 @@ def least_at_speeds(margin: Formula, speed: str, travel: Travel, beside: Beside)
     first, last = told(travel.before, beside), told(travel.after, beside)
     if first is None or last is None:
         return None
-    low, high = (first, last) if beside.side(last - first) > 0 else (last, first)
     try:
+        low, high = (first, last) if beside.side(last - first) > 0 else (last, first)
         return list(least_values(simplify(running), Running(TIME, low, high), beside))
     except (NotYet, ZeroDivisionError):
         return None

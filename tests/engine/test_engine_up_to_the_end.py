@@ -141,3 +141,19 @@ def test_a_speed_is_reached_only_with_forces_that_lead_to_it_all_the_way() -> No
             told += 1
             assert min(pushes) > 0, of
     assert told
+
+
+def test_a_speed_that_no_case_tells_leaves_open_what_is_between() -> None:
+    """A motor of given power lifts a cage against a weight: in the case in which it has no largest speed nothing tells one on the way."""
+    found = solve("""
+given: {P: W, M: kg, m: kg, p: kg, R: m, r: m, u: m/s}
+bodies:
+  drum: {shape: disc, mass: M, radius: R, radii: {big: R, small: r}, turns: clockwise}
+  cage: {mass: m, moves: up}
+  weight: {mass: p, moves: down}
+connections: {axle: {axle: drum}, rope: {string: [cage, drum.big]}, tail: {string: [drum.small, weight]}}
+actions: {motor: {power: P, on: drum}}
+states: {start: {cage.velocity: u}, end: {cage.velocity: largest}}
+find: {v: cage.velocity at end}
+""")
+    assert {case.exact for case in found.answers["v"].branches} == {"P R/(g (m R − p r))"}
