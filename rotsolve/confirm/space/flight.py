@@ -270,13 +270,16 @@ class Flight:
         return inner_product(world.now.arrow(TURNING, name), times_arrow(world.stance.turned(name), self.axes[name]))
 
     def refuse_elsewhere(self, line: Condition, one: Numbers, other: Numbers) -> None:
-        """Give up a body alone on a hinge that has been everywhere between two turning points."""
+        """Give up a body alone on a hinge that has been everywhere: between two turning points, or far off in one sense, from where its
+        weight alone does not bring it back, as a couple may."""
         if line.path is None or line.path.quantity != "angle" or len(self.rig.bodies) > 1:
             return
         third = times_arrow(self.moving(other).stance.turned(line.path.owner), self.axes[line.path.owner])
         rates = [inner_product(as_arrow(numbers[8:11]), third) for numbers in (one, other)]
         self.turns += rates[0] * rates[1] < 0
-        if self.turns > 2:
+        told = 0.0 if line.value is None else abs(self.rig.value(line.value))
+        far = abs(other[4]) > told + 2 * ROUND and not self.rig.problem.actions
+        if self.turns > 2 or far:
             raise Unfit(NEVER)
 
     def after(self, time: float) -> World:
