@@ -97,11 +97,11 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
 
 
 def spring_way(item: Spring, model: Known) -> Way:
-    """From a wall out of it, along the body's line of travel where that is not upright; else from left to right along that line, down from
-    the ceiling, up from whatever else it stands on, of two bodies down."""
+    """From a wall out of it, along the line of travel of an end where that is not upright; else from left to right along that line, down
+    from the ceiling, up from whatever else it stands on, of two bodies down."""
     first, second = item.spring
     anchor, body = (first, second) if first.owner not in model.seats else (second, first)
-    way = model.line(mover(body.owner, model)) if body.owner in model.seats else None
+    way = next((found for ref in (body, anchor) if (found := end_travel(ref, model)) is not None), None)
     wall = model.surfaces.get(anchor.owner)
     right = way if way is None or way[0] > 0 else (-way[0], -way[1])
     sideways = right is not None and abs(right[0]) > 1e-9
@@ -113,6 +113,14 @@ def spring_way(item: Spring, model: Known) -> Way:
     else:
         outward = DOWN if anchor.owner == "ceiling" else UP
     return outward if anchor is first else (-outward[0], -outward[1])
+
+
+def end_travel(ref: PointRef, model: Known) -> Way | None:
+    """The line of an end of a spring: its body's, or at the middle of what another body carries that one's."""
+    if ref.owner not in model.seats:
+        return None
+    own = model.line(ref.owner)
+    return model.line(mover(ref.owner, model)) if own is None and ref.point in (None, "rim", "center") else own
 
 
 def torsion(item: Torsion, pose: Pose, model: Known) -> Pushes:

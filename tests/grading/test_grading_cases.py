@@ -176,6 +176,7 @@ ROWS = [
     ),
     ("coupling", "t", "|H|/τ", "right 1"),
     ("coupling", "t", "I J (p + q)/(τ I + τ J)", "wrong 0 | it would be right with the other sign of q"),
+    ("coupling", "t", "I J |p - q|/(τ I)", "wrong 0"),  # right at p = q, where all is 0
     ("coupling", "t", "I |p - q|/τ", "wrong 0"),
     (
         "coupling",

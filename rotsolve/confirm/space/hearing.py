@@ -12,6 +12,7 @@ from contextlib import suppress
 from functools import cached_property
 
 from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.units.dimension import ANGLE, Dimension
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.linear import solved_generally
 from rotsolve.confirm.space.arrows import arrow_length
@@ -104,8 +105,19 @@ class Hearing:
         return Inquiry(self.problem, known, told).left_over()
 
     def steps(self) -> list[float]:
-        sizes = (self.known[key] if isinstance(key, str) else self.told[key] for key in self.places)
-        return [STEP * (abs(size) or 1.0) for size in sizes]
+        return [STEP * (self.size(place) or 1.0) for place in self.places]
+
+    def size(self, place: tuple[str, str, str] | str) -> float:
+        """How large what is put in is; an angle counts as a radian at least, since none of its functions knows a smaller one."""
+        number = self.known[place] if isinstance(place, str) else self.told[place]
+        return max(abs(number), 1.0 if self.is_angle(place) else 0.0)
+
+    def is_angle(self, place: tuple[str, str, str] | str) -> bool:
+        dimension = self.dimension(place)
+        return not isinstance(place, str) or (dimension is not None and dimension.matches(ANGLE))
+
+    def dimension(self, place: tuple[str, str, str] | str) -> Dimension | None:
+        return next((given.dimension for given in self.problem.givens if given.name == place), None)
 
     @cached_property
     def corrections(self) -> list[float]:
@@ -139,12 +151,16 @@ class Hearing:
 
     def correction(self, find: Find) -> float:
         """By how much an answer would have to be another for the equations to leave nothing over."""
+        place = self.places.index(self.place_of(find))
+        return self.corrections[place] / STEP * self.steps()[place]
+
+    def place_of(self, find: Find) -> tuple[str, str, str] | str:
+        """What is put in for a question."""
         letter = self.letter(find)
         key = letter if letter is not None else next(key for key, name in self.put.items() if name == find.group)
         if key not in self.places:
             raise NotConfirmed(UNTESTED)
-        place = self.places.index(key)
-        return self.corrections[place] / STEP * self.steps()[place]
+        return key
 
     # conditions
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
-from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY, Dimension
+from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.space.hearing import Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
@@ -35,7 +35,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
     if len(hearing.places) != 1:
         return True
     place = hearing.places[0]
-    least = 1.0 if put_in_as_angle(hearing, place) else 0.0
+    least = 1.0 if hearing.is_angle(place) else 0.0
     found = [own, *(root for root in others(hearing, own) if abs(root - own) > SAME * max(abs(own), abs(root), least))]
     if not rate_or_angle(hearing, place) and own > 0:
         found = [root for root in found if root > 0]
@@ -57,7 +57,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
 
 def others(hearing: Hearing, own: float) -> Iterator[float]:
     """The numbers, beside one, with which the equations of all bodies leave nothing over."""
-    angle, place = put_in_as_angle(hearing, hearing.places[0]), hearing.places[0]
+    angle, place = hearing.is_angle(hearing.places[0]), hearing.places[0]
 
     def left(value: float) -> list[float]:
         with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
@@ -104,7 +104,7 @@ def roots_between(left: Left, places: Sequence[float]) -> Iterator[float]:
 
 def turns_between(hearing: Hearing, root: float, own: float) -> bool:
     """Whether an answer is an angle beyond ±180°, whole turns from another number that fits as well."""
-    if not put_in_as_angle(hearing, hearing.places[0]) or abs(own) <= math.pi + UPRIGHT:
+    if not hearing.is_angle(hearing.places[0]) or abs(own) <= math.pi + UPRIGHT:
         return False
     turns = (own - root) / (2 * math.pi)
     return round(turns) != 0 and abs(turns - round(turns)) < SAME
@@ -112,17 +112,8 @@ def turns_between(hearing: Hearing, root: float, own: float) -> bool:
 
 def rate_or_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
     """Whether what is put in may be negative: no mass, length or their like."""
-    dimension = dimension_put_in(hearing, place)
+    dimension = hearing.dimension(place)
     return dimension is None or any(dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
-
-
-def put_in_as_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
-    dimension = dimension_put_in(hearing, place)
-    return not isinstance(place, str) or (dimension is not None and dimension.matches(ANGLE))
-
-
-def dimension_put_in(hearing: Hearing, place: tuple[str, str, str] | str) -> Dimension | None:
-    return next((given.dimension for given in hearing.problem.givens if given.name == place), None)
 
 
 def tilt_with(hearing: Hearing, place: tuple[str, str, str] | str, value: float) -> float | None:

@@ -154,7 +154,7 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
 
 def tested(name: str, parts: Mapping[str, float], hearing: Hearing, find: Find) -> AnswerConfirmation:
     """An answer that was put in is right where the equations then leave nothing over."""
-    own, size = parts[""], max(abs(parts[""]), 1e-9)
+    own, size = parts[""], max(hearing.size(hearing.place_of(find)), 1e-9)
     letter = hearing.letter(find)
     off = hearing.correction(find)
     found = off + (own if letter is None else hearing.known[letter])

@@ -10,7 +10,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula, add, negate
 from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Vector, along_text, unit
+from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between, rightward
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
@@ -73,15 +73,15 @@ class Spring(Connection, frozen=True):
 
     def along(self, instant: Moment) -> Vector:
         """Unit vector from the first end to the second: where they are, if a place is named; from a wall out of it; else from left to right
-        along a level or sloping line of travel, up from the ground and what lies on it, down from the ceiling, of two bodies down."""
+        along a level or sloping line of travel of one of them, up from the ground, down from the ceiling, of two bodies down."""
         configuration = instant.configuration
         straight = between(self.spring[0], self.spring[1], instant) if self.placed else None
         if straight is not None:
             return straight
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
-        mover = configuration.mover(body.owner, instant.state) if body.owner in configuration.bodies else ""
-        line = instant.line(mover) if mover else None  # of what carries the body, where that has none
-        right = rightward(line[0], body, instant) if line is not None else None
+        lines = ((self.travel(ref, instant), ref) for ref in (body, anchor))
+        line, ref = next((found for found in lines if found[0] is not None), (None, body))
+        right = None if line is None else rightward(line, ref, instant)
         surface = configuration.surfaces.get(anchor.owner)
         if surface is not None and surface.upright:
             outward = surface.normal if right is None else right if surface.normal == RIGHT else right.turned(180)
@@ -90,6 +90,16 @@ class Spring(Connection, frozen=True):
         else:
             outward = DOWN if surface is None and anchor.owner == "ceiling" else UP
         return unit(outward if anchor is self.spring[0] else outward.turned(180))
+
+    def travel(self, ref: PointRef, instant: Moment) -> Heading | None:
+        """The line along which an end travels: its body's own, or at the middle of what another body carries the line of that."""
+        configuration = instant.configuration
+        if ref.owner not in configuration.bodies:
+            return None
+        own = instant.line(instant.host(ref.owner))
+        middle = ref.point in (None, "rim", "center")
+        found = instant.line(configuration.mover(ref.owner, instant.state)) if own is None and middle else own
+        return None if found is None else found[0]
 
 
 class Torsion(Connection, frozen=True):

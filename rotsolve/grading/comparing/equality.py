@@ -12,7 +12,6 @@ from fractions import Fraction
 from functools import cached_property
 from math import pi
 from random import Random
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -95,12 +94,10 @@ def region_of(solution: Solution) -> Region:
     return Region(tuple(free), told, positive | {TIME}, bounds)
 
 
-def told_by_letters(
-    problem: Problem, answers: tuple[Answer, ...], edges: Mapping[str, Formula] = MappingProxyType({})
-) -> dict[str, Formula]:
-    """What givens are that hold others (`L: 2*R`), and answers, by letters that may have any value; `edges` tell more of these."""
+def told_by_letters(problem: Problem, answers: tuple[Answer, ...]) -> dict[str, Formula]:
+    """What givens are that hold others (`L: 2*R`), and answers, by letters that may have any value."""
     givens = {given.name: given.value for given in problem.givens if not given.asked}
-    told = {name: value for name, value in givens.items() if value is not None and value.symbols()} | dict(edges)
+    told = {name: value for name, value in givens.items() if value is not None and value.symbols()}
     told |= {name: form for name, form in answer_forms(answers) if name not in givens}
     return {name: in_givens(form, told) for name, form in told.items()}
 

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Iterator
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.confirm.course.samples import Numbers, holding, holds, size_of_limit, takes_integral, with_givens
+from rotsolve.algebra.formula import Formula
+from rotsolve.confirm.course.samples import Numbers, holding, holds, takes_integral, with_givens
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.symbols import TIME
 from rotsolve.grading.comparing.equality import (
@@ -22,7 +22,6 @@ from rotsolve.grading.comparing.equality import (
     free_letter_of,
     told_by_letters,
 )
-from rotsolve.language.problem import Problem
 from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.positive import is_angle
 from rotsolve.pipeline import made_ready
@@ -38,44 +37,17 @@ class CaseRegion(Struct, frozen=True):
 
 
 def case_regions(solution: Solution) -> list[CaseRegion]:
-    """A region for each combination of cases that occurs among the numbers with which the answers were found, and on their edges."""
+    """A region for each combination of cases that occurs among the numbers with which the answers were found.
+
+    What holds on an edge alone, `0 if u = v`, is asked of nobody: there many a wrong formula is right.
+    """
     found: dict[tuple[int, ...], CaseRegion] = {}
-    answers = solution.derivation.answers
-    for numbers in numbers_of_cases(solution):
-        held = [case for answer in answers if (case := holding(answer, numbers)) is not None]
+    for start in solution.trace.points:
+        numbers = with_givens(solution.problem, {name: float(size) for name, size in start.items()})
+        held = [case for answer in solution.derivation.answers if (case := holding(answer, numbers)) is not None]
         conditions = dict.fromkeys(condition for case in held for condition in case.conditions)
         found.setdefault(tuple(map(id, held)), CaseRegion(tuple(held), tuple(conditions), numbers))
     return list(found.values())
-
-
-def numbers_of_cases(solution: Solution) -> Iterator[Numbers]:
-    """The numbers with which the cases of the answers were found; then some on each edge that is a case by itself."""
-    starts = [{name: float(size) for name, size in point.items()} for point in solution.trace.points]
-    yield from (with_givens(solution.problem, start) for start in starts)
-    for case in (case for answer in solution.derivation.answers for case in answer.otherwise):
-        for edge in (one for one in case.conditions if is_edge(one)):
-            yield from numbers_on_edge(solution.problem, case, edge, starts)
-
-
-def is_edge(condition: Equality) -> bool:
-    """Whether a condition says what one letter is."""
-    return condition.relation == "=" and isinstance(condition.left, Symbol)
-
-
-def letters_on_edges(case: CaseRegion) -> dict[str, Formula]:
-    """The letters that are told where a case holds on an edge alone."""
-    return {one.left.name: one.right for one in case.conditions if isinstance(one.left, Symbol) and is_edge(one)}
-
-
-def numbers_on_edge(problem: Problem, case: Answer, edge: Equality, starts: Iterable[Numbers]) -> Iterator[Numbers]:
-    """Numbers with which a case holds that does so on an edge alone."""
-    assert isinstance(edge.left, Symbol)
-    for start in starts:
-        size = size_of_limit(edge.right, with_givens(problem, start))
-        numbers = with_givens(problem, {**start, edge.left.name: size})
-        if size > 0 and all(holds(condition, numbers) for condition in case.conditions):
-            yield numbers
-            return
 
 
 def sampled(case: CaseRegion, solution: Solution) -> SampledRegion:
@@ -85,7 +57,7 @@ def sampled(case: CaseRegion, solution: Solution) -> SampledRegion:
     open_ = {name: size for name, size in case.numbers.items() if name not in givens or givens[name].value is None}
     acute = {name for name in open_ if name in givens and is_angle(givens[name])}
     positive = frozenset(open_.keys() - acute | {TIME}) | (valid.positive if valid is not None else frozenset())
-    told = told_by_letters(problem, case.answers, letters_on_edges(case))
+    told = told_by_letters(problem, case.answers)
     letters = [free_letter_of(given, problem.values, positive) for given in problem.givens if given.value is not None]
     for name, size in {TIME: 1.0, **open_}.items():
         quadrant = (0.0, QUARTER) if name in acute else None
