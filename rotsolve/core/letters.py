@@ -21,16 +21,22 @@ def letter_order(letters: Iterable[tuple[str, Dimension | None]]) -> tuple[str, 
     return tuple(name for _, _, name in sorted(ranked))
 
 
-def letters_of(item: object) -> Iterator[str]:
-    """All letters in the formulas of a part of a scene: of a question those in its condition and in its options too."""
-    if isinstance(item, Formula):
-        yield from item.symbols()
+def leaves_of(item: object) -> Iterator[str | Formula]:
+    """All words and formulas in a part of a scene."""
+    if isinstance(item, str | Formula):
+        yield item
     elif isinstance(item, tuple):
         for part in item:
-            yield from letters_of(part)
+            yield from leaves_of(part)
     elif isinstance(item, Struct):
         for name in item.__struct_fields__:
-            yield from letters_of(getattr(item, name))
+            yield from leaves_of(getattr(item, name))
+
+
+def letters_of(item: object) -> Iterator[str]:
+    """All letters in the formulas of a part of a scene: of a question those in its condition and in its options too."""
+    for leaf in leaves_of(item):
+        yield from leaf.symbols() if isinstance(leaf, Formula) else ()
 
 
 class Given(Struct, frozen=True):

@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
-from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.core.letters import leaves_of
 from rotsolve.core.symbols import paths_in
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying_values
@@ -131,14 +130,9 @@ def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Sequence[str]]:
 
 def names_in(item: object) -> Iterator[str]:
     """All names that a part of a scene speaks of: of parts, of letters, of the bodies in a value that varies."""
-    if isinstance(item, str):
-        yield item
-    elif isinstance(item, Formula):
-        yield from item.symbols()
-        yield from (owner for _, owner, _ in paths_in(item))
-    elif isinstance(item, tuple):
-        for part in item:
-            yield from names_in(part)
-    elif isinstance(item, Struct):
-        for name in item.__struct_fields__:
-            yield from names_in(getattr(item, name))
+    for leaf in leaves_of(item):
+        if isinstance(leaf, str):
+            yield leaf
+        else:
+            yield from leaf.symbols()
+            yield from (owner for _, owner, _ in paths_in(leaf))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from math import sqrt
 
 import pytest
@@ -357,4 +358,45 @@ find: {{A: truck.acceleration, a: crate.acceleration}}
     pull = 20.0 * (right if first else -right)
     assert solution.answers["A"].float == pytest.approx(weight + pull / 30)
     assert solution.answers["a"].float == pytest.approx(weight - pull / 5)
+    assert all(verdict.holds for verdict in solution.derivation.confirmed)
+
+
+HUNG = """
+given: {M: 20 kg, m: 10 kg, n: 5 kg, L: 1 m, k: 400 N/m, e: 0.2 m}
+surfaces: {rails: level}
+bodies: {truck: {mass: M, moves: right}, rod: {shape: rod, mass: m, length: L}, crate: {mass: n, moves: right}}
+connections:
+  under: {contact: [truck, rails]}
+  base: {contact: [crate, rails]}
+  pin: {hinge: [truck, rod.start]}
+  coil: {spring: ENDS, stiffness: k}
+states: {start: {rod.angle: PHI deg, coil.elongation: e, at rest: all}}
+find: {A: truck.acceleration, alpha: rod.angular_acceleration, a: crate.acceleration}
+"""
+
+
+@pytest.mark.parametrize(
+    ("ends", "phi", "across", "up"),
+    [
+        ("[ceiling, rod.end]", -60, 0, 80),
+        ("[ground, rod.end]", -60, 0, -80),
+        ("[rod.end, crate]", -90, 80, 0),
+        ("[crate, rod.end]", -90, -80, 0),
+    ],
+)
+def test_a_spring_to_a_rod_that_a_truck_carries_is_upright_but_for_what_travels(
+    ends: str, phi: int, across: float, up: float
+) -> None:
+    """(M + m) A − ½ m L sin φ α = F_x, ⅓ m L² α − ½ m L sin φ A = L (F_y cos φ − F_x sin φ) − ½ m g L cos φ."""
+    solution = solve(HUNG.replace("ENDS", ends).replace("PHI", str(phi)))
+    sine, cosine = math.sin(math.radians(phi)), math.cos(math.radians(phi))
+    coupling, twist = -10 / 2 * sine, -10 * G / 2 * cosine + up * cosine - across * sine
+    share = 30 * 10 / 3 - coupling**2
+    found = {
+        "A": (across * 10 / 3 - coupling * twist) / share,
+        "alpha": (30 * twist - coupling * across) / share,
+        "a": -across / 5,
+    }
+    for name, value in found.items():
+        assert solution.answers[name].float == pytest.approx(value, abs=1e-9), name
     assert all(verdict.holds for verdict in solution.derivation.confirmed)

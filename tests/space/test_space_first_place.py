@@ -75,3 +75,16 @@ def test_the_largest_of_such_angles_is_not_confirmed() -> None:
     )
     (verdict, _) = solve(text).derivation.confirmed
     assert verdict.holds is None
+
+
+def test_a_hinge_the_other_way_round_in_letters() -> None:
+    """Of all sets of numbers one has its place next to 0, where a share of the angle would be nothing to look at."""
+    (answer,) = solve("""
+up: z
+given: {m: kg, b: m, h: m, th: unknown, w: rad/s, g: m/s^2}
+bodies: {gate: {shape: rectangle, mass: m, sides: [b, h], points: {A: [b/2, 0, 0]}}}
+connections: {post: {hinge: gate.A, along: [0, -1, 0]}}
+states: {start: {gate.angle: -30 deg, gate.angular_velocity: 0 rad/s}, fast: {gate.angular_velocity: w, gate.angle: th}}
+find: {th: th}
+""").answers.values()
+    assert [case.exact for case in answer.branches] == ["arcsin((2 b w² − 3 g)/(6 g))"]
