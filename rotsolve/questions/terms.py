@@ -34,7 +34,7 @@ def meaning_of(term: Term, scene: SceneEquations, beside: Beside | None = None) 
     """A term's meaning, and the state, phase or event where it belongs."""
     meaning, section = signed_meaning(term, scene, beside)
     if term.modifier == "size of":
-        meaning = replace(meaning, formula=magnitude(meaning.formula))
+        meaning = replace(meaning, formula=scene.configuration.signs.unbarred(magnitude(meaning.formula)))
     return meaning, section
 
 

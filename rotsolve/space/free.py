@@ -151,9 +151,9 @@ def period_of_turning(laws: SpaceLaws, path: Path) -> Meaning:
         tensor = laws.tensor(name, laws.about(name)[1])
         axial, across = entry_along(tensor, axis), entry_along(tensor, rotated(own.own, (way[1], way[2], way[0])))
         rate = multiply(dot_product(own.omega, axis), add(across, negate(axial)) / across)
-        return Meaning(
-            2 * PI / length_of((rate, ZERO, ZERO)), dimension, label="period of ω in the own axes, T = 2π/|ψ̇|"
-        )
+        label = "period of ω in the own axes, T = 2π/|ψ̇|"
+        said = (across, " ≠ ", axial, ", else ω stays") if held.signs.lacking(add(across, negate(axial))) else ()
+        return Meaning(2 * PI / length_of((rate, ZERO, ZERO)), dimension, label=label, said=said)
     from rotsolve.space.asymmetric import Polhode
 
     polhode = Polhode(laws, name)

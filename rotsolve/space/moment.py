@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
@@ -192,11 +192,18 @@ class SpaceMoment(TellingMoment):
         """An Euler angle: as told, through an event as before; φ = ψ = 0 where nothing tells them at first or in a steady state."""
         told = self.told(name, ANGLES[number])
         if told is not None:
-            return told
+            return told.transform(self.by_sides, "atan")
         if self.before is not None:
             return self.before.nodding(name).angles[number]
         moved_on = self.later and not self.state.steady
         return self.ask(ANGLES[number], name) if moved_on or ANGLES[number] == "tilt" else ZERO
+
+    def by_sides(self, angle: Formula) -> Formula:
+        """arctan(y/x) as the heading of (x, y), of which cos = x/√(x² + y²), where x > 0."""
+        slope = angle.arguments[0] if isinstance(angle, Call) and angle.function == "atan" else None
+        if not isinstance(slope, Quotient) or self.held.signs.decide(slope.denominator) != 1:
+            return angle
+        return Call("atan2", (slope.numerator, slope.denominator))
 
     def extreme_tilt(self, name: str) -> bool:
         """Whether the state says that the tilt of a body is largest or smallest there, so that it nods no more."""

@@ -68,6 +68,7 @@ class SpaceReader(VectorReader):
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
         return replace(
             meaning,
+            formula=self.held.signs.unbarred(meaning.formula),
             label=meaning.label or inertial_label(path) or label_of(plainly_named(path), term),
             laws=tuple(laws),
         )

@@ -58,6 +58,15 @@ class SignOracle(Struct, frozen=True):
         except (Undefined, ValueError, ZeroDivisionError):
             return None
 
+    def unbarred(self, value: Formula) -> Formula:
+        """A formula without the bars round what has a sign that is told: x for |x| where x > 0."""
+
+        def change(node: Formula) -> Formula:
+            sign = self.decide(node.arguments[0]) if isinstance(node, Call) and node.function == "abs" else None
+            return node.arguments[0] * sign if sign and isinstance(node, Call) else node
+
+        return value.transform(change, "abs")
+
     def taken(self, value: Formula) -> int | None:
         """The sign on which it will hang what is written: that which is sure, else that in the case that is looked at."""
         sign = self.decide(value)

@@ -138,13 +138,11 @@ def _heading(degrees: Fraction, terms: Iterable[tuple[Formula, Fraction]]) -> He
 
 
 def _of_slope(terms: tuple[tuple[Formula, Fraction], ...], rest: Fraction, quarter: int) -> Formula | None:
-    """cos(atan2(y, x) + 90° quarter) of plain numbers: x/√(x² + y²) and the like; None of all other angles."""
+    """cos(atan2(y, x) + 90° quarter): x/√(x² + y²) and the like; None of all other angles."""
     (angle, factor), *others = terms
     if others or rest or factor != 1 or not isinstance(angle, Call) or angle.function != "atan2":
         return None
     y, x = angle.arguments
-    if not isinstance(x, Number) or not isinstance(y, Number):
-        return None
     side = x if quarter % 2 == 0 else y
     value = simplify(side / sqrt(x**2 + y**2))
     return negate(value) if quarter % 4 in (1, 2) else value

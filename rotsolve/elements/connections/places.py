@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, sqrt
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Moment
@@ -36,16 +36,7 @@ def distance(gap: tuple[Formula, Formula], instant: Moment) -> Formula:
     """Length of a gap; where its sign is known from the numbers, without bars."""
     positive = instant.configuration.positive
     barred = simplify(sqrt(gap[0] ** 2 + gap[1] ** 2), positive=positive)
-
-    def unbarred(node: Formula) -> Formula:
-        if not (isinstance(node, Call) and node.function == "abs"):
-            return node
-        sign = instant.configuration.signs.decide(node.arguments[0])
-        if not sign:
-            return node
-        return node.arguments[0] if sign > 0 else negate(node.arguments[0])
-
-    return simplify(barred.transform(unbarred), positive=positive)
+    return simplify(instant.configuration.signs.unbarred(barred), positive=positive)
 
 
 def gap_between(first: PointRef, second: PointRef, instant: Moment) -> tuple[Formula, Formula] | None:
