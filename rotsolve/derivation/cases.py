@@ -32,7 +32,7 @@ class CaseTeller(Struct, frozen=True):
     space: LetterSpace
     edges: Edges[Derivation]
     bare: dict[
-        tuple[Equality, str], tuple[Edge, list[Formula]]
+        tuple[Equality, str], tuple[Edge | None, list[Formula]]
     ]  # edges on which answers are not known, and these by their symbols
     more: bool = (
         False  # whether there are others, which are not solved: then each answer has all the conditions of its case
@@ -99,9 +99,10 @@ class CaseTeller(Struct, frozen=True):
         alone, bare = closing.alone(held, closed)
         told += self.told_on_edges(alone)
         known = {edge.equality for edge, *_ in alone}
-        for edge in bare:
-            other = "other " if edge.equality in known else ""
-            lacking = self.bare.setdefault((edge.equality, other), (edge, []))[1]
+        untold = [replace(shown(one, self.space), relation="=") for one in closing.untold]
+        for equality, edge in [*((edge.equality, edge) for edge in bare), *((one, None) for one in untold)]:
+            other = "other " if equality in known else ""
+            lacking = self.bare.setdefault((equality, other), (edge, []))[1]
             lacking += [] if told[0].symbol in lacking else [told[0].symbol]
         return replace(told[0], otherwise=tuple(told[1:]))
 
@@ -196,7 +197,7 @@ class CaseTeller(Struct, frozen=True):
                 line = in_a_line(self.equalities(needed((*region, broken), self.space)))
                 found[(f"if {line} there is no answer: ", *need.failing)] = None
         for (equality, other), (edge, lacking) in self.bare.items():
-            solved = self.edges.solved_at(edge)
+            solved = None if edge is None else self.edges.solved_at(edge)
             said = why_no_answer(solved) if solved is not None and unanswered_in(solved) else ()
             if said not in alike:
                 line = f"if {in_a_line((equality,))} no {other}answer is given for "

@@ -43,6 +43,7 @@ class Closing:
         self.edges = edges
         self.name = name
         self.looked_at: list[Edge] = []  # edges over which no answer goes on
+        self.untold: list[Proviso] = []  # conditions of which nothing is known where they are only just met
 
     def closed(self, told: Sequence[Held]) -> list[Region]:
         """The regions with those of their edges that belong to them."""
@@ -54,6 +55,9 @@ class Closing:
     def open_at(self, one: Proviso, held: Held, told: Sequence[Held]) -> bool:
         """Whether what is held does not hold on the edge of one of its conditions, or that edge is another's."""
         edge = self.edges.edge(one, held.region, [case.point for case in held.own])
+        if edge is None and self.edges.untold(one.gap):
+            self.untold += [] if any(same_edge(other.gap, one.gap) for other in self.untold) else [one]
+            return True
         if edge is None:
             return one.strict or any(answer.word for answer in held.answers)
         beside = [

@@ -72,6 +72,10 @@ class Edges(Generic[Found]):
                 return edge
         return None
 
+    def untold(self, gap: Formula) -> bool:
+        """Whether nothing can be said of where a gap is zero: it is long, or no letter is told by it."""
+        return length(gap) >= LONG or not any(True for _ in self.limits(gap))
+
     def known_at(self, one: Proviso, rest: Sequence[Proviso]) -> Edge | None:
         """The edge of a condition within those of the rest, if it has been looked at."""
         rest = [other for other in rest if not same_edge(other.gap, one.gap)]

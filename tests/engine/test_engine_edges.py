@@ -14,6 +14,7 @@ from rotsolve.confirm.course.samples import holds, with_givens
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Equality
 from rotsolve.derivation.closing import answer_put
+from rotsolve.page.text import plain_text
 from rotsolve.pipeline import solve
 from rotsolve.search.edges import Edge
 from rotsolve.search.letterspace import LetterSpace
@@ -334,3 +335,27 @@ def test_an_answer_that_is_a_number_on_an_edge_has_its_value() -> None:
     edge = Edge(Symbol("tau") - limit, "tau", limit, Equality(Symbol("tau"), limit), {})
     put = answer_put(answer, edge, space)
     assert put.value is not None and put.value.float == 0
+
+
+LUMP = """title: Where a lump has to stick so that the rod turns with a given angular velocity
+plane: horizontal
+given: {M: kg, L: m, m: kg, u: m/s, w: rad/s, x: unknown}
+bodies: {rod: {shape: rod, mass: M, length: L}, lump: {mass: m, moves: right}}
+connections: {pin: {hinge: rod.start}}
+states: {before: {rod.angle: -90 deg, at rest: rod, lump.velocity: u}, after: {}}
+events: {hit: {joins: [rod.at(x), lump], from: before, to: after}}
+find: {x: WORD x where rod.angular_velocity = w at after}
+"""
+
+
+@pytest.mark.parametrize("word", ["largest", "smallest"])
+def test_an_edge_that_tells_no_letter_belongs_to_no_case_and_that_is_said(word: str) -> None:
+    """m u x = (⅓ M L² + m x²) w has two roots; with M = m = 1 kg, L = 1 m, u = 4 m/s and w = 3 rad/s they are ⅓ m and L itself."""
+    found = solve(LUMP.replace("WORD", word))
+    numbers = {"M": 1, "L": 1, "m": 1, "u": 4, "w": 3}
+    answer = found.answers["x"].answer
+    holding = [one for one in (answer, *answer.otherwise) if all(holds(line, numbers) for line in one.conditions)]
+    told = [value_of(one.closed or one.formula, numbers) for one in holding]
+    assert told == ([pytest.approx(1 / 3)] if word == "smallest" else [])
+    said = [plain_text(check.words) for check in found.derivation.checks if check.holds is None]
+    assert any(line.endswith("= 0 no answer is given for x") for line in said)

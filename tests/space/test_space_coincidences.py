@@ -5,6 +5,7 @@ Where letters alone leave it open, and what is asked hangs on it, the question i
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 import pytest
@@ -141,3 +142,17 @@ def test_what_letters_leave_open_is_refused_by_name(name: str) -> None:
     with pytest.raises(Unsolvable) as caught:
         solve(scene)
     assert reason in str(caught.value)
+
+
+def test_a_period_that_letters_may_end_says_where_it_does_not() -> None:
+    """2π A/(w |A − C|) is that of a body of which ω goes round; where A = C ω stays, and a period is that of the turning."""
+    free = "up: z\ngravity: none\ngiven: {GIVEN, w: 3 rad/s, p: 1 rad/s}\n"
+    free += "bodies: {top: {inertia: {principal: [A, A, C]}, axis: z}}\n"
+    free += "states: {now: {top.angular_velocity: [p, 0, w]}}\nfind: {T: top.period}\n"
+    letters = solve(free.replace("GIVEN", "A: kg m^2, C: kg m^2"))
+    assert "A ≠ C" in str(letters)
+    told = solve(free.replace("GIVEN", "A: 2 kg m^2, C: 3 kg m^2"))
+    assert "≠" not in str(told)
+    assert told.answers["T"].float == pytest.approx(2 * math.pi * 2 / 3)
+    same = solve(free.replace("GIVEN", "A: 2 kg m^2, C: 2 kg m^2"))
+    assert same.answers["T"].float == pytest.approx(2 * math.pi / math.sqrt(10))
