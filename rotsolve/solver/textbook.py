@@ -11,7 +11,20 @@ from rotsolve.algebra.calculus.derivative import in_powers
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Product, Quotient, Sum, multiply, total
+from rotsolve.algebra.formula import (
+    Call,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    call,
+    multiply,
+    total,
+)
 from rotsolve.core.symbols import TIME, at_any_time
 from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.steps import Found
@@ -50,6 +63,18 @@ def quarters_turned(value: Formula) -> Formula:
         return turn.sin() if node.function == "sin" else turn.cos()
 
     return value.transform(change, "sin", "cos")
+
+
+def squares_unrooted(value: Formula) -> Formula:
+    """A formula with |x| for √(x²), as it comes about where the other components of a vector vanish."""
+
+    def change(node: Formula) -> Formula:
+        inside = node.arguments[0] if isinstance(node, Call) and node.function == "sqrt" else None
+        return (
+            call("abs", inside.base) if isinstance(inside, Power) and inside.exponent == Number(Fraction(2)) else node
+        )
+
+    return value.transform(change, "sqrt")
 
 
 def gathered(node: Formula) -> Formula:

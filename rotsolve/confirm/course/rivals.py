@@ -152,8 +152,7 @@ class Rivals:
     def rivalled(self, sought: SoughtLetter, value: float) -> dict[str, AnswerConfirmation]:
         """What is said where another value does as well: of its answer, and of what is another with it."""
         find, given, known = sought.find, sought.given, sought.known
-        ask = ASK.get(find.modifier, ASK["where"] if find.where is not None else ": tell more of it")
-        why = f"{given.name} = {value:g} in SI units makes it so too{ask}"
+        why = sought.said_beside(value)
         told = {one.name for one in self.answers if one.name == find.group}
         if given.asked:
             told |= {one.name for one in self.answers if self.changes_with(one, known, sought.numbers(value))}
@@ -191,6 +190,11 @@ class SoughtLetter(Struct, frozen=True):
     def sized(self) -> bool:
         """Whether it is a size, of a kind that has a sense, as said: one that is positive, or none."""
         return self.given.dimension not in (None, ANGLE) and self.said >= 0.0
+
+    def said_beside(self, value: float) -> str:
+        """What is said where another value does as well."""
+        ask = ASK.get(self.find.modifier, ASK["where"] if self.find.where is not None else ": tell more of it")
+        return f"{self.given.name} = {value:g} in SI units makes it so too{ask}"
 
     def numbers(self, value: float) -> Numbers:
         """The numbers of all letters, of this one another."""

@@ -136,11 +136,11 @@ def midst(low: float, high: float) -> float:
     return math.copysign(math.sqrt(low * high), low) if low * high > 0.0 else (low + high) / 2
 
 
-def places_beside(root: float, unit: float, dimension: Dimension | None) -> list[float]:
+def places_beside(root: float, unit: float, dimension: Dimension | None, wide: int = WIDE) -> list[float]:
     """Places over the range of a letter: sizes are positive, of both signs where the root is negative; angles those of the known one."""
     if dimension == ANGLE:
         low, high = (0.0, RIGHT_ANGLE) if 0.0 < root < RIGHT_ANGLE else (-math.pi, math.pi)
-        return [low + (high - low) * (number + 0.5) / WIDE for number in range(WIDE)]
+        return [low + (high - low) * (number + 0.5) / wide for number in range(wide)]
     powers = [(number + 0.5) / STEPS for number in range(-STEPS * DECADES, STEPS * DECADES)]
     sizes = [(abs(root) or unit) * 10.0**power for power in (*powers, *FAR)]
     return [*sizes, *(-size for size in sizes)] if root < 0.0 else sizes

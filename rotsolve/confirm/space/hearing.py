@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from functools import cached_property
+from functools import cached_property, partial
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.units.dimension import ANGLE, Dimension
@@ -166,16 +166,19 @@ class Hearing:
 
     def under_condition(self, find: Find, own: float) -> float:
         """The number of a letter under a condition, which is that of the answer where the condition holds with it, or only just holds."""
-        if find.terms or not isinstance(find.formula, Symbol) or find.where is None:
+        from rotsolve.confirm.space.verge import gap_under, just_holds, step_to
+
+        condition = find.where
+        if find.terms or not isinstance(find.formula, Symbol) or condition is None:
             raise NotConfirmed("a quantity under a condition")
-        from rotsolve.confirm.space.verge import just_holds, step_to
-
-        def with_letter(value: float) -> Inquiry:
-            return Inquiry(self.problem, {**self.known, find.formula.name: value}, self.told)  # type: ignore[attr-defined]
-
-        if find.where.word in VERGES:
+        with_letter = partial(self.with_letter, find.formula.name)
+        if condition.word in VERGES:
             return just_holds(find, own, with_letter)
-        return step_to(find.where, own, with_letter)
+        return step_to(gap_under(condition, with_letter), own)
+
+    def with_letter(self, letter: str, value: float) -> Inquiry:
+        """The scene with another number of a letter."""
+        return Inquiry(self.problem, {**self.known, letter: value}, self.told)
 
     # sizes
 

@@ -9,12 +9,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from itertools import pairwise
+from functools import partial
+from itertools import chain, pairwise
 
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.space.hearing import Hearing
+from rotsolve.confirm.course.rivals import SoughtLetter
+from rotsolve.confirm.course.scan import Scan, places_beside
+from rotsolve.confirm.space.hearing import VERGES, Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
+from rotsolve.confirm.space.verge import gap_under, step_to
 from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.language.problem import EXTREMES, Find
 
@@ -24,14 +29,40 @@ STEPS = 30  # of the search between two places
 SAME = 1e-6
 FITS = 1e-8  # of what is left over between two places
 UPRIGHT = 1e-7
+STEPPED = 0.01  # share of a number by which it is changed to see how much is then left over
 
 Left = Callable[[float], "list[float]"]
 
 
-def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
-    """Whether an answer that fits is the one that is asked for among all that do; None where nothing tells which is meant."""
+def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> str:
+    """What is said where another number of a letter fulfils its condition too, other roots of its equation first; '' where none does."""
+    if find.where is None or find.where.word in VERGES or not isinstance(find.formula, Symbol):
+        return ""
+    given = next(given for given in hearing.problem.givens if given.name == find.formula.name)
+    gap = gap_under(find.where, partial(hearing.with_letter, given.name))
+    sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
+
+    def reach(value: float) -> tuple[float, None] | None:
+        with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
+            return gap(value), None
+        return None
+
+    def fulfils(value: float) -> bool:
+        with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
+            return sought.may_be(value) and abs(step_to(gap, value) - value) <= SAME * abs(value)
+        return False
+
+    scanned = Scan(reach, own).roots(places_beside(own, 1.0, given.dimension, ROUND))
+    return next((sought.said_beside(value) for value in chain(sought.other_roots(), scanned) if fulfils(value)), "")
+
+
+def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool | None:
+    """Whether an answer that fits is the one that is asked for among all that do; None where nothing tells which is meant.
+
+    Of what is not steady the other roots of its equation are looked at alone: to follow it at each place would take long.
+    """
     if not any(state.steady for state in hearing.problem.states):
-        return None if find.modifier in EXTREMES else True
+        return None if find.modifier in EXTREMES or another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
         return True
     place = hearing.places[0]
@@ -53,6 +84,21 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float) -> bool | None:
     if word not in EXTREMES:
         return None
     return own == (min if word == "smallest" else max)(left)
+
+
+def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
+    """Whether the equations of all bodies leave nothing over with another root of its equation, that is not beyond the letter's range."""
+    givens = {given.name: given for given in hearing.problem.givens}
+    place = hearing.places[0]
+    if len(hearing.places) != 1 or not isinstance(place, str):
+        return False
+    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots)
+    size = max(map(abs, hearing.left({0: STEPPED * hearing.size(place)})), default=0.0)
+    for value in filter(sought.may_be, sought.other_roots()):
+        with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
+            if max(map(abs, hearing.left({0: value - own})), default=math.inf) <= SAME * size:
+                return True
+    return False
 
 
 def others(hearing: Hearing, own: float) -> Iterator[float]:

@@ -140,9 +140,18 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
         if finds[0].where is not None:
             own = parts[""]
             found = hearing.under_condition(finds[0], own)
-            return verdict_of(name, abs(found - own) <= SAME * max(abs(own), 1e-9), (own,), (found,), hearing)
+            if abs(found - own) > SAME * max(abs(own), 1e-9):
+                return verdict_of(name, False, (own,), (found,), hearing)
+            from rotsolve.confirm.space.rivals import beside_under_condition
+
+            beside = beside_under_condition(hearing, finds[0], own, answer.rivals)
+            return (
+                not_so(name, beside, hearing.problem, numbers)
+                if beside
+                else AnswerConfirmation(name, True, "", (own,), (found,))
+            )
         if hearing.is_put_in(finds[0]):
-            return tested(name, parts, hearing, finds[0])
+            return tested(answer, parts, hearing, finds[0])
         return compared_in_space(finds, answer, parts, hearing)
     except Unfit as reason:
         return not_so(name, str(reason), hearing.problem, numbers)
@@ -152,7 +161,7 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
         return AnswerConfirmation(name, None, f"the assembly has no number ({error})")
 
 
-def tested(name: str, parts: Mapping[str, float], hearing: Hearing, find: Find) -> AnswerConfirmation:
+def tested(answer: Answer, parts: Mapping[str, float], hearing: Hearing, find: Find) -> AnswerConfirmation:
     """An answer that was put in is right where the equations then leave nothing over."""
     own, size = parts[""], max(hearing.size(hearing.place_of(find)), 1e-9)
     letter = hearing.letter(find)
@@ -162,10 +171,10 @@ def tested(name: str, parts: Mapping[str, float], hearing: Hearing, find: Find) 
     if holds:
         from rotsolve.confirm.space.rivals import fits_as_asked
 
-        meant = fits_as_asked(hearing, find, own)
+        meant = fits_as_asked(hearing, find, own, answer.rivals)
         if not meant:
-            return AnswerConfirmation(name, meant, SEVERAL, (own,), (found,))
-    return verdict_of(name, holds, (own,), (found,), hearing)
+            return AnswerConfirmation(answer.name, meant, SEVERAL, (own,), (found,))
+    return verdict_of(answer.name, holds, (own,), (found,), hearing)
 
 
 def compared_in_space(

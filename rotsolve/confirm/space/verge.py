@@ -16,8 +16,8 @@ NEAR = (BESIDE, 1e-4)  # for roots, and for what grows or not, which rounding te
 WithLetter = Callable[[float], Inquiry]
 
 
-def step_to(condition: Condition, own: float, with_letter: WithLetter) -> float:
-    """The nearest number with which a quantity has the value that a condition tells, by Newton's steps."""
+def gap_under(condition: Condition, with_letter: WithLetter) -> Callable[[float], float]:
+    """How much more a quantity is than a condition tells, by the number of a letter."""
     if condition.phrase is None or condition.value is None or condition.word is not None:
         raise NotConfirmed("a condition of this kind in space")
 
@@ -25,6 +25,11 @@ def step_to(condition: Condition, own: float, with_letter: WithLetter) -> float:
         inquiry = with_letter(value)
         return only_one(inquiry.numbers(condition.phrase, "")) - inquiry.rig.value(condition.value)  # type: ignore[arg-type]
 
+    return gap
+
+
+def step_to(gap: Callable[[float], float], own: float) -> float:
+    """The nearest number with which a gap is closed, by Newton's steps."""
     step = STEP * (abs(own) or 1.0)
     up, down, here = gap(own + step), gap(own - step), gap(own)
     slope = (up - down) / 2

@@ -1,0 +1,80 @@
+"""Letters that a condition tells in space: where another value fulfils it too, no one of them is confirmed, and the largest is the largest.
+
+The values are those of τ = ω × L by hand: of a disc on a slanted axle that is carried round, of a disc askew on its shaft.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve import Unsolvable, solve
+
+CARRIED = """up: z
+gravity: none
+given: {m: 5 kg, r: 0.1 m, W: unknown, p: 100 rad/s, T: 3 N m}
+bodies: {fork: {mass: 0, inertia: {principal: [0, 0, 0]}}, disc: {shape: disc, mass: m, radius: r}}
+connections:
+  post: {hinge: fork, along: z, angular_velocity: W}
+  axle: {axle: [fork, disc], along: [4/5, 0, 3/5], angular_velocity: -p}
+find: {x: FIND}
+"""
+ASKEW = """up: z
+gravity: none
+given: {M: 10 kg, R: 0.3 m, w: 100 rad/s, phi: unknown, Q: 500 N m}
+bodies: {wheel: {shape: disc, mass: M, radius: R}}
+connections: {shaft: {hinge: wheel.center, along: [sin(phi), 0, cos(phi)], angular_velocity: w}}
+find: {x: FIND}
+"""
+
+
+def torque(rate: float) -> float:
+    """τ_y = W m r² (3 W − 10 p)/25 of the carried disc, by L = I ω with ω = W ẑ − p n."""
+    m, r, p = 5, 0.1, 100
+    along = [0.8, 0, 0.6]
+    axial, across = m * r**2 / 2, m * r**2 / 4
+    own = rate * along[2] - p  # along its axis
+    rest = [-rate * along[2] * along[0], rate - rate * along[2] ** 2]  # across, along x and z
+    momentum_x = axial * own * along[0] + across * rest[0]
+    return rate * momentum_x
+
+
+def test_the_torque_by_hand_is_that_of_the_scene() -> None:
+    for rate in (1.5, -2, 300):
+        found = solve(CARRIED.replace("W: unknown", f"W: {rate} rad/s").replace("FIND", "axle.torque.y"))
+        assert found.answers["x"].float == pytest.approx(torque(rate))
+
+
+@pytest.mark.parametrize(
+    ("asked", "value"),
+    [
+        ("largest W where size of axle.torque = T", 3),
+        ("smallest W where axle.torque.y = -T", -3),
+        ("largest W where axle.torque.y = -T", -3),
+    ],
+)
+def test_the_largest_and_the_smallest_are_of_all_that_do(asked: str, value: float) -> None:
+    found = solve(CARRIED.replace("FIND", asked)).answers["x"].float
+    assert found is not None
+    assert torque(found) == pytest.approx(value, rel=1e-6)
+    a, b = 0.05 * 3 / 25, -0.05 * 10 * 100 / 25  # τ = a W² + b W
+    roots = [(-b + way * math.sqrt(b * b + 4 * a * side)) / (2 * a) for way in (1, -1) for side in (3, -3)]
+    beyond = [
+        root for root in roots if root > 0 and ("size" in asked or torque(root) == pytest.approx(value, rel=1e-6))
+    ]
+    assert found == pytest.approx((max if "largest" in asked else min)(beyond), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        CARRIED.replace("FIND", "W where size of axle.torque = T"),
+        CARRIED.replace("FIND", "W where axle.torque.y = -T"),
+        ASKEW.replace("FIND", "phi where size of shaft.torque = Q"),
+        ASKEW.replace("FIND", "phi where shaft.torque.y = -Q"),
+    ],
+)
+def test_where_several_values_do_none_is_confirmed(scene: str) -> None:
+    with pytest.raises(Unsolvable, match="makes it so too"):
+        solve(scene)
