@@ -213,8 +213,8 @@ class CaseTeller(Struct, frozen=True):
         def open_at(one: Proviso) -> bool:
             edge = self.edges.known_at(one, region)
             case = None if edge is None else self.edges.solved_at(edge)
-            if case is None:
-                return one.strict or edge is not None  # of an edge that is not solved nothing is said
+            if case is None:  # of an edge that is not solved nothing is said
+                return one.strict or edge is not None or self.edges.untold(one.gap)
             if unanswered_in(case):
                 return why_no_answer(case) != why
             return not names or bool({answer.name for answer in told_in(case)}.intersection(names))

@@ -26,7 +26,7 @@ from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import rotation, so_far
-from rotsolve.paths.meaning import Meaning, NotYet, Unclear, vector_size
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear, path_text, vector_size
 from rotsolve.paths.points import way
 
 FIGURES = 30  # to which a zero is known before it is told from the end of a phase
@@ -163,6 +163,8 @@ def one_function(name: str, intervals: tuple[Interval, ...], scene: SceneEquatio
 
 def run_up(path: Path, middle: Instant) -> Formula:
     """What has come together from the start of a phase up to the running time."""
+    if path.owner not in middle.configuration.bodies:
+        raise NotYet(f"`{path_text(path)}` as a function of time is not solved yet")
     name = middle.host(path.owner)
     if path.quantity == "displacement":
         return way(path, name, None, middle)
@@ -184,8 +186,8 @@ def whole_way(term: Term, start: str, end: str, scene: SceneEquations, beside: B
     if path.quantity == "distance" and first.motion(name).kind == "axis":
         reach = first.point(PointRef(path.owner, path.point or "cm", path.argument))
         word, arm = "rotation", reach.parts[0][0] if len(reach.parts) == 1 else vector_size(reach)
-    if word not in RATE or beside is None:
-        raise NotYet(f"the total of `{path.quantity}` is not solved yet")
+    if word not in RATE or beside is None or path.owner not in scene.configuration.bodies:
+        raise NotYet(f"the total of `{path_text(path)}` is not solved yet")
     pieces: list[Formula] = []
     laws: list[Equation] = []
     intervals = scene.configuration.timeline.between(start, end)

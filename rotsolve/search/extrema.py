@@ -71,7 +71,7 @@ def ref_of(answered: Answered, search: Search) -> Ref:
 def forget(answered: Answered, search: Search) -> None:
     """Let a quantity be settled anew from its closed form, since a letter in that has got a value."""
     letter, formula = answered.asked.letter, answered.found.formula
-    del search.solver.solved[letter]
+    search.solver.solved.pop(letter, None)
     search.known.discard(letter)
     if formula is not None:
         result = FOUND.equation(Symbol(letter), formula, answered.asked.section, cost=1)

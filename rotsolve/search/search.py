@@ -101,6 +101,7 @@ class Search(Struct, dict=True):
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
     failed: dict[object, NoAnswer] = field(default_factory=dict)  # what has had no answer, by all on which that hangs
+    settling: set[str] = field(default_factory=set)  # the letters for which others are being settled first
     # the places of extrema, by (quantity, letter, word)
     extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
 
@@ -300,13 +301,15 @@ class Search(Struct, dict=True):
         """Settle the letters that are worked out by themselves (`Law.apart`, and rates with roots of their own), of those with which a
         question is planned."""
         told = (law.left.name for law in self.planner.pool if law.law.apart and isinstance(law.left, Symbol))
-        apart = {*told, *self.scene.settled_first()} - self.known - {asked.letter}
+        apart = {*told, *self.scene.settled_first()} - self.known - self.settling - {asked.letter}
         plan = self._plan(asked.letter, set()) if apart and not self.confirming else None
         if isinstance(plan, Plan):
+            self.settling.add(asked.letter)
             for letter in plan.unknowns:
                 if letter in apart and letter not in self.known:
                     with suppress(NoAnswer):
                         self.step(letter)
+            self.settling.discard(asked.letter)
 
     def _attempt(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """Plan and solve; what has failed with the same equations and the same answers before fails again."""

@@ -78,3 +78,11 @@ def test_the_largest_and_the_smallest_are_of_all_that_do(asked: str, value: floa
 def test_where_several_values_do_none_is_confirmed(scene: str) -> None:
     with pytest.raises(Unsolvable, match="makes it so too"):
         solve(scene)
+
+
+def test_a_value_against_the_sense_of_a_size_is_named() -> None:
+    """τ_y = T with W = 334.8 rad/s, and with −1.493 rad/s."""
+    found = solve(CARRIED.replace("FIND", "W where axle.torque.y = T"))
+    (verdict,) = found.derivation.confirmed
+    assert verdict.holds
+    assert verdict.also == " = -1.49331 in SI units makes it so too"

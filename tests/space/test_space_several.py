@@ -269,4 +269,4 @@ def test_the_assembly_sees_that_several_motions_fit(name: str) -> None:
     for value, meant in wanted.items():
         hearing = Hearing(problem, {"g": G, **known, letter: value}, {})
         find = next(find for find in problem.finds if letter in find.formula.symbols())
-        assert fits_as_asked(hearing, find, value) is meant, value
+        assert fits_as_asked(hearing, find, value, ()) is meant, value

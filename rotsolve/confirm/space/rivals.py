@@ -34,10 +34,10 @@ STEPPED = 0.01  # share of a number by which it is changed to see how much is th
 Left = Callable[[float], "list[float]"]
 
 
-def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> str:
-    """What is said where another number of a letter fulfils its condition too, other roots of its equation first; '' where none does."""
+def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> tuple[str, str]:
+    """What is said where another number of a letter fulfils its condition too, and where one against the sense of a size does; else ''."""
     if find.where is None or find.where.word in VERGES or not isinstance(find.formula, Symbol):
-        return ""
+        return "", ""
     given = next(given for given in hearing.problem.givens if given.name == find.formula.name)
     gap = gap_under(find.where, partial(hearing.with_letter, given.name))
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
@@ -49,11 +49,17 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
 
     def fulfils(value: float) -> bool:
         with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
-            return sought.may_be(value) and abs(step_to(gap, value) - value) <= SAME * abs(value)
+            return abs(step_to(gap, value) - value) <= SAME * abs(value)
         return False
 
-    scanned = Scan(reach, own).roots(places_beside(own, 1.0, given.dimension, ROUND))
-    return next((sought.said_beside(value) for value in chain(sought.other_roots(), scanned) if fulfils(value)), "")
+    places = places_beside(own, 1.0, given.dimension, ROUND)
+    others = chain(sought.other_roots(), Scan(reach, own).roots(places))
+    beside = next((value for value in others if sought.may_be(value) and fulfils(value)), None)
+    if beside is not None or not sought.sized:
+        return ("" if beside is None else sought.said_beside(beside)), ""
+    against = chain(sought.other_roots(), Scan(reach, own).roots([-place for place in places]))
+    found = next((value for value in against if sought.may_be(value, sized=False) and fulfils(value)), None)
+    return "", "" if found is None else f" = {found:g} in SI units makes it so too"
 
 
 def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool | None:

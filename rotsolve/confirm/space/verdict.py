@@ -26,6 +26,7 @@ from rotsolve.confirm.verdicts import (
     both_sets,
     closely_valued,
     not_so,
+    numbers_told,
     said_of,
 )
 from rotsolve.core.derivation import Answer, AnswerConfirmation
@@ -144,12 +145,12 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
                 return verdict_of(name, False, (own,), (found,), hearing)
             from rotsolve.confirm.space.rivals import beside_under_condition
 
-            beside = beside_under_condition(hearing, finds[0], own, answer.rivals)
-            return (
-                not_so(name, beside, hearing.problem, numbers)
-                if beside
-                else AnswerConfirmation(name, True, "", (own,), (found,))
-            )
+            beside, against = beside_under_condition(hearing, finds[0], own, answer.rivals)
+            if beside:
+                return not_so(name, beside, hearing.problem, numbers)
+            letters = numbers_told(numbers, hearing.problem)
+            against += f" with {letters}" if against and letters else ""
+            return AnswerConfirmation(name, True, "", (own,), (found,), also=against)
         if hearing.is_put_in(finds[0]):
             return tested(answer, parts, hearing, finds[0])
         return compared_in_space(finds, answer, parts, hearing)
