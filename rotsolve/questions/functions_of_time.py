@@ -258,7 +258,9 @@ class Reversal(Struct, frozen=True):
 
     @property
     def when(self) -> str:
-        return f"{self.interval.name} reversal {self.number}".strip()
+        return (
+            f"{self.interval.name} reversal of {self.word} {self.number}".strip()
+        )  # a body may turn back before it runs back
 
     def until(self, first: Instant) -> Formula:
         """The letter for the angle turned, or the way gone, until then."""

@@ -198,6 +198,8 @@ class Trials:
                 if told[-1] == sense:
                     return sense
         before = self.configuration.timeline.before(rub.state)
+        if not told and rub.item is None and before is not None and before.event is not None:
+            self.check_told([rub])  # a blow may set it going
         if told == [-1, 1] and rub.contact is not None and before is not None and before.event is not None:
             self.modes[rub_key(rub.name, before.name)] = STICKS
         return 0

@@ -168,3 +168,23 @@ find: {t: time from start to turned}
 """
     swing = math.sqrt(3 / 0.8)
     assert solve(scene).answers["t"].float == pytest.approx(math.asin(swing / 5) / swing)
+
+
+def test_a_body_turns_back_at_another_moment_than_it_runs_back() -> None:
+    """A ball set rolling up a slope that is too smooth: dv/dt = −g (sin β − μ cos β), dω/dt = −5 μ g cos β/(2 R), by small steps."""
+    found = solve("""title: Ball rolling up that begins to slip
+given: {m: 1 kg, R: 0.2 m, u: 2 m/s, mu: 0.1, beta: 30 deg, T: 3 s, g: 9.8 m/s^2}
+surfaces: {ramp: {slope: beta, down: left}}
+bodies: {ball: {shape: sphere, mass: m, radius: R, moves: up}}
+connections: {grip: {contact: [ball, ramp], friction: mu}}
+states: {start: {ball.velocity: u, ball.angular_velocity: u/R}, late: {time: T}}
+find: {n: total ball.rotation from start to late, s: total ball.displacement from start to late}
+""")
+    friction, pull, step = 0.1 * math.cos(math.pi / 6) * 9.8, math.sin(math.pi / 6) * 9.8, 1e-5
+    velocity, spin, way, turn = 2.0, 10.0, 0.0, 0.0
+    for _ in range(300_000):
+        velocity -= (pull - friction) * step
+        spin -= friction / (0.4 * 0.2) * step
+        way, turn = way + abs(velocity) * step, turn + abs(spin) * step
+    assert found.answers["n"].float == pytest.approx(turn, rel=1e-3)
+    assert found.answers["s"].float == pytest.approx(way, rel=1e-3)

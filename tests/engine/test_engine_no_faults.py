@@ -39,7 +39,8 @@ find: {w0: smallest w where up is stable}
 
 
 @pytest.mark.parametrize(
-    "asked", ["total clutch.rotation from start to one", "clutch.rotation at any time", "total clutch.work from start to one"]
+    "asked",
+    ["total clutch.rotation from start to one", "clutch.rotation at any time", "total clutch.work from start to one"],
 )
 def test_what_two_discs_turn_against_each_other_is_not_summed_up(asked: str) -> None:
     found = solve(RUBBING.replace("ASKED", asked))

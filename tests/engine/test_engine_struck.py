@@ -355,3 +355,17 @@ states: {{start: {{{start}}}, after: {{}}}}
 events: {{{event}}}
 find: {{x: {asked}}}
 """)
+
+
+def test_what_a_blow_may_set_going_is_not_held_by_its_axle() -> None:
+    """A rod that falls on one which hangs at rest on a rubbing hinge takes it along: where nothing tells how fast, no axle holds it."""
+    scene = """title: Rod falls on another one
+given: {m: kg, n: number, L: m, Q: N m}
+bodies: {a: {shape: rod, mass: m, length: L}, b: {shape: rod, mass: n*m, length: L}}
+connections: {p1: {hinge: a.start}, p2: {hinge: b.start, friction_torque: Q}}
+states: {start: {a.angle: 0, b.angle: -90 deg, at rest: all}, low: {a.angle: -90 deg, b.angular_velocity: 0}, after: {}}
+events: {hit: {joins: [a, b], from: low, to: after}}
+find: {w: b.angular_velocity at after}
+"""
+    with pytest.raises(Unsolvable, match="whether friction holds b from `after` on is not told"):
+        solve(scene)
