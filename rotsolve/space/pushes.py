@@ -8,6 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula, multiply, negate
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import paths_in
 from rotsolve.core.vectors.triple import (
     AXES,
     NOTHING,
@@ -190,6 +191,11 @@ class Pushes:
         arm = vector_sum(self.moment.arm(joint.carrier), ours.to(theirs, shift))
         return ForceInSpace(joint.owner, carrier, minus(push.force), push.axes, arm, theirs, minus(push.couple))
 
+    def twisted_about(self, name: str) -> Triple | None:
+        """The axis about which a couple without a direction turns a body: that about which it is hinged, else that of its symmetry."""
+        joint = self.moment.held.main(name)
+        return self.direction(joint) if joint is not None and joint.turning else self.moment.symmetry_axis(name)
+
     def by_action(self, action: Action) -> ForceInSpace:
         """A force or couple from outside, along a direction in space, a couple also about the body's own axis."""
         ref = action.touches()[0]
@@ -205,16 +211,24 @@ class Pushes:
             vector = scaled_by(strength, unit_along(way, self.moment.positive))
         else:
             vector = None
+        varying = () if isinstance(strength, str) else (strength,) if isinstance(strength, Formula) else strength
+        if any(path for part in varying for path in paths_in(part)):
+            message = f"`{action.name}` goes by how a body stands or moves, which is not solved in space"
+            raise Unsolvable(message, span=ref.span, help="give it a number, a letter, or a function of `time`")
         vector = None if vector is None else triple([self.moment.now(part) for part in vector])
         if action.twists():
-            axis = self.moment.symmetry_axis(ref.owner)
+            axis = self.twisted_about(ref.owner)
             if vector is None and axis is None:
                 raise Unsolvable(
                     f"about which axis `{action.name}` turns nothing tells",
                     span=ref.span,
                     help="give it `direction: z`",
                 )
-            axes, couple = (IN_SPACE, vector) if vector is not None else (own, scaled_by(strength, axis or NOTHING))
+            axes, couple = (
+                (IN_SPACE, vector)
+                if vector is not None
+                else (own, scaled_by(self.moment.now(strength), axis or NOTHING))
+            )
             return ForceInSpace(action.name, ref.owner, NOTHING, axes, self.moment.arm(ref), own, couple)
         if vector is None:
             raise Unsolvable(

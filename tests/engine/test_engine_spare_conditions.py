@@ -125,3 +125,19 @@ def test_what_is_left_says_where_an_answer_holds(kind: str) -> None:
         assert told == holds(sizes), sizes
         seen.add(told)
     assert True in seen
+
+
+def test_a_time_that_is_an_integral_of_a_root_passes_where_its_ends_are_in_order() -> None:
+    """A couple Q (1 − φ/b) against the friction τ: fastest at φ = b (Q − τ)/Q, which tells all, and at rest again at twice that."""
+    found = solve("""title: Couple that fades with the turn, against a brake
+given: {I: kg m^2, Q: N m, b: rad, tau: N m}
+gravity: none
+bodies: {wheel: {inertia: I, turns: clockwise}}
+connections: {axle: {axle: wheel, friction_torque: tau}}
+actions: {motor: {couple: "Q*(1 - wheel.rotation/b)", on: wheel}}
+states: {start: at rest, fast: {wheel.angular_velocity: largest}, far: {wheel.angular_velocity: 0}}
+find: {w: wheel.angular_velocity at fast, t1: time from start to fast, theta: wheel.rotation from start to far}
+""")
+    assert found.answers["t1"].conditions == ("Q > τ",)
+    for name in ("w", "theta"):
+        assert [branch.conditions for branch in found.answers[name].branches] == [("Q > τ",), ("Q ≤ τ",)]

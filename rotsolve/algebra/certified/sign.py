@@ -14,7 +14,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Certified, evaluate, suppose
 from rotsolve.algebra.certified.balls import Undefined, with_values
 from rotsolve.algebra.exact.normal import Fractions, is_zero, simplify
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol, negate
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Integral, Number, Symbol, negate
 
 ACUTE = "acute"
 
@@ -91,7 +91,7 @@ class SignOracle(Struct, frozen=True):
 
     def side_at_trial(self, value: Formula) -> int | None:
         """The sign of a formula in the case that is looked at, which is a condition of all that follows."""
-        value = self.with_asked(value)
+        value = span_of_roots(self.with_asked(value))
         number = self.at_trial(value)
         if number is not None:
             suppose(value, number.sign or 0)
@@ -160,6 +160,14 @@ class SignOracle(Struct, frozen=True):
         if not all(isinstance(degree, Number) for degree in degrees):
             return None
         return self.by_numbers(value.substitute(dict.fromkeys(names, ONE)))
+
+
+def span_of_roots(value: Formula) -> Formula:
+    """How far an integral of a root goes, which has its sign, since no root is negative; all others as they are."""
+    whole = simplify(value) if value.holds(Integral) else value
+    if isinstance(whole, Integral) and isinstance(whole.integrand, Call) and whole.integrand.function == "sqrt":
+        return whole.upper - whole.lower
+    return value
 
 
 def real_where(value: Formula) -> Iterator[Formula]:
