@@ -39,7 +39,7 @@ from rotsolve.solver.steps import (
     only_squared,
     put_square,
 )
-from rotsolve.solver.textbook import part_of_whole, quarters_turned, squares_unrooted
+from rotsolve.solver.textbook import part_of_whole, quarters_turned
 
 FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
@@ -275,7 +275,7 @@ class Solver(Isolation, kw_only=True):
         sides = [side.substitute(values) for side in (item.left, item.right)]
         if sum(map(length, sides)) > LONGEST:
             raise Unprintable(TOO_LONG)
-        item.left, item.right = (self.tidied(squares_unrooted(quarters_turned(side))) for side in sides)
+        item.left, item.right = (self.tidied(self.unrooted(quarters_turned(side))) for side in sides)
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:
