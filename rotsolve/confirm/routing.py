@@ -64,10 +64,10 @@ def declared(item: String, here: int, there: int, model: Known) -> Way | None:
     if surface is None:
         return None
     up = uphill(surface, model)
-    on = [parallel(line_led(end.owner, model), up) for end in (ref, neighbour) if end.owner in model.seats]
+    on = [end.owner in model.seats and parallel(line_led(end.owner, model), up) for end in (ref, neighbour)]
     if sum(on) != 1:  # two that lie on it are drawn from left to right
         return None
-    return up if ref.owner in model.seats else (-up[0], -up[1])
+    return up if on[0] else (-up[0], -up[1])
 
 
 def line_led(name: str, model: Known) -> Way | None:

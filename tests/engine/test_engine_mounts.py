@@ -400,3 +400,40 @@ def test_a_spring_to_a_rod_that_a_truck_carries_is_upright_but_for_what_travels(
     for name, value in found.items():
         assert solution.answers[name].float == pytest.approx(value, abs=1e-9), name
     assert all(verdict.holds for verdict in solution.derivation.confirmed)
+
+
+@pytest.mark.parametrize("along", ["", ", along: ramp"])
+@pytest.mark.parametrize("order", ["load, wheel, cart", "cart, wheel, load"])
+@pytest.mark.parametrize("falls", ["left", "right"])
+@pytest.mark.parametrize("rubs", ["friction: none", "friction: mu"])
+def test_a_string_along_a_slope_pulls_up_that_slope(along: str, order: str, falls: str, rubs: str) -> None:
+    """(m + n) a = n g − m g sin β − μ m g cos β of a load that draws a cart up, whichever way the slope falls and the names stand."""
+    found = solve(f"""title: Load over a pulley at the top of a slope
+given: {{m: 2 kg, n: 6 kg, beta: 25 deg, mu: 0.1, g: 9.8 m/s^2}}
+surfaces: {{ramp: {{slope: beta, down: {falls}}}}}
+bodies: {{cart: {{mass: m, moves: up}}, load: {{mass: n, moves: down}}, wheel: {{shape: disc, mass: 0}}}}
+connections:
+  base: {{contact: [cart, ramp], {rubs}}}
+  ax: {{axle: wheel}}
+  line: {{string: [{order}]{along}}}
+find: {{a: cart.acceleration, T: line.tension}}
+""")
+    rubbing = 0.1 * math.cos(math.radians(25)) if "mu" in rubs else 0.0
+    a = 9.8 * (6 - 2 * math.sin(math.radians(25)) - 2 * rubbing) / 8
+    assert found.answers["a"].float == pytest.approx(a)
+    assert found.answers["T"].float == pytest.approx(6 * (9.8 - a))
+
+
+@pytest.mark.parametrize(
+    ("order", "falls"), [("drum.rim, cart", "left"), ("drum.rim, cart", "right"), ("cart, drum.rim", "left")]
+)
+def test_a_drum_at_the_top_of_a_slope_holds_what_would_run_down(order: str, falls: str) -> None:
+    """(I/R² + m) a = m g sin β down the slope."""
+    found = solve(f"""title: Cart that unwinds a drum
+given: {{m: 2 kg, I: 0.1 kg m^2, R: 0.2 m, beta: 25 deg, g: 9.8 m/s^2}}
+surfaces: {{ramp: {{slope: beta, down: {falls}}}}}
+bodies: {{cart: {{mass: m, moves: down}}, drum: {{inertia: I, radius: R}}}}
+connections: {{base: {{contact: [cart, ramp], friction: none}}, ax: {{axle: drum}}, line: {{string: [{order}], along: ramp}}}}
+find: {{a: cart.acceleration}}
+""")
+    assert found.answers["a"].float == pytest.approx(2 * 9.8 * math.sin(math.radians(25)) / (2 + 0.1 / 0.04))

@@ -162,7 +162,7 @@ class Routing(Struct, frozen=True, dict=True):
         configuration = self.instant.configuration
         surface = configuration.surfaces.get(self.along or "")
         if surface is not None and self.travels(ref.owner, surface) != self.travels(neighbour.owner, surface):
-            return unit(uphill(surface) if ref.owner in configuration.bodies else uphill(surface).turned(180))
+            return unit(uphill(surface) if self.travels(ref.owner, surface) else uphill(surface).turned(180))
         if ref.owner == "ceiling":
             return unit(DOWN)
         if ref.owner in configuration.surfaces and configuration.surfaces[ref.owner].upright:
@@ -170,7 +170,7 @@ class Routing(Struct, frozen=True, dict=True):
         return between(ref, neighbour, self.instant)
 
     def travels(self, owner: str, surface: Surface) -> bool:
-        """Whether a body travels along a surface, or what carries it."""
+        """Whether a body travels along a surface, or what carries it: that one the string pulls up a slope."""
         line = self.line_led(owner)
         return line is not None and (line - uphill(surface)).sin() == ZERO
 
