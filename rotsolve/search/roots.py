@@ -99,7 +99,8 @@ class RootChoice(Struct, frozen=True):
         stable = self._stable(name, [root for _, root in numbered])
         if stable:
             found = sorted([real[place] for place in stable], key=lambda entry: entry[1] < 0)
-            return PickedRoot(self._smallest(found, roots), ("the stable one: a body displaced from it comes back",))
+            one = "the stable one" if len(found) == 1 else f"of {len(found)} stable ones that nearest to zero"
+            return PickedRoot(self._smallest(found, roots), (f"{one}: a body displaced from it comes back",))
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered, period)
         if reached is not None:
             return reached

@@ -232,3 +232,21 @@ find: {{x: {asked}}}
     far = 2 * 0.196 - stretched
     way = (far - stretched) * (1 if moves == "down" else -1)
     assert found == pytest.approx(far if asked.startswith("coil") else way)
+
+
+@pytest.mark.parametrize(("force", "count"), [("5 N", 2), ("2 N", 1)])
+def test_of_several_stable_balances_it_is_said_how_many(force: str, count: int) -> None:
+    """F L sin p = c p: a column that buckles (F L > c) leans to either side, else it stands at p = 0 alone."""
+    found = solve(f"""title: Level column on a spring hinge pushed along itself
+gravity: none
+given: {{L: 1 m, c: 3 N m/rad, F: {force}, p: unknown}}
+bodies: {{rod: {{shape: rod, mass: 1 kg, length: L}}}}
+connections: {{pin: {{hinge: rod.start}}, wire: {{torsion: rod, stiffness: c}}}}
+actions: {{push: {{force: F, on: rod.end, direction: left}}}}
+states: {{rest: {{rod.angle: p, balance: true}}}}
+find: {{p: p}}
+""")
+    angle = found.answers["p"].float
+    assert angle is not None
+    assert float(force.split()[0]) * math.sin(angle) == pytest.approx(3 * angle, abs=1e-12)
+    assert ("of 2 stable ones" in str(found).replace("\n", " ")) == (count == 2)
