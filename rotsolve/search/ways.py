@@ -10,8 +10,9 @@ from itertools import islice, product
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import has_quantities
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import Rub, rubs
@@ -64,9 +65,11 @@ def at_the_verge(find: Find, search: Search) -> Problem | None:
 
 
 def is_open(rub: Rub, search: Search) -> bool:
-    """Whether nothing has told how it moves, and it matters."""
+    """Whether nothing has told how it moves, not a speed that the state tells by a letter either, and it matters."""
     configuration = search.scene.configuration
-    return rub.key not in search.scene.modes and not smooth(rub, configuration.signs)
+    speed = rub.rate(search.scene.instant(rub.state))
+    told = speed is not None and speed != ZERO and not has_quantities(speed)
+    return not told and rub.key not in search.scene.modes and not smooth(rub, configuration.signs)
 
 
 def by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Problem | None:

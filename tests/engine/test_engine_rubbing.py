@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import pytest
@@ -239,3 +240,18 @@ def test_letters_tell_both_whether_it_stops_and_whether_it_goes_on() -> None:
     answer = solve(GROWING.replace("8 N/s", "N/s").replace("LATER", "3 s")).answers["v"]
     assert {case.exact for case in (answer, *answer.otherwise)} == {"0", "w − μ c R t_later²/(2 I)"}
     assert all(case.conditions for case in (answer, *answer.otherwise))
+
+
+@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+@pytest.mark.parametrize(("way", "size"), [("wheel.turns: n", math.sqrt(4 * math.pi * 4 * 3 / 2)), ("time: 3 s", 4.5)])
+def test_the_speed_with_which_a_wheel_is_set_going_against_its_friction(turns: str, way: str, size: float) -> None:
+    """½ I ω² = τ 2π n, or I ω = τ t: no wheel that is set going is held by its axle."""
+    found = solve(f"""title: With what speed it runs so far
+gravity: none
+given: {{I: 2 kg m^2, tau: 3 N m, n: 4, w: unknown}}
+bodies: {{wheel: {{inertia: I, turns: {turns}}}}}
+connections: {{axle: {{axle: wheel, friction_torque: tau}}}}
+states: {{hit: {{wheel.angular_velocity: w}}, stop: {{wheel.angular_velocity: 0, {way}}}}}
+find: {{w: w}}
+""")
+    assert found.answers["w"].float == pytest.approx(size)
