@@ -28,7 +28,7 @@ def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
         if interval is None or encounter.closing is None or len(pair) != 2:
             continue
         closing = search.apart().settled(encounter.closing[0])
-        ahead = search.numbers.side(closing) if closing is not None else None
+        ahead = search.numbers.side(search.numbers.with_answers(closing)) if closing is not None else None
         if not ahead:
             continue
         if encounter.restitution is None:
@@ -73,7 +73,7 @@ def keeps_order(
     if solid(pair, blow, search):
         return True
     parting = search.apart().settled(closing[1])
-    return parting is None or search.numbers.side(parting) != -ahead
+    return parting is None or search.numbers.side(search.numbers.with_answers(parting)) != -ahead
 
 
 def meeting_bodies(interval: Interval | None, search: Search) -> tuple[str, ...]:

@@ -229,13 +229,13 @@ def bodies_standing(name: str, states: Iterable[str], scene: SceneEquations) -> 
 def stable_roots(name: str, roots: Sequence[Formula], scene: SceneEquations, signs: SignOracle) -> list[int]:
     """Places of the stable ones among values of a letter that the angle of a body in balance, or on a turning shaft, depends on."""
     for body, angle, facts in (*on_shaft(name, scene), *balanced(name, scene)):
-        group = frozenset((body.name,))
-        if body.motion.kind != "axis":
-            group = scene.configuration.component(body.name, facts.state)
-        balance, turned = groups.drive(facts, group), groups.turned_per_rate(body, facts, group)
-        if balance is not None and turned is not None:
+        alone, all_linked = frozenset((body.name,)), scene.configuration.component(body.name, facts.state)
+        for group in (alone, all_linked) if body.motion.kind == "axis" else (all_linked,):
+            balance, turned = groups.drive(facts, group), groups.turned_per_rate(body, facts, group)
+            if balance is None or turned is None:
+                continue
             left = balance[0] - balance[1]
-            if body.motion.kind != "axis":  # in balance nothing moves
+            if body.motion.kind != "axis" or group != alone:  # in balance nothing moves
                 left = left.substitute(dict.fromkeys(of_kinds(left.symbols(), RATES), ZERO))
             back = differentiate(left, name) * differentiate(angle, name) * turned
             return [place for place, root in enumerate(roots) if signs.of_sizes(back.substitute({name: root})) == -1]

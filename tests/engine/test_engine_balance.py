@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from rotsolve.core.faults import Unsolvable
@@ -78,3 +80,24 @@ def test_a_balance_that_friction_can_not_hold_is_none(name: str, way: str, struc
         assert any(check.holds is False for check in slips.derivation.checks)
     (answer,) = solve(scene(name, way, question, None, struck=struck)).answers.values()
     assert answer.answer.conditions, "letters say up to where friction holds it"
+
+
+@pytest.mark.parametrize("order", ["load, wheel.small", "wheel.small, load"])
+@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+def test_a_wheel_with_a_lump_that_a_load_turns_stands_where_it_comes_back(order: str, turns: str) -> None:
+    """w r = m R cos φ at two angles: the lump hangs below the axle at the one to which it comes back, on the side away from the load."""
+    found = solve(f"""title: Wheel with a lump on its rim balanced by a load on a small drum
+given: {{m: 2 kg, w: 1 kg, R: 50 cm, r: 30 cm, M: 3 kg, phi: unknown}}
+bodies:
+  wheel: {{mass: M, inertia: 0.4 kg m^2, radii: {{big: R, small: r}}, turns: {turns}}}
+  lump: {{mass: m}}
+  load: {{mass: w, moves: down}}
+connections: {{pin: {{axle: wheel}}, glue: {{weld: [wheel.big, lump]}}, cord: {{string: [{order}]}}}}
+states: {{rest: {{wheel.angle: phi, balance: true}}}}
+find: {{phi: phi}}
+""")
+    angle = found.answers["phi"].float
+    assert angle is not None
+    side = 1 if order.startswith("load") else -1  # the load hangs on the left, or on the right
+    assert math.sin(angle) == pytest.approx(-math.sqrt(1 - 0.3**2))
+    assert math.cos(angle) == pytest.approx(side * 0.3)

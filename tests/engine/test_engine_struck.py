@@ -369,3 +369,39 @@ find: {w: b.angular_velocity at after}
 """
     with pytest.raises(Unsolvable, match="whether friction holds b from `after` on is not told"):
         solve(scene)
+
+
+SOUGHT = """title: Ball of a sought speed goes on with a told part of it, and the block that it hits slides so far
+given: {M: GIVEN, d: 1 m, m: 5 kg, u: unknown, n: NUMBER, mu: 0.3, g: 9.8 m/s^2}
+surfaces: {floor: level}
+bodies: {block: {mass: M, moves: right}, ball: {mass: m, moves: right}}
+connections: {base: {contact: [block, floor], friction: mu}}
+states: {before: {at rest: block, ball.velocity: u}, after: {ball.velocity: u/n}, stop: {block.velocity: 0, block.displacement: d}}
+events: {hit: {collides: [ball, block], from: before, to: after}}
+find: {u: u, Q: lost kinetic_energy during hit}
+"""
+
+
+@pytest.mark.parametrize(
+    ("mass", "n", "fault"),
+    [("1 kg", "3", "part faster than they met"), ("1 kg", "0.5", "go through each other faster"), ("20 kg", "3", "")],
+)
+def test_a_blow_whose_speed_is_sought_gives_no_energy_either(mass: str, n: str, fault: str) -> None:
+    """Q = ½ m (u² − u²/n²) − μ M g d with m u (1 − 1/n) = M √(2 μ g d): negative is no blow."""
+    found = solve(SOUGHT.replace("GIVEN", mass).replace("NUMBER", n))
+    kept, ratio = float(mass.split()[0]), float(n)
+    speed = kept * math.sqrt(2 * 0.3 * 9.8) / (5 * (1 - 1 / ratio))
+    assert found.answers["u"].float == pytest.approx(speed)
+    lost = 2.5 * speed**2 * (1 - 1 / ratio**2) - 0.3 * kept * 9.8
+    assert (lost < 0) == bool(fault)
+    said = " ".join(str(found).split())
+    assert ("does not hold" in said) == bool(fault)
+    assert fault in said
+
+
+def test_in_letters_that_is_a_condition() -> None:
+    """(n + 1) M ≥ (n − 1) m and n > 1."""
+    found = solve(SOUGHT.replace("GIVEN", "kg").replace("m: 5 kg", "m: kg").replace("NUMBER", "number"))
+    conditions = [line for branch in found.answers["Q"].branches for line in branch.conditions]
+    assert "n > 1" in conditions
+    assert "m + M − m n + M n ≥ 0" in conditions
