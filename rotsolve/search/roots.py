@@ -16,6 +16,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Given
 from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.positive import is_angle
@@ -60,6 +61,11 @@ class RootChoice(Struct, frozen=True):
         later = self._first_moment(name, numbered, period)
         if later is not None:
             return later
+        if len(real) > 1 and len(front := [entry for entry in real if self._in_front(name, roots[entry[0]])]) < len(
+            real
+        ):
+            real = front or real
+            numbered = [(index, roots[index]) for index, _ in real]
         moved = [entry for entry in real if entry[1]]
         dropped: Words = ()
         if len(moved) < len(real) and moved and self._is_change(name):
@@ -73,6 +79,21 @@ class RootChoice(Struct, frozen=True):
             opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
             return PickedRoot(index, dropped, fits=not opposed)
         return self._of_several(name, real, numbered, roots, period)
+
+    def _in_front(self, name: str, root: Formula) -> bool:
+        """Whether with a root for its angle a body in balance lies in front of all surfaces that it touches, and not in them."""
+        from rotsolve.search.swings import balanced
+
+        for body, _, facts in balanced(name, self.scene):
+            instant, centre = self.scene.instant(facts.state), PointRef(body.name, "cm")
+            for item in self.scene.configuration.connections(facts.state):
+                away = item.away(instant)
+                if away is None or item.slider().owner != body.name:
+                    continue
+                before = (instant.point(centre) - instant.point(item.slider())).along(away)
+                if self.numbers.side(before.substitute({name: root})) == -1:
+                    return False
+        return True
 
     def _first_on_hinge(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Of several angles of a body on a hinge in space the one to which it comes first."""

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from rotsolve.confirm.numbers import value_of
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 
@@ -101,3 +102,38 @@ find: {{phi: phi}}
     side = 1 if order.startswith("load") else -1  # the load hangs on the left, or on the right
     assert math.sin(angle) == pytest.approx(-math.sqrt(1 - 0.3**2))
     assert math.cos(angle) == pytest.approx(side * 0.3)
+
+
+@pytest.mark.parametrize("given", ["M: 10 kg, w: 3 kg", "M: kg, w: kg"])
+@pytest.mark.parametrize(("wall", "angle"), [("right", "phi"), ("left", "180 deg - phi")])
+def test_a_ladder_in_balance_stands_in_front_of_its_wall(given: str, wall: str, angle: str) -> None:
+    """tan φ = M/(2 w) of a smooth ladder whose foot a load draws to the wall: π beyond it it would lie in the wall."""
+    found = solve(f"""title: Ladder whose foot is tied to a load
+given: {{{given}, L: 4 m, phi: unknown}}
+surfaces: {{floor: level, side: {{wall: {wall}}}}}
+bodies: {{ladder: {{shape: rod, mass: M, length: L}}, load: {{mass: w, moves: down}}, wheel: {{mass: 0, shape: disc}}}}
+connections:
+  top: {{contact: [ladder.end, side]}}
+  foot: {{contact: [ladder.start, floor]}}
+  pin: {{axle: wheel}}
+  cord: {{string: [ladder.start, wheel, load], pulls: {{ladder: {wall}}}}}
+states: {{rest: {{ladder.angle: {angle}, balance: true}}}}
+find: {{phi: phi}}
+""")
+    closed = found.answers["phi"].answer.closed
+    assert closed is not None
+    assert value_of(closed, {"M": 10.0, "w": 3.0, "L": 4.0}) == pytest.approx(math.atan(10 / 6))
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+def test_a_rod_in_a_groove_lies_above_it() -> None:
+    """tan φ = ½ (cot α − cot β) between smooth slopes of 60° and 45°."""
+    found = solve("""title: Rod in a groove
+given: {M: 2 kg, L: 1 m, a: 60 deg, b: 45 deg, phi: unknown}
+surfaces: {left: {slope: a, down: right}, right: {slope: b, down: left}}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {one: {contact: [rod.start, left]}, two: {contact: [rod.end, right]}}
+states: {rest: {rod.angle: phi, balance: true}}
+find: {phi: phi}
+""")
+    assert found.answers["phi"].float == pytest.approx(math.atan((1 / math.tan(math.pi / 3) - 1) / 2))
