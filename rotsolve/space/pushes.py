@@ -8,7 +8,6 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula, multiply, negate
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import paths_in
 from rotsolve.core.vectors.triple import (
     AXES,
     NOTHING,
@@ -211,10 +210,6 @@ class Pushes:
             vector = scaled_by(strength, unit_along(way, self.moment.positive))
         else:
             vector = None
-        varying = () if isinstance(strength, str) else (strength,) if isinstance(strength, Formula) else strength
-        if any(path for part in varying for path in paths_in(part)):
-            message = f"`{action.name}` goes by how a body stands or moves, which is not solved in space"
-            raise Unsolvable(message, span=ref.span, help="give it a number, a letter, or a function of `time`")
         vector = None if vector is None else triple([self.moment.now(part) for part in vector])
         if action.twists():
             axis = self.twisted_about(ref.owner)

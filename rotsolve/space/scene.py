@@ -30,7 +30,7 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import GENERIC, of_kinds
+from rotsolve.core.symbols import GENERIC, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
 from rotsolve.core.writing import spoken, with_powers
@@ -379,8 +379,18 @@ class SpaceEquations(SceneEquations, dict=True):
 
         return by_lagrange_in_space(self)
 
+    def refuse_varying(self) -> None:
+        """Refuse actions that go by how a body stands or moves, which `simulate` follows alone."""
+        for action in self.configuration.problem.actions:
+            strength, ref = action.strength(), action.touches()[0]
+            parts = () if isinstance(strength, str) else strength if isinstance(strength, tuple) else (strength,)
+            if any(path for part in parts for path in paths_in(part)):
+                message = f"`{action.name}` goes by how a body stands or moves, which is not solved in space"
+                raise Unsolvable(message, span=ref.span, help="`rotsolve simulate` follows it")
+
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state."""
+        self.refuse_varying()
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)
