@@ -12,7 +12,6 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import (
-    ZERO,
     Call,
     Formula,
     Integral,
@@ -119,17 +118,14 @@ class Textbook(Struct, kw_only=True):
         """A formula with |x|, or x where it is positive, for √(x²), as it comes about where the other components of a vector vanish."""
 
         def change(node: Formula) -> Formula:
-            if not isinstance(node, Call) or node.function not in ("sqrt", "abs"):
-                return node
-            inside = node.arguments[0]
-            if node.function == "sqrt":
-                if not isinstance(inside, Power) or inside.exponent != Number(Fraction(2)):
-                    return node
-                inside = inside.base
-            inside = inside.operand if isinstance(inside, Negative) else inside
-            return ZERO if inside == ZERO else self.signs.unbarred(call("abs", inside))
+            inside = node.arguments[0] if isinstance(node, Call) and node.function == "sqrt" else None
+            return (
+                call("abs", inside.base)
+                if isinstance(inside, Power) and inside.exponent == Number(Fraction(2))
+                else node
+            )
 
-        return value.transform(change, "sqrt", "abs")
+        return self.signs.unbarred(value.transform(change, "sqrt"))
 
     def without_bars(self, node: Formula) -> Formula:
         """|x| as x or −x where the numbers tell its sign, or that letters without one stand for positive values."""

@@ -62,8 +62,11 @@ class SignOracle(Struct, frozen=True):
         """A formula without the bars round what has a sign that is told: x for |x| where x > 0."""
 
         def change(node: Formula) -> Formula:
-            sign = self.decide(node.arguments[0]) if isinstance(node, Call) and node.function == "abs" else None
-            return node.arguments[0] * sign if sign and isinstance(node, Call) else node
+            if not isinstance(node, Call) or node.function != "abs":
+                return node
+            (inside,) = node.arguments
+            sign = self.decide(inside)
+            return inside * (sign or 0) if sign or inside == ZERO else node
 
         return value.transform(change, "abs")
 

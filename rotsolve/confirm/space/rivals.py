@@ -94,15 +94,14 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
 
 def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
     """Whether the equations of all bodies leave nothing over with another root of its equation, that is not beyond the letter's range."""
-    givens = {given.name: given for given in hearing.problem.givens}
-    place = hearing.places[0]
-    if len(hearing.places) != 1 or not isinstance(place, str):
+    (place, *more), givens = hearing.places, {given.name: given for given in hearing.problem.givens}
+    if more or not isinstance(place, str):
         return False
     sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots)
-    size = max(map(abs, hearing.left({0: STEPPED * hearing.size(place)})), default=0.0)
     for value in filter(sought.may_be, sought.other_roots()):
         with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
-            if max(map(abs, hearing.left({0: value - own})), default=math.inf) <= SAME * size:
+            most = max(map(abs, hearing.left({0: STEPPED * hearing.size(place)})), default=0.0)
+            if max(map(abs, hearing.left({0: value - own})), default=math.inf) <= SAME * most:
                 return True
     return False
 
