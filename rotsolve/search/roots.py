@@ -82,6 +82,8 @@ class RootChoice(Struct, frozen=True):
 
     def _in_front(self, name: str, root: Formula) -> bool:
         """Whether with a root for its angle a body in balance lies in front of all surfaces that it touches, and not in them."""
+        if not any(state.balance for state in self.scene.configuration.timeline.states):
+            return True
         from rotsolve.search.swings import balanced
 
         for body, _, facts in balanced(name, self.scene):
