@@ -137,14 +137,18 @@ def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | No
     """Solve all questions that have an answer; why the others have none is told beside them."""
 
     def solve(finds: tuple[Find, ...]) -> Solution:
-        return solved_as_far(replace(problem, finds=finds), law, digits, at)
+        own = replace(problem, finds=finds)
+        if any(find.seeks for find in finds):
+            from rotsolve.seeking import with_sought_unknown
+
+            own = with_sought_unknown(own)
+        return solved_as_far(own, law, digits, at)
 
     if len(problem.finds) > 1 and any(find.where is not None or find.extreme for find in problem.finds):
-        from rotsolve.seeking import left_without_seeking
+        from rotsolve.seeking import held_alone, left_without_seeking
 
         alone = left_without_seeking(problem, lambda finds: each_where_answered(replace(problem, finds=finds), solve))
-        if alone is not None:
-            return alone
+        return held_alone(problem, alone or each_where_answered(problem, solve), solve)
     return each_where_answered(problem, solve)
 
 

@@ -1,6 +1,7 @@
 """Seeking: questions that seek the value of an open letter, `F where N = P`, beside questions for which it stands for any.
 
-Each question stands alone: what seeks a letter is refused beside answers that hang on it, and wants a scene of its own.
+Each question stands alone: what seeks a letter is refused beside answers that hang on it, and wants a scene of its own. Where
+something rubs, how it moves goes by the value that is sought: the letter is then an unknown of the scene.
 """
 
 from __future__ import annotations
@@ -13,6 +14,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Refusal
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
+from rotsolve.motion.complete import configured
+from rotsolve.motion.rubs import rubs
+from rotsolve.search.answering import with_named
+from rotsolve.search.answers import unsolvable
 from rotsolve.search.letterspace import ranged_over
 
 if TYPE_CHECKING:
@@ -21,6 +26,66 @@ if TYPE_CHECKING:
     from rotsolve.solution import Solution
 
 SolveFor = Callable[[tuple["Find", ...]], "Solution"]  # solves for some of a problem's questions
+
+
+def with_sought_unknown(problem: Problem) -> Problem:
+    """The problem with the letter unknown that its only question, beside those that it names, seeks by an equation while something rubs."""
+    found = sought_while_rubbing(problem)
+    if not found or with_named({found[0].name}, problem) != problem.finds:
+        return problem
+    return with_unknown(found[0].seeks, problem)
+
+
+def with_unknown(letter: str, problem: Problem) -> Problem:
+    """The problem with a letter that the scene asks for."""
+    givens = tuple([replace(item, asked=True) if item.name == letter else item for item in problem.givens])
+    return replace(problem, givens=givens)
+
+
+def sought_while_rubbing(problem: Problem) -> list[Find]:
+    """The questions `F where N = P` for open letters, where something rubs."""
+    plain = {given.name for given in problem.givens if given.value is None and not given.asked}
+    conditions = [(find, find.where) for find in problem.finds if find.seeks in plain and find.where is not None]
+    found = [find for find, where in conditions if where.phrase is not None and where.word is None]
+    return found if found and not problem.space and rubs(configured(problem)) else []
+
+
+def held_alone(problem: Problem, solution: Solution, solve: SolveFor) -> Solution:
+    """The solution without the questions whose answer alone, by how things rub at the value sought, is another than beside others."""
+    refused = []
+    for find in sought_while_rubbing(problem):
+        beside = next((answer for answer in solution.derivation.answers if answer.name == find.group), None)
+        alone = with_named({find.name}, problem)
+        if beside is None or alone == problem.finds:
+            continue
+        try:
+            answers = solve(alone).derivation.answers
+        except (Unsolvable, SceneError):
+            answers = ()
+        own = next((answer for answer in answers if answer.name == find.group), None)
+        if own is None or not same_everywhere(own, beside):
+            words = f"how things rub hangs on the `{find.seeks}` that this seeks, and beside it `{find.seeks}` is any"
+            refused.append(
+                Refusal(find.group, Fault(words, find.span, "ask for it in a scene of its own", "unsolvable"))
+            )
+    if not refused:
+        return solution
+    names = {item.name for item in refused}
+    if all(answer.name in names for answer in solution.derivation.answers):
+        raise unsolvable(problem, refused[0].fault.message, refused[0].fault.span, refused[0].fault.help)
+    kept = tuple(answer for answer in solution.derivation.answers if answer.name not in names)
+    told = (*solution.derivation.refused, *refused)
+    return replace(solution, derivation=replace(solution.derivation, answers=kept, refused=told))
+
+
+def same_everywhere(one: Answer, other: Answer) -> bool:
+    """Whether two answers say the same in the same cases."""
+    from rotsolve.derivation.cases import same_form
+
+    cases = [(answer, *answer.otherwise) for answer in (one, other)]
+    return len(cases[0]) == len(cases[1]) and all(
+        same_form(first, last) and first.conditions == last.conditions for first, last in zip(*cases, strict=True)
+    )
 
 
 def left_without_seeking(problem: Problem, solve: SolveFor) -> Solution | None:

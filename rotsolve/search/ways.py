@@ -5,38 +5,44 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice, product
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import pass_on, witnessed_apart
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.rubs import Rub, rubs
+from rotsolve.motion.rubs import STICKS, Rub, rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answering import answer
 from rotsolve.search.friction import TRIALS, Trials, decide, smooth
 from rotsolve.search.search import Search
 from rotsolve.search.verges import modifier_of, verge_meant
+from rotsolve.search.within import out_of_bounds
 
 
 def with_way_found(search: Search, *, stuck: bool) -> Problem | None:
     """The problem in the case of the value that a letter has in the one way in which what rubs moves by that value as well; else None.
 
-    Where the questions have answers only what rubs on axles is looked at: without a way it is taken to turn in the wheel's own sense. At
-    the verge of slipping it is on the point of turning with what slips.
+    Where the questions have answers too: what nothing has told was taken to stick, or to turn in the wheel's own sense. A letter of which
+    they seek several values has no one way. At the verge of slipping a wheel is on the point of turning with what slips.
     """
     scene = search.scene
     problem = scene.configuration.problem
     asked = {given.name for given in problem.givens if given.asked and given.trial is None}
     if not asked:
         return None
-    open_ = [rub for rub in rubs(scene.configuration) if is_open(rub, search) and (stuck or rub.item is None)]
+    open_ = [rub for rub in rubs(scene.configuration) if is_open(rub, search)]
+    letters = Counter(find.formula.name for find in problem.finds if isinstance(find.formula, Symbol))
     for find in problem.finds if open_ else ():
         letter = find.formula.name if isinstance(find.formula, Symbol) else ""
+        if letters[letter] > 1 and not stuck:
+            continue
         verge = find.where.path.owner if find.where is not None and find.where.path is not None else ""
         others = [rub for rub in open_ if rub.owner != verge]
         if letter in asked and others:
@@ -73,7 +79,19 @@ def is_open(rub: Rub, search: Search) -> bool:
 
 
 def by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Problem | None:
-    """The problem in the case of the value that one question gives its letter in one way, where by that value all goes that way."""
+    """The problem in the case of the value that one question gives its letter in one way, where by that value all goes that way.
+
+    What the ways that fail hang on is no condition then: that this one holds is looked at again when the problem is solved in its case.
+    """
+    with witnessed_apart() as noted:
+        told = first_way(find, letter, open_, search)
+    if told is None:
+        pass_on(noted)
+    return told
+
+
+def first_way(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Problem | None:
+    """The problem in the case of the value that the first of the ways gives a letter which that value brings about."""
     problem = search.scene.configuration.problem
     for senses in islice(ways_together(open_, search.scene.configuration), TRIALS):
         way = {rub.key: rub.mode(sense) for rub, sense in senses.items()}
@@ -86,7 +104,7 @@ def by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Pr
             modes = decide(Configuration(told)).modes
         except (NotYet, Unsolvable):
             continue
-        if all(modes.get(key) == mode for key, mode in way.items()):
+        if all(modes.get(key, mode if mode in ("", STICKS) else "") == mode for key, mode in way.items()):
             return told
     return None
 
@@ -100,10 +118,12 @@ def ways_together(open_: Sequence[Rub], configuration: Configuration) -> Iterato
 
 
 def value_going(way: Mapping[str, str], find: Find, letter: str, search: Search) -> Formula | None:
-    """What a question makes of its letter where what rubs moves in a way; None where it has no answer then."""
+    """What a question makes of its letter where what rubs moves in a way; None where it has no answer then, or none that it can be."""
     trial = Search(search.scene.where({**search.scene.modes, **way}), search.families, search.spare)
     try:
         answer(trial, find)
+        for refusal in out_of_bounds(trial):
+            raise refusal
     except Unsolvable:
         return None
     found = trial.solver.solved.get(letter)

@@ -46,6 +46,26 @@ def witnessed() -> Iterator[Witness]:
         OPEN.pop()
 
 
+@contextmanager
+def witnessed_apart() -> Iterator[Witness]:
+    """Note all that numbers are asked for meanwhile, without a word to those who watch: `pass_on` tells them."""
+    others, witness = OPEN[:], Witness()
+    OPEN[:] = [witness]
+    try:
+        yield witness
+    finally:
+        OPEN[:] = others
+
+
+def pass_on(noted: Witness) -> None:
+    """Tell those who watch what has been noted apart."""
+    for witness in OPEN:
+        witness.asked.update(noted.asked)
+        witness.by_size |= noted.by_size
+        witness.supposed = {**noted.supposed, **witness.supposed}
+        witness.needed = {**noted.needed, **witness.needed}
+
+
 def watched() -> bool:
     """Whether anyone wants to know."""
     return bool(OPEN)
