@@ -345,6 +345,8 @@ def number(f: Formula) -> float:
 @given(formulas())
 @example(parse("sqrt(3*((m-3)**2 + sqrt(3*(a+m)**2+a))**2 + a)"))
 @example(parse("sqrt(3*((m-3)**2 + sqrt(3*(a+a)**2+a))**2 + a)"))
+@example(parse("sin(a/(1+a) + b/(1+a))"))
+@example(parse("sin(sqrt(a+3*b**2/(1+a**2)**2)*sqrt(a+3*b**2/(1+a**2)**2))"))
 def test_simplify_keeps_the_value(f: Formula) -> None:
     g = simplify(f, order=ORDER, positive=POSITIVE)
     assert isclose(number(f), number(g), rel_tol=1e-9, abs_tol=1e-12)

@@ -12,7 +12,7 @@ from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.exact.rewrite import Rewriter
 from rotsolve.algebra.exact.shape import Shaper
-from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add, call, negate
 
 REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before
 WRITTEN = "written"  # under this name a formula in textbook form keeps the order of letters and the signs that it is written for
@@ -115,7 +115,25 @@ def _is_zero(f: Formula, positive: frozenset[str]) -> bool:
 
 def equal(a: Formula, b: Formula, positive: Collection[str] = frozenset()) -> bool:
     """Whether two formulas are equal wherever both are defined."""
-    return a == b or is_zero(add(a, negate(b)), positive)
+    if a == b:
+        return True
+    gap = add(a, negate(b))
+    return is_zero(gap, positive) or ((like := with_like_angles(gap, positive)) is not gap and is_zero(like, positive))
+
+
+def with_like_angles(f: Formula, positive: Collection[str]) -> Formula:
+    """The formula with equal angles written alike: a fraction over a sum has several forms, (a + b)/(1 + a) = a/(1 + a) + b/(1 + a)."""
+    angles: list[Formula] = []
+
+    def change(node: Formula) -> Formula:
+        if not isinstance(node, Call) or node.function not in ("sin", "cos") or not node.arguments[0].children():
+            return node
+        (angle,) = node.arguments
+        like = next((known for known in angles if equal(known, angle, positive)), None)
+        angles.extend([] if like else [angle])
+        return call(node.function, like) if like else node
+
+    return f.transform(change, "sin", "cos")
 
 
 def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> Formula:
