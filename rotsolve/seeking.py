@@ -63,7 +63,7 @@ def held_alone(problem: Problem, solution: Solution, solve: SolveFor) -> Solutio
         except (Unsolvable, SceneError):
             answers = ()
         own = next((answer for answer in answers if answer.name == find.group), None)
-        if own is None or not same_everywhere(own, beside):
+        if own is None or not same_cases(own, beside):
             words = f"how things rub hangs on the `{find.seeks}` that this seeks, and beside it `{find.seeks}` is any"
             refused.append(
                 Refusal(find.group, Fault(words, find.span, "ask for it in a scene of its own", "unsolvable"))
@@ -78,7 +78,7 @@ def held_alone(problem: Problem, solution: Solution, solve: SolveFor) -> Solutio
     return replace(solution, derivation=replace(solution.derivation, answers=kept, refused=told))
 
 
-def same_everywhere(one: Answer, other: Answer) -> bool:
+def same_cases(one: Answer, other: Answer) -> bool:
     """Whether two answers say the same in the same cases."""
     from rotsolve.derivation.cases import same_form
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from msgspec import Struct
 
 INCOMPLETE, CONTRADICTORY = "incomplete", "contradictory"  # kinds of refusals that blame what the scene says
+UNSOLVED = "unsolved"  # of those that say what the program does not solve: there may be an answer
 WIDTH = 100  # columns of a source line that are shown around the caret
 
 

@@ -132,7 +132,9 @@ def approaches_between(pair: tuple[str, ...], onward: Sequence[Interval], search
 
 
 def asked_of(state: str, search: Search) -> bool:
-    """Whether a question is about a state."""
+    """Whether a question is about a state, or about a letter that what the states tell is to settle."""
+    if any(given.asked for given in search.givens.values()):
+        return True
     last = search.scene.configuration.timeline.states[-1].name
     terms = [term for answered in search.answered for term in answered.asked.find.terms]
     named = {name for term in terms for name in (term.at, term.start, term.end, term.during)}

@@ -16,6 +16,7 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
+from rotsolve.core.faults import UNSOLVED
 from rotsolve.core.symbols import CONSTANT, has_quantities, is_key
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
@@ -135,7 +136,7 @@ def margin_of(
         settled = other.settled(gap)
         if settled is not None:
             break
-    return other.settled, None if settled is None else settled.substitute(sought)
+    return other.settled, None if settled is None else told(settled)
 
 
 def values_sought(search: Search) -> Iterator[dict[str, Formula]]:
@@ -208,7 +209,8 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
             for need in needs:
                 if negative_margin(need.left - need.right, search):
                     message = f"{need.otherwise} `{state}`, by `{need.owner}`: not solved yet"
-                    yield unsolvable(configuration.problem, message, configuration.timeline.state(state).span)
+                    span = configuration.timeline.state(state).span
+                    yield unsolvable(configuration.problem, message, span, kind=UNSOLVED)
     for name, encounter in search.scene.encounters.items():
         for need in encounter.requirements:
             met = concerns(need.owner, search) or asked_after(need, name, search)
@@ -216,7 +218,7 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
                 message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
-                yield unsolvable(configuration.problem, message, span)
+                yield unsolvable(configuration.problem, message, span, kind=UNSOLVED)
 
 
 def negative_margin(gap: Formula, search: Search) -> bool:
@@ -238,14 +240,15 @@ def concerns(owner: str, search: Search) -> bool:
 
 def asked_after(need: Requirement, event: str, search: Search) -> bool:
     """Whether a question is about a time after an event, and about the scene, an element or a body that takes part in it with what is
-    required."""
+    required; or about a letter, which what the states after it tell is to settle."""
     timeline = search.scene.configuration.timeline
     interval = timeline.interval(event)
     first = timeline.order[interval.end] if interval is not None else 0
     terms = [term for answered in search.answered for term in answered.asked.find.terms]
     later = {term.path.owner for term in terms if timeline.order.get(term.at or term.end or "", -1) >= first}
     taking_part = {meeting.body.name for meeting in search.scene.encounters[event].meetings}
-    return not later.isdisjoint({"", need.owner, *taking_part})
+    sought = any(given.asked for given in search.givens.values())
+    return sought or not later.isdisjoint({"", need.owner, *taking_part})
 
 
 def objection(need: Requirement, state: str, search: Search, letters: Letters) -> Words:

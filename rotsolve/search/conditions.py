@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_under_root
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import PI, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Equality
@@ -14,6 +14,7 @@ from rotsolve.core.equation import CONDITION
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.equations.scene_equations import term_of
 from rotsolve.language.problem import EXTREMES, Find
+from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet, label_of
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import NoAnswer
@@ -115,6 +116,8 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     roots = roots or [
         root for root in squared if search.signs.decide(curve.substitute({letter: root}) - value) in (0, None)
     ]
+    if is_angle(given):
+        roots = [nearest_turn(root, search) for root in roots]
     picked = search.choose_root(letter, roots, asked=find) if len(roots) > 1 else PickedRoot(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
@@ -124,6 +127,15 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     by_condition(search, question, root, Conclusion(said, equation, picked.words), quantity, aside=False)
     if given.asked:
         forget(quantity, search)
+
+
+def nearest_turn(root: Formula, search: Search) -> Formula:
+    """An angle from −π to π that is the same up to a turn, as far as numbers tell it."""
+    numbers = search.numbers
+    if numbers.of(root) is None:
+        return root
+    turns = 1 if numbers.side(root + PI) == -1 else -1 if numbers.side(root - PI) == 1 else 0
+    return root + turns * 2 * PI
 
 
 def condition_label(phrase: Find) -> str:

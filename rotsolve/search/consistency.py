@@ -121,7 +121,7 @@ def on_the_way(name: str, search: Search, numbers: KnownBalls) -> dict[str, Ball
     sizes = {
         letter: numbers.size(value)
         for letter, value in told.items()
-        if {one for one in value.symbols() if is_key(one)} == {name}
+        if name in value.symbols() and not any(is_key(one) for one in value.symbols() - {name})
     }
     return {letter: size for letter, size in sizes.items() if size is not None}
 

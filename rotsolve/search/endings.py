@@ -14,7 +14,7 @@ from msgspec import Struct
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, PI, Formula, negate
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.faults import NeverReached, Unsolvable
+from rotsolve.core.faults import UNSOLVED, NeverReached, Unsolvable
 from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, has_quantities
 from rotsolve.core.writing import spoken
@@ -237,7 +237,8 @@ class Endings(Struct, dict=True):
                 start, end = self.configuration.timeline.told(interval)
                 message = f"{spoken(rub.body)} comes to rest on the way from `{start}` to `{end}`, at a time without a closed form"
                 span, help = self.configuration.timeline.state(end).span, "let the scene end before that"
-                raise unsolvable(self.configuration.problem, f"{message}: what it does then is not solved", span, help)
+                message += ": what it does then is not solved"
+                raise unsolvable(self.configuration.problem, message, span, help, kind=UNSOLVED)
 
     def check_straight(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> None:
         """What sets out at a speed that is sought goes as its friction says: not back by the end of a phase, nor the other way."""
@@ -292,7 +293,7 @@ class Endings(Struct, dict=True):
         """Whether what comes to rest does so before something else begins to slip."""
         if at is None:
             why = "whether something comes to rest or begins to slip first is not told by closed forms"
-            raise unsolvable(self.configuration.problem, why)
+            raise unsolvable(self.configuration.problem, why, kind=UNSOLVED)
         return self.side(other - at) != -1
 
     def resting_first(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> Stopping:
@@ -316,9 +317,8 @@ class Endings(Struct, dict=True):
         times = [at for _, at in ends if at is not None]
         if len(times) < len(ends):
             names = " and ".join(spoken(rub.name) for rub in found)
-            raise unsolvable(
-                self.configuration.problem, f"which of {names} comes to rest first is not told by closed forms"
-            )
+            why = f"which of {names} comes to rest first is not told by closed forms"
+            raise unsolvable(self.configuration.problem, why, kind=UNSOLVED)
         first = times[self.numbers.least(times)]
         return tuple(rub for rub, at in ends if at is not None and self.side(at - first) == 0), first
 

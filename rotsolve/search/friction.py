@@ -8,20 +8,21 @@ from itertools import product
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import Witness, pass_on, witnessed_apart
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate
 from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.core.facts import Force, Requirement, signed
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import POSITION, RATES, has_quantities, of_kinds, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Find, Problem
-from rotsolve.laws.groups import one_motion
+from rotsolve.laws.groups import by_one, one_motion
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import with_hereafter
 from rotsolve.motion.positive import limits_of
@@ -74,6 +75,9 @@ class Trials:
         self.modes: dict[str, str] = {}
         self.made: list[Trial] = []
         self.slipping: list[SlippingContact] = []
+        self.untold: set[str] = (
+            set()
+        )  # of which hangs on a letter that is asked for whether they move at the start of their phase
         self._searches: dict[tuple[object, tuple[str, ...]], Search] = {}
 
     def decision(self, rubbing: Sequence[Rub], at_rest: Collection[str]) -> Decision:
@@ -96,7 +100,7 @@ class Trials:
             moving = known[rub.name] if rub.name in known else senses[rub.key]
             if moving or smooth(rub, self.configuration.signs):
                 self.modes[rub.key] = rub.mode(moving or 1)
-        resting = [rub for rub in rubbing if rub.key not in self.modes]
+        resting = [rub for rub in rubbing if rub.key not in self.modes and rub.key not in self.untold]
         self.modes.update({rub.key: rub.mode(0) for rub in resting if not self.lasts(rub)})
         for group in self.moving_together([rub for rub in resting if self.lasts(rub)]):
             contact = group[0].contact
@@ -104,10 +108,29 @@ class Trials:
                 self.modes.update((self.by_trial if self.stacked(group) else self.by_motion)(group))
 
     def stacked(self, group: Sequence[Rub]) -> bool:
-        """Whether one of several may slip while another sticks."""
+        """Whether one of several may slip while another sticks: one lies on another, rolls, or goes its own way."""
+        if len(group) < 2:
+            return False
         carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
         rolls = any(rub.contact and self.scene.instant(rub.state).is_round(rub.body) for rub in group)
-        return len(group) > 1 and (carried or rolls)
+        return carried or rolls or not self.in_one_motion(group)
+
+    def in_one_motion(self, group: Sequence[Rub]) -> bool:
+        """Whether the speeds of all that rubs follow from one, by strings and joints: of two blocks on a spring each has its own."""
+        scene = self.scene.where({**self.modes, **{rub.key: rub.mode(1) for rub in group}})
+        instant = scene.instant(group[0].state, virtual=True)
+        ties = [
+            first - second
+            for rule in scene.facts(group[0].state, virtual=True).rules
+            for first, second in [rule.velocity]
+        ]
+        rates = of_kinds({name for rub in group for name in (rub.drift(instant) or ZERO).symbols()}, RATES)
+        tied = set(rates)
+        while len(more := tied.union(*(of_kinds(tie.symbols(), RATES) for tie in ties if tie.symbols() & tied))) > len(
+            tied
+        ):
+            tied = more
+        return len(rates) < 2 or by_one(of_kinds(tied, RATES), ties) is not None
 
     def ways(self, group: list[Rub]) -> Iterator[dict[Rub, int]]:
         """The senses in which a group may begin to slip, 0 for what goes on to stick: those in which the fewest slip first."""
@@ -200,9 +223,15 @@ class Trials:
         before = self.configuration.timeline.before(rub.state)
         if not told and rub.item is None and before is not None and before.event is not None:
             self.check_told([rub])  # a blow may set it going
+        if not told and before is not None and self.seeking():
+            self.untold.add(rub.key)
         if told == [-1, 1] and rub.contact is not None and before is not None and before.event is not None:
             self.modes[rub_key(rub.name, before.name)] = STICKS
         return 0
+
+    def seeking(self) -> bool:
+        """Whether a letter is asked for whose value is not known yet."""
+        return any(given.asked and given.trial is None for given in self.configuration.problem.givens)
 
     def comes_to_rest(self, rub: Rub) -> bool:
         """Whether it surely does not move where a phase leads to its state: it stuck all the way, or is said to stick from there on."""
@@ -301,20 +330,32 @@ class Trials:
         sought = any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds)
         if wheels and not sought:
             state = f" from `{group[0].state}` on" if group[0].state else ""
-            raise unsolvable(problem, f"whether friction holds {wheels[0]}{state} is not told by the laws of motion")
+            raise unsolvable(
+                problem, f"whether friction holds {wheels[0]}{state} is not told by the laws of motion", kind=UNSOLVED
+            )
 
     def by_trial(self, group: list[Rub]) -> dict[str, str]:
         """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where
-        numbers do not tell, as long as a question may tell them. Unsolvable where none of the ways can be."""
+        numbers do not tell, as long as a question may tell them. Unsolvable where none of the ways can be.
+
+        What a way that can not be hangs on is no condition of the one that can.
+        """
+        failed: list[Witness] = []
         for way in ways_of(len(group)):
             trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
-            if self.can_be(trial, group, way):
+            with witnessed_apart() as noted:
+                can_be = self.can_be(trial, group, way)
+            if can_be:
+                pass_on(noted)
                 return trial
+            failed.append(noted)
+        for noted in failed:
+            pass_on(noted)
         problem = self.configuration.problem
         if any(given.asked for given in problem.givens):
             return {}
         names = ", ".join(f"`{rub.name}`" for rub in group)
-        raise unsolvable(problem, f"which of {names} slip is not told by the laws of motion")
+        raise unsolvable(problem, f"which of {names} slip is not told by the laws of motion", kind=UNSOLVED)
 
     def can_be(self, trial: Mapping[str, str], group: Sequence[Rub], way: Sequence[int]) -> bool:
         """Whether all that rubs does as it is supposed to; the first that does not is told."""
@@ -331,9 +372,12 @@ class Trials:
 
     def holds(self, rub: Rub, trial: Mapping[str, str], sense: int) -> tuple[bool, Words]:
         """Whether what rubs does as it is supposed to: sticks with no more friction than there can be, or speeds up as it slips."""
-        if sense or rub.contact is None:
-            number, words = self.speeding_up(rub, trial, sense) if sense else (None, ())
+        if sense:
+            number, words = self.speeding_up(rub, trial, sense)
             return number is not None and number > 0, words
+        if rub.contact is None:
+            gains = [self.speeding_up(rub, {**trial, rub.key: rub.mode(way)}, way) for way in (1, -1)]
+            return all(number is not None and number <= 0 for number, _ in gains), ("it does not speed up either way",)
         search = self.search({**self.modes, **trial})
         room = [search.settled(need.left - need.right) for need in own_needs(rub, search.scene)]
         numbers = [search.number(value) if value is not None else None for value in room]

@@ -21,6 +21,7 @@ from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import HALF, PI, ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import signed
+from rotsolve.core.faults import UNSOLVED
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import POSITION, has_quantities, is_quantity
 from rotsolve.equations.scene_equations import SceneEquations
@@ -185,7 +186,8 @@ def barred_in_letters(pushed: PushedWay, search: Search) -> bool:
     if unaccounted(pushed, roots, search):
         problem, name = search.scene.configuration.problem, pushed.way.travel.body
         message = f"in letters nothing tells whether `{name}` gets past the place at which it is slowest: not solved"
-        raise unsolvable(problem, message, search.scene.configuration.bodies[name].span, "give numbers to the letters")
+        span = search.scene.configuration.bodies[name].span
+        raise unsolvable(problem, message, span, "give numbers to the letters", kind=UNSOLVED)
     for root in roots:
         turns = differentiate(pushed.pull, pushed.letter).substitute({pushed.letter: root})
         if side(turns) == -1:  # it is fastest there

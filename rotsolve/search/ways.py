@@ -12,10 +12,11 @@ from itertools import islice, product
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import pass_on, witnessed_apart
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import EXTREMES, Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import STICKS, Rub, rubs
 from rotsolve.paths.meaning import NotYet
@@ -74,7 +75,7 @@ def is_open(rub: Rub, search: Search) -> bool:
     """Whether nothing has told how it moves, not a speed that the state tells by a letter either, and it matters."""
     configuration = search.scene.configuration
     speed = rub.rate(search.scene.instant(rub.state))
-    told = speed is not None and speed != ZERO and not has_quantities(speed)
+    told = speed is not None and not has_quantities(speed) and not is_zero(speed)
     return not told and rub.key not in search.scene.modes and not smooth(rub, configuration.signs)
 
 
@@ -82,31 +83,41 @@ def by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Pr
     """The problem in the case of the value that one question gives its letter in one way, where by that value all goes that way.
 
     What the ways that fail hang on is no condition then: that this one holds is looked at again when the problem is solved in its case.
+    Of the `largest` or `smallest` value it is one: another way, where it holds, may lead to one beyond.
     """
+    extreme = find.modifier in EXTREMES and find.where is not None and find.where.phrase is not None
     with witnessed_apart() as noted:
-        told = first_way(find, letter, open_, search)
-    if told is None:
+        values = list(islice(values_by_ways(find, letter, open_, search), None if extreme else 1))
+    if extreme or not values:
         pass_on(noted)
-    return told
+    if not values:
+        return None
+    sign = -1 if find.modifier == "largest" else 1
+    value = values[search.numbers.least([sign * value for value in values])] if extreme else values[0]
+    return in_case_of(letter, value, search.scene.configuration.problem)
 
 
-def first_way(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Problem | None:
-    """The problem in the case of the value that the first of the ways gives a letter which that value brings about."""
+def values_by_ways(find: Find, letter: str, open_: Sequence[Rub], search: Search) -> Iterator[Formula]:
+    """The values of a letter each of which brings about the way in which a question gives it."""
     problem = search.scene.configuration.problem
     for senses in islice(ways_together(open_, search.scene.configuration), TRIALS):
         way = {rub.key: rub.mode(sense) for rub, sense in senses.items()}
         value = value_going(way, find, letter, search)
         if value is None:
             continue
-        givens = [replace(item, trial=value) if item.name == letter else item for item in problem.givens]
-        told = replace(problem, givens=tuple(givens))
         try:
-            modes = decide(Configuration(told)).modes
+            modes = decide(Configuration(in_case_of(letter, value, problem))).modes
         except (NotYet, Unsolvable):
             continue
         if all(modes.get(key, mode if mode in ("", STICKS) else "") == mode for key, mode in way.items()):
-            return told
-    return None
+            yield value
+
+
+def in_case_of(letter: str, value: Formula, problem: Problem) -> Problem:
+    """The problem in the case of a value of a letter that it asks for."""
+    return replace(
+        problem, givens=tuple([replace(item, trial=value) if item.name == letter else item for item in problem.givens])
+    )
 
 
 def ways_together(open_: Sequence[Rub], configuration: Configuration) -> Iterator[Mapping[Rub, int]]:

@@ -74,7 +74,7 @@ SPUN = (
     "bodies: {wheel: {shape: disc, mass: m, radius: R}}\nconnections: {mount: {axle: wheel, friction_torque: tau}}\n"
     "states: {start: {wheel.angular_velocity: w}, end: {time: 20 s}}\nfind: {x: wheel.angular_velocity at end}\n"
 )
-NO_ANSWER = "there is no answer: "
+NO_ANSWER = re.compile("(?:there is no answer|no answer is found): ")
 
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
     "damped fall": (
@@ -266,7 +266,7 @@ def refused(text: str) -> str:
     except (Unsolvable, SceneError) as error:
         return (error.fault if isinstance(error, Unsolvable) else error.faults[0]).message
     said = ["".join(word for word in check.words if isinstance(word, str)) for check in found.checks]
-    return next(words.partition(NO_ANSWER)[2] for words in said if NO_ANSWER in words)
+    return next(words[found.end() :] for words in said if (found := NO_ANSWER.search(words)))
 
 
 def fits(row: str, message: str) -> bool:

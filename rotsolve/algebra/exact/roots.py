@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from math import isqrt
 
 from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.exact.field import Poly
+from rotsolve.algebra.exact.field import Poly, PolynomialSigns
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import Fractions, concerning, expanded, simplify
 from rotsolve.algebra.formula import (
@@ -154,6 +154,10 @@ def _angle_roots(
     if not len(k):
         root = call("atan", problem.shortest((-slope, a)))
         return [root, add(root, PI)]
+    if PolynomialSigns(ring, positive, ()).nonnegative(
+        -slope
+    ):  # so that an angle from 0 to 90° is one of the two, and not a turn off
+        a, slope, k = -a, -slope, -k
     shown_a, shown_b = problem.shaper.ratio((a, ring.one)), problem.shaper.ratio((slope, ring.one))
     radius = sqrt(add(multiply(shown_a, shown_a), multiply(shown_b, shown_b)))
     phase = call("atan2", shown_a, shown_b)
