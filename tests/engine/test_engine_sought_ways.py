@@ -123,3 +123,77 @@ def test_the_sought_value_brings_about_what_is_told(name: str, sought: str, way:
             fast
         )
     assert held
+
+
+THROWN = """
+title: A block thrown on a plank on a rough floor
+given: {m: kg, M: kg, mu: number, nu: number, d: m, u: unknown}
+surfaces: {floor: level}
+bodies: {plank: {mass: M, moves: right}, block: {mass: m, moves: right}}
+connections: {under: {contact: [plank, floor], friction: nu}, grip: {contact: [block, plank], friction: mu}}
+states: {start: {block.velocity: u, plank.velocity: 0}, one: {grip: sticks}}
+find: {x: u where block.displacement - plank.displacement from start to one = d}
+"""
+RUN_OUT = """
+title: A wheel that is driven, then left to its friction
+plane: horizontal
+given: {I: kg m^2, Q: N m, T: s, theta: rad, tau: unknown}
+bodies: {wheel: {inertia: I}}
+connections: {axle: {axle: wheel, friction_torque: tau}}
+actions: {motor: {couple: Q, on: wheel, from: start, to: off}}
+states: {start: at rest, off: {time: T}, stop: {at rest: all}}
+find: {x: tau where wheel.rotation from start to stop = theta}
+"""
+ROLLING = """
+title: A pull on a disc that rolls
+given: {m: kg, R: m, u: m/s, a: m/s^2, mu: number, F: unknown}
+surfaces: {floor: level}
+bodies: {disc: {shape: disc, mass: m, radius: R, moves: right}}
+connections: {touch: {contact: [disc, floor], friction: mu}}
+actions: {pull: {force: F, on: disc.center, direction: right}}
+states: {start: {disc.velocity: u, disc.angular_velocity: u/R}}
+find: {x: F where disc.acceleration = a at start}
+"""
+UP = """
+title: A crate shot up a slope
+given: {m: kg, mu: number, u: m/s, T: s, beta: unknown}
+surfaces: {ramp: {slope: beta, down: left}}
+bodies: {crate: {mass: m, moves: up}}
+connections: {base: {contact: [crate, ramp], friction: mu}}
+states: {start: {crate.velocity: u}, top: {crate.velocity: 0}}
+find: {x: WORD beta where time from start to top = T}
+"""
+NUMBERS = {"g": 9.8, "m": 2.0, "M": 1.0, "R": 0.3, "I": 2.0, "T": 1.0, "u": 12.0}
+DEGREE = math.pi / 180
+VALUES = [
+    (THROWN, {"mu": 0.5, "nu": 0.1, "d": 1.0}, math.sqrt(2 * 9.8 * 1 * 3 * (0.5 - 0.1) / 1)),
+    (THROWN, {"mu": 0.5, "nu": 0.4, "d": 1.0}, math.sqrt(2 * 0.5 * 9.8 * 1)),
+    (RUN_OUT, {"Q": 5.0, "T": 3.0, "theta": 30.0}, 5**2 * 3**2 / (2 * 2 * 30 + 5 * 3**2)),
+    (ROLLING, {"mu": 0.2, "a": 3.0}, 1.5 * 2 * 3),
+    (ROLLING, {"mu": 0.2, "a": 5.0}, 2 * (5 + 0.2 * 9.8)),
+    # u = g T (sin β + μ cos β) has two slopes, the larger one beyond 45° for μ = 1
+    (UP.replace("WORD", "largest"), {"mu": 1.0}, math.pi - math.asin(12 / (9.8 * math.sqrt(2))) - 45 * DEGREE),
+    (UP.replace("WORD", "smallest"), {"mu": 1.0}, math.asin(12 / (9.8 * math.sqrt(2))) - 45 * DEGREE),
+]
+
+
+@pytest.mark.parametrize(("text", "numbers", "true"), VALUES)
+def test_the_value_by_hand(text: str, numbers: Mapping[str, float], true: float) -> None:
+    known = {**NUMBERS, **numbers}
+    case = holding(rotsolve.solve(text).answers["x"].answer, known)
+    assert case is not None
+    assert value_of(case.closed or case.formula, known) == pytest.approx(true)
+
+
+def test_whether_they_meet_again_is_left_open_for_a_sought_restitution_too() -> None:
+    found = rotsolve.solve("""
+title: A cart hits another one that a spring stops
+given: {m: kg, M: kg, u: m/s, k: N/m, x: m, e: unknown}
+surfaces: {floor: level}
+bodies: {a: {mass: m, moves: right}, b: {mass: M, moves: right}}
+connections: {fa: {contact: [a, floor]}, fb: {contact: [b, floor]}, coil: {spring: [b, ground], stiffness: k}}
+states: {before: {a.velocity: u, at rest: b, coil.elongation: 0}, after: {}, far: {b.velocity: 0, coil.elongation: -x}}
+events: {hit: {collides: [a, b], restitution: e, from: before, to: after}}
+find: {e: e}
+""")
+    assert any("whether a and b meet again" in str(check.words) and check.holds is None for check in found.checks)
