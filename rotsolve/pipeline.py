@@ -130,7 +130,17 @@ def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str 
     from rotsolve.search.complete import unsolved
 
     with stage("confirm", whole=True):
-        return unsolved(problem, names, law, whole=fault.kind == CONTRADICTORY) or fault
+        return unsolved(problem, names, law, whole=fault.kind == CONTRADICTORY) or not_found(fault, problem)
+
+
+def not_found(fault: Fault, problem: Problem) -> Fault:
+    """What contradicts, told of letters that are sought as what it is: no value is found, by the ways that have been tried."""
+    sought = [given.name for given in problem.givens if given.asked]
+    if fault.kind != CONTRADICTORY or not sought:
+        return fault
+    return replace(
+        fault, message=f"no {' and '.join(f'`{name}`' for name in sought)} is found that fits: {fault.message}"
+    )
 
 
 def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:

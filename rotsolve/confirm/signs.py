@@ -194,11 +194,13 @@ def line(name: str, model: Known) -> Way | None:
 
 
 def hangs(name: str, model: Known) -> bool:
-    """Whether a body hangs from a string or a spring by its centre, and no other body carries it."""
+    """Whether a body hangs from a string or spring by its centre, or a wheel in a string under it, and no other body carries it."""
     for item in model.acting.connections:
         refs: tuple[PointRef, ...] = ()
         if isinstance(item, String):
             refs = (item.string[0], item.string[-1])
+            if name in item.under and name not in {ref.owner for ref in refs}:
+                return mover(name, model) == name
         elif isinstance(item, Spring):
             refs = item.spring
         elif isinstance(item, Drapes):

@@ -243,6 +243,16 @@ def of_each(read: PlaceReader) -> KeyReader:
     )
 
 
+def read_point_of_body(scope: Scope, key: Key, node: Node, label: str, owner: str) -> PointRef | None:
+    """A point at which something acts, which is one of a body, and no place of the scene."""
+    if isinstance(node, List):
+        help = f"name a point of a body, as `{label}: {example_here(scope, key)}`"
+        return scope.fault(
+            node, f"nothing acts on a place of the scene: `{label}` wants a point of a body", help, "form"
+        )
+    return read_point(scope, node, label, owner)
+
+
 READERS: dict[str, KeyReader] = {
     "quantity": read_quantity,
     "quantities": read_quantity_list,
@@ -256,7 +266,7 @@ READERS: dict[str, KeyReader] = {
     "flag": read_flag,
     "name": read_name,
     "names": read_names,
-    "point": without_key(read_point),
+    "point": read_point_of_body,
     "points": of_each(read_point),
     "map of directions": read_directions,
     "direction": read_direction,

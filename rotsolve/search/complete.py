@@ -16,7 +16,7 @@ from rotsolve.confirm.course.node import Budget, OverBudget
 from rotsolve.confirm.course.samples import sets_of_numbers, sets_wanted
 from rotsolve.confirm.verdicts import SAME
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.core.faults import UNSOLVED, Fault, Unsolvable
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.complete import configured
@@ -47,9 +47,9 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
             if help := answers(course, other, find, whole=whole):
                 alone = "" if law is None else f" by {FAMILIES[law].words} alone"
                 message = f"`{find.name}` is not solved by these laws{alone}: {hurdle(course, find)}"
-                return Fault(message, find.span, help, "unsolvable")
+                return Fault(message, find.span, help, UNSOLVED)
             if other_way := released_before(course, find):
-                return Fault(f"`{find.name}` is not solved by these laws: {other_way}", find.span, PARTED, "unsolvable")
+                return Fault(f"`{find.name}` is not solved by these laws: {other_way}", find.span, PARTED, UNSOLVED)
     return None
 
 
@@ -67,7 +67,7 @@ def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
     for find in (find for find in ready.finds if find.name in names and find.where is None):
         try:
             if inquiry.tells(find):
-                return Fault(f"`{find.name}` is not solved by these laws", find.span, COMPLETE, "unsolvable")
+                return Fault(f"`{find.name}` is not solved by these laws", find.span, COMPLETE, UNSOLVED)
         except (NotConfirmed, Unfit, ArithmeticError, ValueError):
             continue
     return None

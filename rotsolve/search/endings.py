@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import HALF, PI, Formula, negate
+from rotsolve.algebra.formula import HALF, PI, ZERO, Formula, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import UNSOLVED, NeverReached, Unsolvable
 from rotsolve.core.passage import Travel
@@ -305,7 +305,8 @@ class Endings(Struct, dict=True):
         for _, at in ends[1:]:
             first = at if self.numbers.side(at - first) == -1 else first
         resting = tuple(rub for rub, at in ends if self.numbers.side(at - first) == 0)
-        return (resting, self.clock(interval.start) + first) if self.passed(interval, first) else ((), None)
+        later = any(self.numbers.side(at - first) == 1 for rub, at in ends if self.rests_at_end(interval, rub))
+        return (resting, self.clock(interval.start) + first) if later or self.passed(interval, first) else ((), None)
 
     def turned(self, interval: Interval, rubbing: Sequence[tuple[Rub, int]]) -> Stopping:
         """What slows down in another way, and by its laws would go backwards before the phase ends: it comes to rest before."""
@@ -396,6 +397,14 @@ class Endings(Struct, dict=True):
         }
         at_rest = {name for name, sense in end.senses if not sense}
         return any(rub.owner in said or rub.name in at_rest for rub in resting)
+
+    def rests_at_end(self, interval: Interval, rub: Rub) -> bool:
+        """Whether the lines of the state at the end of a phase tell that its body rests there: the phase lasts until the last that does."""
+        lines = self.configuration.timeline.state(interval.end).conditions
+        still = {line.owner for line in lines if line.rest}
+        rates = [line.path for line in lines if line.path is not None and line.value == ZERO]
+        still |= {path.owner for path in rates if path.quantity in ("velocity", "angular_velocity")}
+        return not still.isdisjoint({"all", rub.body})
 
     def passed(self, interval: Interval, at: Formula) -> bool:
         """Whether a phase lasts for longer than that; one whose end is not found is taken to, where there is no answer else."""

@@ -338,19 +338,22 @@ class Trials:
         """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where
         numbers do not tell, as long as a question may tell them. Unsolvable where none of the ways can be.
 
-        What a way that can not be hangs on is no condition of the one that can.
+        What a way that can not be hangs on is no condition of the one that can, but where two hold a wheel, neither of which would let it
+        go alone: there motion is tried first.
         """
         failed: list[Witness] = []
-        for way in ways_of(len(group)):
+        together = any(rub.contact is None for rub in group)
+        for way in reversed(ways_of(len(group))) if together else ways_of(len(group)):
             trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
             with witnessed_apart() as noted:
                 can_be = self.can_be(trial, group, way)
+            failed = [*failed, noted] if together or not can_be else [noted]
             if can_be:
-                pass_on(noted)
-                return trial
-            failed.append(noted)
+                break
         for noted in failed:
             pass_on(noted)
+        if can_be:
+            return trial
         problem = self.configuration.problem
         if any(given.asked for given in problem.givens):
             return {}

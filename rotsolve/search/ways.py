@@ -21,6 +21,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import STICKS, Rub, rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answering import answer
+from rotsolve.search.consistency import contradiction, untimely
 from rotsolve.search.friction import TRIALS, Trials, decide, smooth
 from rotsolve.search.search import Search
 from rotsolve.search.verges import modifier_of, verge_meant
@@ -129,13 +130,17 @@ def ways_together(open_: Sequence[Rub], configuration: Configuration) -> Iterato
 
 
 def value_going(way: Mapping[str, str], find: Find, letter: str, search: Search) -> Formula | None:
-    """What a question makes of its letter where what rubs moves in a way; None where it has no answer then, or none that it can be."""
+    """What a question makes of its letter where what rubs moves in a way; None where it has no answer then, or none that it can be, that
+    agrees with all laws, or that time can bring about."""
     trial = Search(search.scene.where({**search.scene.modes, **way}), search.families, search.spare)
     try:
         answer(trial, find)
         for refusal in out_of_bounds(trial):
             raise refusal
     except Unsolvable:
+        return None
+    broken, numbers = contradiction(trial)
+    if broken is not None or untimely(trial, numbers):
         return None
     found = trial.solver.solved.get(letter)
     return found.formula if found is not None else None

@@ -146,3 +146,99 @@ find: {{b: left_.acceleration at start, c: right_.acceleration at start}}
         ways += [(b, c)] if holds and b >= 0 and c >= 0 else []
     assert ways
     assert (found["b"].float, found["c"].float) == pytest.approx(ways[0])
+
+
+RIMS = """
+title: Two pressed wheels, both on stiff axles, and a motor
+given: {Q: MOTOR N m, I: 1 kg m^2, J: 2 kg m^2, R: 1 m, r: 0.5 m, P: 10 N, mu: MU, tau: 2 N m, q: OTHER N m}
+bodies: {one: {inertia: I, radius: R, turns: clockwise}, two: {inertia: J, radius: r, turns: clockwise}}
+connections:
+  ax: {axle: one, friction_torque: tau}
+  bx: {axle: two, friction_torque: q}
+  touch: {contact: [one, two], friction: mu, press: P}
+actions: {motor: {couple: Q, on: one}}
+states: {start: at rest}
+find: {b: one.angular_acceleration at start, c: two.angular_acceleration at start}
+"""
+
+
+@pytest.mark.parametrize(
+    ("motor", "mu", "other", "first", "second"),
+    [
+        (1, 0.3, 1, 0, 0),  # its own axle holds it
+        (30, 0.3, 1, 30 - 2 - 3, (1 - 0.3 * 10 * 0.5) / 2),  # the rims slip
+        (4.5, 0.3, 2, 0, 0),  # both axles together hold them: 4.5 < 2 + 2·1/0.5, and the rims give 3 > 2.5
+        (5.5, 0.3, 2, 0.5, 0),  # the rims slip, too weak for the other axle
+        (8, 0.9, 1, (8 - 2 - 1 / 0.5) / (1 + 2 / 0.25), -(8 - 2 - 1 / 0.5) / (1 + 2 / 0.25) / 0.5),  # they roll
+    ],
+)
+def test_two_wheels_that_rub_each_other_and_their_axles(
+    motor: float, mu: float, other: float, first: float, second: float
+) -> None:
+    text = RIMS.replace("MOTOR", str(motor)).replace("MU", str(mu)).replace("OTHER", str(other))
+    found = rotsolve.solve(text).answers
+    assert (found["b"].float, found["c"].float) == pytest.approx((first, second))
+
+
+ALL_AT_REST = {
+    "two blocks thrown apart": """
+surfaces: {floor: level}
+bodies: {a: {mass: m, moves: left}, b: {mass: M, moves: right}}
+connections: {c1: {contact: [a, floor], friction: mu}, c2: {contact: [b, floor], friction: nu}}
+states: {start: {a.velocity: u, b.velocity: v}, end: {at rest: all}}
+find: {x: a.displacement from start to end, y: b.displacement from start to end, t: time from start to end}
+""",
+    "two wheels on stiff axles": """
+plane: horizontal
+bodies: {a: {inertia: m}, b: {inertia: M}}
+connections: {c1: {axle: a, friction_torque: mu}, c2: {axle: b, friction_torque: nu}}
+states: {start: {a.angular_velocity: u, b.angular_velocity: v}, end: {at rest: all}}
+find: {x: a.rotation from start to end, y: b.rotation from start to end, t: time from start to end}
+""",
+}
+
+
+@pytest.mark.parametrize("numbers", [(1.0, 3.0), (3.0, 1.0), (2.0, 2.5)])
+@pytest.mark.parametrize("name", ALL_AT_REST)
+def test_all_rest_when_the_last_does(name: str, numbers: tuple[float, float]) -> None:
+    """x = u²/(2 a), y = v²/(2 b), t the later of u/a and v/b, whichever is named first."""
+    turns = "wheels" in name
+    units = (
+        ["kg m^2", "kg m^2", "rad/s", "rad/s", "N m", "N m"]
+        if turns
+        else ["kg", "kg", "m/s", "m/s", "number", "number"]
+    )
+    givens = ", ".join(
+        f"{letter}: {unit}" for letter, unit in zip(("m", "M", "u", "v", "mu", "nu"), units, strict=True)
+    )
+    answers = rotsolve.solve(f"title: t\ngiven: {{{givens}}}{ALL_AT_REST[name]}").answers
+    u, v = numbers
+    known = {"m": 1.3, "M": 0.7, "u": u, "v": v, "mu": 0.4, "nu": 0.3, "g": G}
+    a, b = (0.4 / 1.3, 0.3 / 0.7) if turns else (0.4 * G, 0.3 * G)
+    for key, true in {"x": u**2 / (2 * a), "y": v**2 / (2 * b), "t": max(u / a, v / b)}.items():
+        case = holding(answers[key].answer, known)
+        assert case is not None
+        assert value_of(case.closed or case.formula, known) == pytest.approx(true)
+
+
+@pytest.mark.parametrize("guide", ["", ", moves: up"])
+def test_a_wheel_that_hangs_in_a_string_goes_up_and_down_without_a_word(guide: str) -> None:
+    """Ceiling, under a disc M, over a light pulley to a weight m: a = 2 g (2 m − M)/(8 m + 3 M) up."""
+    M, m = 2.0, 3.0
+    found = rotsolve.solve(f"""
+title: A movable pulley
+given: {{M: {M} kg, m: {m} kg, R: 10 cm}}
+bodies: {{low: {{shape: disc, mass: M, radius: R{guide}}}, top: {{mass: 0}}, small: {{mass: m, moves: down}}}}
+connections: {{axle: {{axle: top}}, cord: {{string: [ceiling, low, top, small], under: low}}}}
+states: {{start: at rest}}
+find: {{a: low.acceleration at start, b: small.acceleration at start}}
+""").answers
+    rise = 2 * G * (2 * m - M) / (8 * m + 3 * M)
+    assert (found["a"].float, found["b"].float) == pytest.approx((rise, 2 * rise))
+
+
+def test_nothing_acts_on_a_place_of_the_scene() -> None:
+    with pytest.raises(rotsolve.SceneError, match="nothing acts on a place of the scene"):
+        rotsolve.solve(
+            SPRING.replace("WAY", "right").replace("states:", "actions: {f: {force: 1 N, on: [0, 0]}}\nstates:")
+        )

@@ -81,7 +81,28 @@ class Routing(Struct, frozen=True, dict=True):
         ways = (
             self.settled(index, leaving) for leaving in (self.leaving_mover, self.leaving_hinged, self.leaving_carried)
         )
-        return self.abreast(index) or next((way for way in ways if way is not None), unit(RIGHT))
+        way = self.abreast(index) or next((way for way in ways if way is not None), None)
+        if way is None:
+            self.check_slung(index)
+        return way or unit(RIGHT)
+
+    def check_slung(self, index: int) -> None:
+        """A wheel that nothing guides does not hang in a string that passes under it without a word of where it runs from there."""
+        configuration = self.instant.configuration
+        for ref in self.points[index : index + 2]:
+            free = (
+                ref.owner in self.under
+                and configuration.pivot(self.instant.host(ref.owner), self.instant.state) is None
+            )
+            if (
+                free
+                and configuration.heavy
+                and supporting(self.mover(ref.owner), configuration, self.instant.state) is None
+            ):
+                message = f"which way `{self.name}` runs from `{ref.owner}` nothing tells"
+                raise Unsolvable(
+                    message, span=ref.span, help=f"say `moves: up` of `{ref.owner}`, or which way it `pulls` it"
+                )
 
     def check_straight(self, index: int) -> None:
         """A straight piece does not pull each of two bodies along another line: a block on a table, a load that falls."""

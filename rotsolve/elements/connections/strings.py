@@ -95,8 +95,10 @@ class String(Connection, frozen=True):
         return tuple(ref.owner for ref in self.string[1:-1] if not ref.point)
 
     def hangs(self, body: Body) -> bool:
-        """A body at an end of a string hangs from it where nothing else says how it travels."""
+        """A body at an end of a string hangs from it where nothing else says how it travels, and a wheel under which it passes."""
         ends = (self.string[0], self.string[-1])
+        if body.name in self.under:
+            return body.name not in {ref.owner for ref in ends}
         return any(ref.owner == body.name and ref.point in (None, "center") for ref in ends)
 
     def pace(self, configuration: Surroundings, state: str) -> str:
