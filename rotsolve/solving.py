@@ -190,15 +190,12 @@ def following(search: Search, *, stuck: bool) -> Problem | None:
             return with_hereafter(configuration.problem, held)
         if not rubs(configuration):
             return None
-        if any(given.asked for given in configuration.problem.givens):
-            from rotsolve.search.ways import with_way_found
+        if not any(given.asked for given in configuration.problem.givens):
+            return None
+        from rotsolve.search.ways import with_friction_found, with_way_found
 
-            told = with_way_found(search, stuck=stuck)
-            if told is not None or stuck:
-                return told
-        from rotsolve.search.friction import with_friction_found
-
-        return None if stuck else with_friction_found(search)
+        told = with_way_found(search, stuck=stuck)
+        return told if told is not None or stuck else with_friction_found(search)
 
 
 def solved_for(letter: str, search: Search) -> Formula | float | None:

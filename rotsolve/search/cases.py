@@ -5,7 +5,7 @@ What is sure wherever the letters may be is no condition. Another case is looked
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Generic, TypeVar, cast
 
@@ -88,7 +88,8 @@ def case_at(point: Point, space: LetterSpace, solve: Solving[Found], put: Mappin
     try:
         supposed = {with_put(value, put, space): sign for value, sign in witness.supposed.items()}
         needed = {with_put(value, put, space): told for value, told in witness.needed.items()}
-        conditions = tuple(one for one in space.provisos(supposed, point) if space.fails_somewhere(one, point))
+        told = [*space.provisos(supposed, point), *signs_of_parts(needed, space, point)]
+        conditions = tuple(one for one in unlike(told) if space.fails_somewhere(one, point))
         needs = tuple(needs_noted(needed, conditions, space, point))
     except ZeroDivisionError:  # with these letters put in, what was supposed has no value: nothing is known there
         return Case(point, (), fault=unsolvable(space.problem, "what it hangs on has no value there", None))
@@ -101,6 +102,24 @@ def with_put(value: Formula, put: Mapping[str, Formula], space: LetterSpace) -> 
         return value
     roots = partial(simplify, positive=space.positive)
     return value.substitute(put).transform(lambda node: roots(node) if isinstance(node, Call) else node, "sqrt")
+
+
+def signs_of_parts(needed: Mapping[Formula, tuple[int, object]], space: LetterSpace, point: Point) -> Iterator[Proviso]:
+    """The signs of the parts of what is needed where it has several: two that are both negative make it positive as well, in a case of its
+    own."""
+    for value, (sign, _) in needed.items():
+        for whole in (value,) if sign < 0 else space.both_ways(value):
+            parts = tuple(space.factors(whole, sign, point))
+            yield from parts if len(parts) > 1 else ()
+
+
+def unlike(provisos: Iterable[Proviso]) -> Iterator[Proviso]:
+    """Of conditions about the same formula the first."""
+    found: list[Proviso] = []
+    for one in provisos:
+        if not any(one.gap == other.gap or is_zero(one.gap - other.gap) for other in found):
+            found.append(one)
+            yield one
 
 
 def needs_noted(

@@ -497,44 +497,6 @@ def question(size: Formula, name: str) -> Asked:
     return Asked(Find(name, size, ()), size, letter, None)
 
 
-def with_friction_found(search: Search) -> Problem | None:
-    """The problem in the case of the coefficients that its answers give, where by these some contact can not stick; else None.
-
-    A coefficient that the scene asks for is settled by what one contact needs; whether others stick shows afterwards.
-    """
-    problem, numbers = search.scene.configuration.problem, search.numbers
-    found = {name: item.formula for name, item in search.solver.solved.items() if item.formula is not None}
-    check_friction_settled(search, found.keys())
-    asked = {given.name: given for given in problem.givens if given.asked and given.name in found}
-    for name, given in asked.items():
-        if given.trial is not None and numbers.side(found[name] - given.trial) != 0:
-            message = (
-                f"which contacts slip hangs on `{name}`, and `{name}` on which of them slip: that is not told apart"
-            )
-            raise unsolvable(problem, message, None, f"give a number to `{name}`")
-    open_ = {name for name, given in asked.items() if given.trial is None}
-    needs = [need for rub in rubs(search.scene.configuration) for need in own_needs(rub, search.scene)]
-    needs = [need for need in needs if (need.left - need.right).symbols() & open_]
-    aside = search.apart() if needs else search
-    room = [aside.settled(need.left - need.right) for need in needs]
-    if not any(value is not None and numbers.side(search.solver.with_found(value)) == -1 for value in room):
-        return None
-    givens = [replace(item, trial=found[item.name]) if item.name in open_ else item for item in problem.givens]
-    return replace(problem, givens=tuple(givens))
-
-
-def check_friction_settled(search: Search, found: Collection[str]) -> None:
-    """Unsolvable where whether a contact sticks hangs on a coefficient that is asked for and not found; but for one on the verge of it."""
-    configuration, problem = search.scene.configuration, search.scene.configuration.problem
-    open_ = {given.name for given in problem.givens if given.asked and given.trial is None} - set(found)
-    verges = {find.where.path.owner for find in problem.finds if find.where is not None and find.where.path is not None}
-    for rub in rubs(configuration):
-        lacking = sorted(open_ & set(letters_of(rub.contact))) if rub.contact is not None else []
-        if lacking and rub.name not in verges and rub.key not in search.scene.modes:
-            message = f"whether `{rub.body}` slips hangs on `{lacking[0]}`, which is not settled here"
-            raise unsolvable(problem, message, None, f"give a number to `{lacking[0]}`")
-
-
 def own_needs(rub: Rub, scene: SceneEquations) -> list[Requirement]:
     """What friction of a contact that sticks has to suffice for."""
     needs = scene.facts(rub.state).requirements if rub.contact is not None else ()
