@@ -273,11 +273,12 @@ def references(item: object) -> Iterator[PointRef | Path]:
 
 
 def before(state: str, problem: Problem) -> Problem | None:
-    """The problem up to a state, without it and what is asked there or later; None where nothing is left, or an event, a phase of its
-    own or an action leads to what is left out."""
+    """The problem up to a state, without it and what is asked there or later; None where nothing is left, or an event, a phase in which
+    something is gone or an action leads to what is left out."""
     names = [item.name for item in problem.states]
     kept = set(names[: names.index(state)]) if state in names else set()
-    ends = [*(event.to for event in problem.events), *(phase.end for phase in problem.phases)]
+    phases = tuple(phase for phase in problem.phases if phase.without or {phase.start, phase.end} <= kept)
+    ends = [*(event.to for event in problem.events), *(phase.end for phase in phases)]
     ends += [name for action in problem.actions for name in (action.from_, action.to) if name is not None]
     spans: dict[str | None, tuple[str | None, ...]]
     spans = {event.name: (event.from_, event.to) for event in problem.events}
@@ -286,7 +287,7 @@ def before(state: str, problem: Problem) -> Problem | None:
     if not kept or not finds or not kept.issuperset(ends):
         return None
     states = tuple(item for item in problem.states if item.name in kept)
-    return replace(problem, states=states, finds=finds)
+    return replace(problem, states=states, phases=phases, finds=finds)
 
 
 def asked_within(find: Find, states: Collection[str], spans: Mapping[str | None, tuple[str | None, ...]]) -> bool:

@@ -242,3 +242,44 @@ def test_nothing_acts_on_a_place_of_the_scene() -> None:
         rotsolve.solve(
             SPRING.replace("WAY", "right").replace("states:", "actions: {f: {force: 1 N, on: [0, 0]}}\nstates:")
         )
+
+
+@pytest.mark.parametrize(
+    "held",
+    [
+        ("left: {contact: [bar.at(c), floor]}", "right: {contact: [bar.at(d), floor]}", "left.normal_force"),
+        ("left: {string: [ceiling, bar.at(c)]}", "right: {string: [ceiling, bar.at(d)]}", "left.tension"),
+        ("left: {contact: [bar.at(c), floor]}", "right: {string: [ceiling, bar.at(d)]}", "left.normal_force"),
+    ],
+)
+def test_a_bar_on_two_supports_in_either_order(held: tuple[str, str, str]) -> None:
+    """A (d − c) = M g (d − L/2) + m g (d − x), where that and the other one are positive: with c < d or c > d."""
+    first, second, force = held
+    answer = (
+        rotsolve.solve(f"""
+title: A level bar with a load
+given: {{M: kg, L: m, c: m, d: m, m: kg, x: m}}
+surfaces: {{floor: level}}
+bodies: {{bar: {{shape: rod, mass: M, length: L}}}}
+connections:
+  {first}
+  {second}
+actions: {{load: {{force: m*g, on: bar.at(x), direction: down}}}}
+states: {{now: {{bar.angle: 0, balance: true}}}}
+find: {{A: {force}}}
+""")
+        .answers["A"]
+        .answer
+    )
+    rng, orders = random.Random(force + second), set()
+    for _ in range(60):
+        known = {"M": 10.0, "m": 1.0, "L": 1.0, "g": G} | {name: round(rng.uniform(0.02, 0.98), 3) for name in "cdx"}
+        c, d, x = (known[name] for name in "cdx")
+        load = 10 * 0.5 + 1 * x  # the moment of both about the start, in units of g
+        one, two = (11 * d - load) / (d - c) * G, (11 * c - load) / (c - d) * G
+        case = holding(answer, known)
+        assert (case is not None) == (one > 0 and two > 0)
+        if case is not None:
+            orders.add(c < d)
+            assert value_of(case.closed or case.formula, known) == pytest.approx(one)
+    assert orders == {True, False}

@@ -202,3 +202,21 @@ def test_a_square_that_is_negative_bars_what_needs_it_alone() -> None:
     for press in ("400 N", "100 N"):
         with pytest.raises(Unsolvable, match="`mid` is never reached from `start`"):
             solve(text.replace("PRESS", press))
+
+
+def test_what_a_blow_gives_is_told_though_the_phase_after_it_has_a_name() -> None:
+    """v = m u/(m + M) whether or not they slide so far, also where `phases` names the way to the state that is not reached."""
+    scene = """
+title: A puck sticks to a crate, and both slide to an edge, perhaps
+given: {m: kg, M: kg, u: m/s, mu: number, d: m}
+surfaces: {table: level}
+bodies: {puck: {mass: m, moves: right}, crate: {mass: M, moves: right}}
+connections: {p: {contact: [puck, table], friction: mu}, q: {contact: [crate, table], friction: mu}}
+states: {before: {puck.velocity: u, crate.velocity: 0}, after: {}, edge: {crate.displacement: d}}
+events: {hit: {joins: [puck, crate], from: before, to: after}}
+phases: {slide: {from: after, to: edge}}
+find: {v: crate.velocity at after, w: crate.velocity at edge}
+"""
+    answers = solve(scene).answers
+    assert [case.conditions for case in answers["v"].branches] == [()]
+    assert answers["w"].conditions
