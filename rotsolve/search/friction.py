@@ -75,9 +75,7 @@ class Trials:
         self.modes: dict[str, str] = {}
         self.made: list[Trial] = []
         self.slipping: list[SlippingContact] = []
-        self.untold: set[str] = (
-            set()
-        )  # of which hangs on a letter that is asked for whether they move at the start of their phase
+        self.untold: set[str] = set()  # that may move where their phase starts: it hangs on a letter that is asked for
         self._searches: dict[tuple[object, tuple[str, ...]], Search] = {}
 
     def decision(self, rubbing: Sequence[Rub], at_rest: Collection[str]) -> Decision:
