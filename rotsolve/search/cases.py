@@ -5,7 +5,7 @@ What is sure wherever the letters may be is no condition. Another case is looked
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Generic, TypeVar, cast
 
@@ -20,7 +20,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.lettersigns import Proviso
-from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of
+from rotsolve.search.letterspace import Glance, LetterSpace, Point, numbers_of, unlike
 
 MOST = 12  # cases that are solved
 AN_INTEGRAL = 20_000  # nodes that take as long to look at
@@ -111,15 +111,6 @@ def signs_of_parts(needed: Mapping[Formula, tuple[int, object]], space: LetterSp
         for whole in (value,) if sign < 0 else space.both_ways(value):
             parts = tuple(space.factors(whole, sign, point))
             yield from parts if len(parts) > 1 else ()
-
-
-def unlike(provisos: Iterable[Proviso]) -> Iterator[Proviso]:
-    """Of conditions about the same formula the first."""
-    found: list[Proviso] = []
-    for one in provisos:
-        if not any(one.gap == other.gap or is_zero(one.gap - other.gap) for other in found):
-            found.append(one)
-            yield one
 
 
 def needs_noted(

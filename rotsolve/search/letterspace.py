@@ -169,12 +169,7 @@ class LetterSpace(LetterSigns):
 
     def provisos(self, signs: Mapping[Formula, int], point: Point) -> tuple[Proviso, ...]:
         """What has to hold for formulas to have these signs, each once."""
-        found: list[Proviso] = []
-        for value, sign in signs.items():
-            for one in self.factors(value, sign, point):
-                if not any(one.gap == other.gap or is_zero(one.gap - other.gap) for other in found):
-                    found.append(one)
-        return tuple(found)
+        return tuple(unlike(one for value, sign in signs.items() for one in self.factors(value, sign, point)))
 
     def factors(self, value: Formula, sign: int, point: Point) -> Iterator[Proviso]:
         """The conditions for a formula to have a sign: for all of its factors whose own is not sure.
@@ -305,3 +300,12 @@ def steps(size: Fraction, factor: int | Fraction) -> Iterator[Fraction]:
     """Sizes that are larger, or smaller, each time by a factor."""
     for power in range(1, FURTHEST):
         yield size * factor**power
+
+
+def unlike(provisos: Iterable[Proviso]) -> Iterator[Proviso]:
+    """Of conditions about the same formula the first."""
+    found: list[Proviso] = []
+    for one in provisos:
+        if not any(one.gap == other.gap or is_zero(one.gap - other.gap) for other in found):
+            found.append(one)
+            yield one

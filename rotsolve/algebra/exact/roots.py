@@ -154,9 +154,8 @@ def _angle_roots(
     if not len(k):
         root = call("atan", problem.shortest((-slope, a)))
         return [root, add(root, PI)]
-    if PolynomialSigns(ring, positive, ()).nonnegative(
-        -slope
-    ):  # so that an angle from 0 to 90° is one of the two, and not a turn off
+    # with the cosine's coefficient positive an angle from 0 to 90° is one of the two, and not a turn off
+    if PolynomialSigns(ring, positive).nonnegative(-slope):
         a, slope, k = -a, -slope, -k
     shown_a, shown_b = problem.shaper.ratio((a, ring.one)), problem.shaper.ratio((slope, ring.one))
     radius = sqrt(add(multiply(shown_a, shown_a), multiply(shown_b, shown_b)))

@@ -88,21 +88,14 @@ class Routing(Struct, frozen=True, dict=True):
 
     def check_slung(self, index: int) -> None:
         """A wheel that nothing guides does not hang in a string that passes under it without a word of where it runs from there."""
-        configuration = self.instant.configuration
-        for ref in self.points[index : index + 2]:
-            free = (
-                ref.owner in self.under
-                and configuration.pivot(self.instant.host(ref.owner), self.instant.state) is None
-            )
-            if (
-                free
-                and configuration.heavy
-                and supporting(self.mover(ref.owner), configuration, self.instant.state) is None
-            ):
+        configuration, state = self.instant.configuration, self.instant.state
+        slung = [ref for ref in self.points[index : index + 2] if ref.owner in self.under and configuration.heavy]
+        for ref in slung:
+            held = configuration.pivot(self.instant.host(ref.owner), state)
+            if held is None and supporting(self.mover(ref.owner), configuration, state) is None:
                 message = f"which way `{self.name}` runs from `{ref.owner}` nothing tells"
-                raise Unsolvable(
-                    message, span=ref.span, help=f"say `moves: up` of `{ref.owner}`, or which way it `pulls` it"
-                )
+                help = f"say `moves: up` of `{ref.owner}`, or which way it `pulls` it"
+                raise Unsolvable(message, span=ref.span, help=help)
 
     def check_straight(self, index: int) -> None:
         """A straight piece does not pull each of two bodies along another line: a block on a table, a load that falls."""
