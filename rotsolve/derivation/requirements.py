@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -59,11 +59,31 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
                         continue
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
+        yield from shares(place, needs, search)
     yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
         from rotsolve.derivation.parted import untold_meetings
 
         yield from (Check((words,), None) for words in untold_meetings(search))
+
+
+def shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
+    """Whether frictions hold a state in balance together, of which the laws do not tell how large each is."""
+    if place in search.scene.encounters or not search.scene.instant(place).in_balance:
+        return
+    untold = [need.owner for need in needs if need.kind.grips and search.apart().settled(need.right) is None]
+    if not untold:
+        return
+    from rotsolve.search.shared import suffices_together
+
+    holds = suffices_together(search.scene.configuration, place)
+    names = " and ".join(map(spoken, dict.fromkeys(untold)))
+    words = {
+        True: f"friction suffices: {names} hold together",
+        False: f"the frictions of {names} together do not hold it at {spoken(place)}",
+        None: f"whether the frictions of {names} suffice together: nothing tells their shares",
+    }
+    yield Check((words[holds],), holds)
 
 
 def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[str, Words]]:
@@ -114,8 +134,8 @@ def sign_of(gap: Formula | None, need: Requirement, place: str, search: Search, 
     number = search.signs.at_trial(gap) if sign is None else None
     if number is not None:
         sign = number.sign or 0
-        # what is about places or speeds may only just hold: the condition is that −gap is not positive
-        value, side = (negate(gap), -sign) if need.kind.placed else (gap, sign)
+        # what is about places or speeds, and friction at rest, may only just hold: the condition is that −gap is not positive
+        value, side = (negate(gap), -sign) if need.kind.placed or need.kind.grips else (gap, sign)
         noted(value, side, objection(need, place, search, letters))
     return sign
 

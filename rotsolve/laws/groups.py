@@ -186,11 +186,16 @@ def one_motion(rates: list[str], rules: list[Rule]) -> dict[str, Formula] | None
 
 def by_one(names: list[str], ties: list[Formula]) -> dict[str, Formula] | None:
     """Rates or accelerations in terms of one of them, that of a turn first, by equations that are zero; None where one does not do."""
-    if not names:
-        return None
     equations = [equation for equation in ties if equation.symbols() & set(names)]
-    free = next((name for name in names if key_of(name).turns), names[0])
-    others = [name for name in names if name != free]
+    for free in sorted(names, key=lambda name: not key_of(name).turns):
+        found = in_terms_of(free, [name for name in names if name != free], equations)
+        if found is not None:
+            return found
+    return None
+
+
+def in_terms_of(free: str, others: list[str], equations: list[Formula]) -> dict[str, Formula] | None:
+    """Rates in terms of the free one; None where they do not hang on it alone, or equations hold it at rest: then another may be free."""
     try:
         solved = solve_all(equations, others)
     except (Singular, NotLinear):

@@ -59,6 +59,11 @@ class Rub(Struct, frozen=True):
         return self.rate(instant) if self.item is None else self.item.drift(instant)
 
 
+def against_most(mode: str) -> str:
+    """A mode with as much friction as there can be before it slips, where that is less while it slips."""
+    return mode + AT_MOST if mode in (FORWARD, BACK) else mode
+
+
 def rubs(configuration: Configuration) -> tuple[Rub, ...]:
     """All that rubs, phase by phase."""
     found: dict[str, Rub] = {}

@@ -26,7 +26,7 @@ from rotsolve.laws.groups import by_one, one_motion
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import with_hereafter
 from rotsolve.motion.positive import limits_of
-from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs, rubs_at
+from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, against_most, rubs, rubs_at
 from rotsolve.plan import PATIENCE
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
@@ -102,7 +102,9 @@ class Trials:
         self.modes.update({rub.key: rub.mode(0) for rub in resting if not self.lasts(rub)})
         for group in self.moving_together([rub for rub in resting if self.lasts(rub)]):
             contact = group[0].contact
-            if len(group) > 1 or contact is None or not self.tried(group[0], contact):
+            if len(group) > 1 and self.scene.instant(state).in_balance:
+                self.modes.update({rub.key: rub.mode(0) for rub in group})  # what holds is asked of the balance
+            elif len(group) > 1 or contact is None or not self.tried(group[0], contact):
                 self.modes.update((self.by_trial if self.stacked(group) else self.by_motion)(group))
 
     def stacked(self, group: Sequence[Rub]) -> bool:
@@ -302,7 +304,7 @@ class Trials:
         for way in (1, -1):
             senses = self.senses_of(group, way)
             moving = {rub.key: rub.mode(senses[rub.key]) for rub in group}
-            trial = {key: mode + AT_MOST if mode in (FORWARD, BACK) else mode for key, mode in moving.items()}
+            trial = {key: against_most(mode) for key, mode in moving.items()}
             gains = [self.speeding_up(rub, trial, senses[rub.key]) for rub in group if senses[rub.key]]
             numbers = [number for number, _ in gains]
             known = all(number is not None for number in numbers)

@@ -21,7 +21,7 @@ from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.core.facts import signed
 from rotsolve.core.symbols import TIME
-from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, Rub
+from rotsolve.motion.rubs import Rub, against_most
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.functions_of_time import Beside, is_linear_in_time
 from rotsolve.search.friction import Trials
@@ -73,7 +73,7 @@ class InTime(Struct, frozen=True):
         """How fast each would speed up along its sense against all the friction that there can be, as functions of time; none of what
         the laws do not tell."""
         modes = {rub.key: rub.mode(sense) for rub, sense in senses.items()}
-        trial = {key: mode + AT_MOST if mode in (FORWARD, BACK) else mode for key, mode in modes.items()}
+        trial = {key: against_most(mode) for key, mode in modes.items()}
         search, found = trials.search({**trials.modes, **trial}), []
         for rub, sense in senses.items():
             value = self.speeding_up(rub, search) if sense else None

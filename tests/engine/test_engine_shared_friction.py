@@ -1,0 +1,145 @@
+"""Friction of several that hold a state in balance together, whose shares statics leaves open: against plain arithmetic."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Mapping
+
+import pytest
+
+import rotsolve
+from rotsolve.confirm.course.samples import holding
+
+G = 9.8
+Numbers = Mapping[str, float]
+
+DRUM = """
+title: A load on a drum that its stiff axle and a brake block hold
+given: {I: kg m^2, R: m, m: kg, F: N, mu: number, Q: N m}
+bodies: {drum: {inertia: I, radius: R, turns: WAY}, load: {mass: m, moves: down}}
+connections:
+  axle: {axle: drum, friction_torque: Q}
+  cord: {string: [drum, load]}
+actions: {brake: {press: F, on: drum.rim, friction: mu}}
+states: {start: {balance: true}}
+find: {T: cord.tension at start}
+"""
+ROW = """
+title: Two rough blocks in a row and a load that hangs over a pulley
+given: {M: kg, n: kg, m: kg, mu: number, nu: number}
+surfaces: {table: level}
+bodies: {one: {mass: M, moves: WAY}, two: {mass: n, moves: WAY}, roll: {mass: 0}, load: {mass: m, moves: down}}
+connections:
+  b1: {contact: [one, table], friction: mu}
+  b2: {contact: [two, table], friction: nu}
+  pin: {axle: roll}
+  link: {string: [one, two]}
+  cord: {string: [two, roll, load], pulls: {two: WAY}}
+states: {start: {balance: true}}
+find: {T: cord.tension at start}
+"""
+CRATE = """
+title: A crate on two rough corners
+given: {M: kg, L: m, b: m, F: N, mu: number, nu: number}
+surfaces: {floor: level}
+bodies: {crate: {shape: rectangle, mass: M, sides: [L, b]}}
+connections:
+  c1: {contact: [crate.BACK, floor], friction: mu}
+  c2: {contact: [crate.FRONT, floor], friction: nu}
+actions: {push: {force: F, on: crate, direction: WAY}}
+states: {start: {balance: true}}
+find: {N: c1.normal_force at start}
+"""
+GEARS = """
+title: A load on a drum that is geared to a wheel, each with a stiff axle
+given: {I: kg m^2, J: kg m^2, R: m, r: m, m: kg, Q: N m, P: N m}
+bodies:
+  drum: {inertia: I, radius: R, turns: clockwise}
+  cog: {inertia: J, radius: r, turns: counterclockwise}
+  load: {mass: m, moves: down}
+connections:
+  a1: {axle: drum, friction_torque: Q}
+  a2: {axle: cog, friction_torque: P}
+  mesh: {gear: [drum, cog]}
+  cord: {string: [drum, load]}
+states: {start: {balance: true}}
+find: {T: cord.tension at start}
+"""
+
+
+def in_a_row(x: Numbers) -> float:
+    return (x["mu"] * x["M"] + x["nu"] * x["n"] - x["m"]) * G
+
+
+def on_drum(x: Numbers) -> float:
+    return x["Q"] + x["mu"] * x["F"] * x["R"] - x["m"] * G * x["R"]
+
+
+def on_corners(x: Numbers) -> float:
+    """Pushed at its middle, half as high as it is: N = ½ M g ∓ F b/(2 L)."""
+    back = x["M"] * G / 2 - x["F"] * x["b"] / (2 * x["L"])
+    return min(back, x["mu"] * back + x["nu"] * (x["M"] * G - back) - x["F"])
+
+
+def geared(x: Numbers) -> float:
+    return x["Q"] + x["P"] * x["R"] / x["r"] - x["m"] * G * x["R"]
+
+
+SCENES: dict[str, tuple[str, Callable[[Numbers], float]]] = {
+    "axle and brake": (DRUM.replace("WAY", "clockwise"), on_drum),
+    "axle and brake, the other way round": (DRUM.replace("WAY", "counterclockwise"), on_drum),
+    "in a row": (ROW.replace("WAY", "right"), in_a_row),
+    "in a row, to the left": (ROW.replace("WAY", "left"), in_a_row),
+    "two corners": (
+        CRATE.replace("WAY", "right").replace("BACK", "corner1").replace("FRONT", "corner2"),
+        on_corners,
+    ),
+    "two corners, to the left": (
+        CRATE.replace("WAY", "left").replace("BACK", "corner2").replace("FRONT", "corner1"),
+        on_corners,
+    ),
+    "gears": (GEARS, geared),
+}
+SETS = 40
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_they_hold_as_far_as_their_greatest_frictions_suffice(name: str) -> None:
+    """There is an answer just where the frictions suffice together, by the margin of the plain arithmetic."""
+    text, margin = SCENES[name]
+    (answer,) = (view.answer for view in rotsolve.solve(text).answers.values())
+    given = [part.split(":")[0].strip() for part in text.split("given: {")[1].split("}")[0].split(",")]
+    rng, seen = random.Random(name), set()
+    for _ in range(SETS):
+        numbers = {letter: round(rng.uniform(0.05, 1.0), 3) for letter in given} | {"F": rng.uniform(0.5, 5)}
+        held = margin(numbers) >= 0
+        assert (holding(answer, {**numbers, "g": G}) is not None) == held, numbers
+        seen.add(held)
+    assert seen == {True, False}
+
+
+@pytest.mark.parametrize(
+    ("mass", "says"), [("0.3", "friction suffices: b1 and b2 hold together"), ("3", "do not hold")]
+)
+def test_numbers_are_told_whether_they_suffice(mass: str, says: str) -> None:
+    numbers = f"M: 2 kg, n: 3 kg, m: {mass} kg, mu: 0.1, nu: 0.2"
+    text = SCENES["in a row"][0].replace("M: kg, n: kg, m: kg, mu: number, nu: number", numbers)
+    assert any(says in str(check.words) for check in rotsolve.solve(text).checks)
+
+
+def test_what_only_a_slack_string_would_share_is_not_certified() -> None:
+    """Pushed from behind, the one holds alone: the string between them does not push the other."""
+    text = SCENES["in a row"][0].split("bodies:")[0].replace("m: kg", "F: N").replace(" and a load that hangs", "")
+    scene = rotsolve.solve(
+        text
+        + """bodies: {one: {mass: M, moves: right}, two: {mass: n, moves: right}}
+connections:
+  b1: {contact: [one, table], friction: mu}
+  b2: {contact: [two, table], friction: nu}
+  link: {string: [one, two]}
+actions: {push: {force: F, on: one, direction: right}}
+states: {start: {balance: true}}
+find: {N: b1.normal_force at start}
+"""
+    )
+    assert [verdict.holds for verdict in scene.derivation.confirmed] == [None]
