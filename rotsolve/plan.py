@@ -1,8 +1,6 @@
-"""Plan: the cheapest set of equations that settles an asked unknown. Knows no physics.
+"""Plan: which equations of a pool settle an asked unknown, or why none do. Knows no physics.
 
-Equations are matched to unknowns in the order of their cost (a transversal matroid, so the greedy choice is the cheapest maximal one);
-the block behind the asked unknown is what its matched equation needs (Dulmage-Mendelsohn). Then each equation of the block is tried
-for omission, since a dearer one elsewhere may make several cheap ones needless. No equation tells what stands within an integral of it.
+The cheapest ones, as `matching` finds them. No equation tells what stands within an integral of it.
 """
 
 from __future__ import annotations
@@ -10,25 +8,16 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.core.equation import Equation
+from rotsolve.matching import Candidate, Matching, Plan, cheapest_plan, needed, solvable_for
 
 # what a definition costs more once it has been used: it leads from what an answer is made of to the answer
 BACKWARDS = 6
 PATIENCE = 2_000_000  # work for plans of a scene that are made only to avoid equations of constant acceleration: pairs of equations
-BLOCKS_A_STEP = 12  # of equations that are left out, each in its turn
-ROUNDS = 12  # improvements after which a plan is taken as it is
-
-
-class Plan(Struct, frozen=True):
-    """Equations (indices into the pool) that settle `asked`, and the unknowns that they settle with it."""
-
-    asked: str
-    equations: tuple[int, ...]
-    unknowns: tuple[str, ...]
-    cost: int
 
 
 class Shortage(Struct, frozen=True):
@@ -100,12 +89,15 @@ class Planner:
         return self.found[key]
 
     def _cheapest(self, asked: str, relevant: Mapping[int, tuple[str, ...]]) -> Plan | None:
-        best = self._block(asked, relevant, Matching(self._told(relevant)).owner)
-        if best is None:
-            return None
-        chained = self._chain(asked, relevant)
-        plans = [self._improved(best, relevant), *([chained] if chained is not None else [])]
-        return min(plans, key=lambda plan: plan.cost)
+        """By what alone tells it: the equations as numbered among themselves, so that one plan does for all cases of a scene."""
+        indices = sorted(relevant)
+        number = {index: place for place, index in enumerate(indices)}
+        rows = tuple(
+            Candidate(number[index], names, self._cost(index), self.summed[index]) for index, names in relevant.items()
+        )
+        plan, work = cheapest_plan(asked, rows, self.constants if any(row.summed for row in rows) else frozenset())
+        exert(work)
+        return None if plan is None else replace(plan, equations=tuple(indices[place] for place in plan.equations))
 
     def _relevant(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """The usable equations that share unknowns with the asked one, directly or through others; the best ones first."""
@@ -144,69 +136,10 @@ class Planner:
             unknowns = kept
         return unknowns
 
-    def _block(self, asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> Plan | None:
-        """Collect what the asked unknown's equation needs; None where one of that has no equation."""
-        names, open_ = needed(asked, unknowns, owner)
-        if open_:
-            return None
-        equations = sorted(owner[name] for name in names)
-        return Plan(asked, tuple(equations), tuple(sorted(names)), sum(map(self._cost, equations)))
-
-    def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> Mapping[int, tuple[str, ...]]:
-        """What each equation may be solved for: what it does not sum over; else a constant on which that depends."""
-        if not any(self.summed[index] for index in unknowns):
-            return unknowns
-        told = dict(unknowns)
-        for index in told:
-            if summed := self.summed[index]:
-                told[index] = tuple(name for name in told[index] if name not in summed)
-        for index, names in unknowns.items():
-            if names and not told[index] and self.constants:
-                told[index] = self._behind(names, unknowns)
-        return told
-
-    def _behind(self, names: Sequence[str], unknowns: Mapping[int, tuple[str, ...]]) -> tuple[str, ...]:
-        """The constants in the equations that tell some unknowns, or what these depend on."""
-        seen, pending = set(names), list(names)
-        while pending:
-            name = pending.pop()
-            fresh = {other for held in unknowns.values() if name in held for other in held} - seen
-            seen |= fresh
-            pending.extend(fresh - self.constants)
-        return tuple(sorted(seen & self.constants))
-
-    def _chain(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
-        """The cheapest plan that settles one unknown after the other, none together; None where there is no such plan.
-
-        Costs spread from what one equation settles alone (as in Knuth's generalisation of Dijkstra's algorithm); equations that
-        several unknowns need are counted once.
-        """
-        ways: dict[str, tuple[int, frozenset[int]]] = {}
-        costs = {index: self._cost(index) for index in unknowns}
-        clock, changed, looked_at = 0, dict[str, int](), dict[int, int]()  # when a way was found, an equation looked at
-        for _ in range(ROUNDS):
-            before = clock
-            for index, names in unknowns.items():
-                missing = [name for name in names if name not in ways]
-                if len(missing) > 1 or all(changed.get(name, 0) <= looked_at.get(index, -1) for name in names):
-                    continue
-                for name in (one for one in missing or names if one not in self.summed[index]):
-                    used = frozenset((index,)).union(*(ways[other][1] for other in names if other != name))
-                    cost = sum(map(costs.__getitem__, used))
-                    if name not in ways or cost < ways[name][0]:
-                        clock += 1
-                        ways[name], changed[name] = (cost, used), clock
-                looked_at[index] = clock
-            if clock == before:
-                break
-        if asked not in ways:
-            return None
-        own = {index: unknowns[index] for index in sorted(ways[asked][1])}
-        return self._block(asked, own, Matching(self._told(own)).owner)
-
     def _shortage(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Shortage:
         """The block with fewer equations than unknowns: all that alternating paths reach from the unknowns that got no equation."""
-        owner = Matching(self._told(unknowns)).owner
+        summed = {index: self.summed[index] for index in unknowns}
+        owner = Matching(solvable_for(unknowns, summed, self.constants)).owner
         own = {index: name for name, index in owner.items()}
         pending = needed(asked, unknowns, owner)[1]
         names, equations = {asked, *pending}, set[int]()
@@ -219,79 +152,3 @@ class Planner:
                         names.add(own[index])
                         pending.append(own[index])
         return Shortage(asked, tuple(sorted(equations)), tuple(sorted(names)))
-
-    def _improved(self, best: Plan, unknowns: Mapping[int, tuple[str, ...]]) -> Plan:
-        """Leave out one equation at a time while that makes the plan cheaper."""
-        pool = dict(unknowns)
-        for _ in range(ROUNDS):
-            exert(len(best.equations) // BLOCKS_A_STEP)
-            matching = Matching(self._told(pool))
-            trials = [(self._block(best.asked, pool, matching.without(index)), index) for index in best.equations]
-            better = [(trial, index) for trial, index in trials if trial is not None and trial.cost < best.cost]
-            if not better:
-                return best
-            best, dropped = min(better, key=lambda item: item[0].cost)
-            del pool[dropped]
-        return best
-
-
-def needed(asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> tuple[set[str], list[str]]:
-    """All unknowns that the asked one needs, by the equations that own them, and those of them that no equation owns."""
-    pending, seen, open_ = [asked], {asked}, list[str]()
-    while pending:
-        name = pending.pop()
-        if name not in owner:
-            open_.append(name)
-            continue
-        fresh = [other for other in unknowns[owner[name]] if other not in seen]
-        seen.update(fresh)
-        pending.extend(fresh)
-    return seen, open_
-
-
-class Matching:
-    """As many unknowns as can be, each with an equation of its own (`owner`), the first equations first."""
-
-    def __init__(self, told: Mapping[int, tuple[str, ...]]) -> None:
-        self.told = told
-        self.owner: dict[str, int] = {}
-        self.place = {index: number for number, index in enumerate(told)}
-        spent: set[str] = set()  # unknowns from which no path leads to a free one: none ever will
-        self.spare = [index for index in told if not self._fits(index, self.owner, spent)]
-
-    def _fits(self, index: int, owner: dict[str, int], spent: set[str]) -> bool:
-        """Whether an equation gets an unknown of its own, which it is given."""
-        if spent.issuperset(self.told[index]):
-            return False
-        visited: set[str] = set()
-        if _augment(index, self.told, owner, visited, spent):
-            return True
-        spent |= visited
-        return False
-
-    def without(self, skipped: int) -> dict[str, int]:
-        """The owners where the matching is made without one equation that owns.
-
-        Matched equations are a basis of a transversal matroid: the first spare one after it that fits takes its place, all others stay.
-        """
-        owner = {name: index for name, index in self.owner.items() if index != skipped}
-        spent, place = set[str](), self.place[skipped]
-        any(self._fits(index, owner, spent) for index in self.spare if self.place[index] > place)
-        return owner
-
-
-def _augment(
-    index: int, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], visited: set[str], spent: set[str]
-) -> bool:
-    """Give an equation an unknown of its own, moving others over where that frees one (Kuhn's augmenting path)."""
-    for name in unknowns[index]:
-        if name not in owner:
-            owner[name] = index
-            return True
-    for name in unknowns[index]:
-        if name not in visited and name not in spent:
-            visited.add(name)
-            if _augment(owner[name], unknowns, owner, visited, spent):
-                owner[name] = index
-                return True
-    return False

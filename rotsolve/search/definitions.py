@@ -9,7 +9,8 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import degree
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.plan import Plan, Planner
+from rotsolve.matching import Plan
+from rotsolve.plan import Planner
 
 if TYPE_CHECKING:
     from rotsolve.core.equation import Equation

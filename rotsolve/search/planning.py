@@ -14,7 +14,8 @@ from msgspec import Struct
 
 from rotsolve.core.equation import ANGULAR_MOMENTUM, FAMILIES, KINEMATICS, NEWTON, SECOND_CHOICE
 from rotsolve.core.symbols import of_kinds
-from rotsolve.plan import Plan, Planner, Shortage
+from rotsolve.matching import Plan
+from rotsolve.plan import Planner, Shortage
 
 MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
 FORCES = ("tension", "force", "normal_force", "friction_force")

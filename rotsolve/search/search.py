@@ -21,7 +21,8 @@ from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import POSITION, RATE, RATES, has_quantities, is_key, key_of, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import EXTREMES, Find
-from rotsolve.plan import Plan, Planner, Shortage
+from rotsolve.matching import Plan
+from rotsolve.plan import Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, Chosen, NoAnswer

@@ -17,7 +17,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
 from rotsolve.core.symbols import ACCELERATIONS, key_of
-from rotsolve.plan import Plan
+from rotsolve.matching import Plan
 from rotsolve.solver.isolation import LONGEST, TOO_LONG, Isolation
 from rotsolve.solver.steps import (
     Contradiction,

@@ -21,6 +21,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("confirm",),
     ("motion",),
     ("laws",),
+    ("matching",),
     ("plan",),
     ("solver",),
     ("paths",),

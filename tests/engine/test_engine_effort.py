@@ -7,7 +7,7 @@ import pytest
 from rotsolve import pipeline
 from rotsolve.algebra.effort import Allowance, Exhausted, at_most, exert
 from rotsolve.core.faults import Unsolvable
-from rotsolve.plan import Matching
+from rotsolve.matching import Matching
 
 SCENE = """
 title: A sledge is thrown on a board that lies on ice

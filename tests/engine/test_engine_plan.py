@@ -11,7 +11,8 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.equation import RULE, Equation
-from rotsolve.plan import Plan, Planner, Shortage
+from rotsolve.matching import Plan
+from rotsolve.plan import Planner, Shortage
 from rotsolve.solver import Solver
 from rotsolve.solver.steps import Contradiction, PickedRoot, Redundant
 
