@@ -84,7 +84,7 @@ def follows_from_two(one: Proviso, others: Sequence[Proviso], space: LetterSpace
 def follows_from(one: Proviso, other: Proviso, space: LetterSpace) -> bool:
     """Whether one condition holds wherever another does, worked out once."""
     if (one, other) not in space.implied:
-        space.implied[one, other] = implied(one, other, space)
+        space.implied[one, other] = not refuted(one, (other,), space) and implied(one, other, space)
     return space.implied[one, other]
 
 

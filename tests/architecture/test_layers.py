@@ -89,15 +89,25 @@ def imports(node: ast.AST, *, late: bool) -> Iterator[tuple[str, int]]:
             yield from imports(child, late=late)
 
 
+@cache
+def is_there(path: Path) -> bool:
+    return path.is_dir() or path.with_suffix(".py").is_file()
+
+
 def is_module(node: ast.ImportFrom, alias: ast.alias) -> bool:
     """Whether `from package import name` means a module of the package."""
-    path = PACKAGE.parent.joinpath(*(node.module or "").split("."), alias.name)
-    return path.is_dir() or path.with_suffix(".py").is_file()
+    return is_there(PACKAGE.parent.joinpath(*(node.module or "").split("."), alias.name))
 
 
 @cache
 def tree(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"), str(path))
+
+
+@cache
+def imported(path: Path, *, late: bool) -> tuple[tuple[str, int], ...]:
+    """What a file imports, worked out once for all tests."""
+    return tuple(imports(tree(path), late=late))
 
 
 def upward(path: Path, *, late: bool) -> Iterator[tuple[str, str, int]]:
@@ -106,7 +116,7 @@ def upward(path: Path, *, late: bool) -> Iterator[tuple[str, str, int]]:
     if not own:
         return  # the package itself hands out what all layers define
     height, label = layer(own)
-    for module, line in imports(tree(path), late=late):
+    for module, line in imported(path, late=late):
         if module.startswith("rotsolve."):
             other_height, other = layer(module.removeprefix("rotsolve."))
             if other_height >= height and other != label:
@@ -125,11 +135,11 @@ def test_no_debt_is_kept_longer_than_needed() -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=name)
 def test_heavy_packages_are_imported_by_the_step_that_needs_them(path: Path) -> None:
-    at_start = {module.partition(".")[0]: line for module, line in imports(tree(path), late=False)}
+    at_start = {module.partition(".")[0]: line for module, line in imported(path, late=False)}
     arrays = {"numpy"} if name(path).startswith("arrays.") else set()  # which are imported late as a whole
     assert not (HEAVY - arrays) & at_start.keys(), at_start
     if name(path) != "page.terminal":
-        ever = {module.partition(".")[0] for module, _ in imports(tree(path), late=True)}
+        ever = {module.partition(".")[0] for module, _ in imported(path, late=True)}
         assert "rich" not in ever
 
 
@@ -137,7 +147,7 @@ def test_heavy_packages_are_imported_by_the_step_that_needs_them(path: Path) -> 
 def test_only_known_packages_are_imported(path: Path) -> None:
     ours = {"rotsolve", "sympy", "typer", "yaml", "rich", "flint", "msgspec", "pebble", "numpy", "matplotlib"}
     known = ours | set(sys.stdlib_module_names)
-    assert {module.partition(".")[0] for module, _ in imports(tree(path), late=True)} <= known
+    assert {module.partition(".")[0] for module, _ in imported(path, late=True)} <= known
 
 
 @pytest.mark.parametrize("path", FILES, ids=name)
