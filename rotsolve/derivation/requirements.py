@@ -17,7 +17,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import UNSOLVED
-from rotsolve.core.symbols import CONSTANT, has_quantities, is_key
+from rotsolve.core.symbols import CONSTANT, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.rubs import rubs
@@ -317,10 +317,13 @@ def holding_words(need: Requirement, search: Search, letters: Letters, settled: 
     """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
     if need.kind.grips:
         sides = [settled(side) for side in (need.right, need.left)]
+        stays = f"{spoken(need.owner)} does not {need.otherwise.removesuffix('s')}"
         if any(side is None or search.signs.lacking(side) for side in sides):
-            return (f"friction suffices: {spoken(need.owner)} does not slip",)
+            return (f"friction suffices: {stays}",)
         size, limit_ = (decimal(side, search) for side in sides)
-        return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
+        if of_kinds(need.right.symbols(), ("torque",)):
+            return (f"friction torque needed {size} N m ≤ {limit_} N m: {stays}",)
+        return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {stays}",)
     names = {name for name in need.left.symbols() if is_key(name)}
     if need.kind.placed:
         return (need.kept,)

@@ -9,6 +9,7 @@ import pytest
 
 import rotsolve
 from rotsolve.confirm.course.samples import holding
+from rotsolve.confirm.numbers import value_of
 
 G = 9.8
 Numbers = Mapping[str, float]
@@ -65,6 +66,45 @@ connections:
 states: {start: {balance: true}}
 find: {T: cord.tension at start}
 """
+ONE_AXLE = """
+title: Two drums on one stiff axle, each with a load
+given: {I: kg m^2, J: kg m^2, R: m, r: m, m: kg, n: kg, Q: N m}
+bodies:
+  drum: {inertia: I, radius: R, turns: clockwise}
+  disc: {inertia: J, radius: r, turns: clockwise}
+  load: {mass: m, moves: down}
+  other: {mass: n, moves: down}
+connections:
+  ax: {axle: [drum, disc], friction_torque: Q}
+  cord: {string: [drum, load]}
+  rope: {string: [disc, other]}
+states: {start: {balance: true}}
+find: {T: cord.tension at start}
+"""
+CLUTCH = """
+title: A load on a drum that a clutch ties to a disc on the same stiff axle
+given: {I: kg m^2, J: kg m^2, R: m, m: kg, P: N m, Q: N m}
+bodies:
+  drum: {inertia: I, radius: R, turns: clockwise}
+  disc: {inertia: J, turns: clockwise}
+  load: {mass: m, moves: down}
+connections:
+  ax: {axle: [disc, drum], friction_torque: Q}
+  clutch: {clutch: [drum, disc], friction_torque: P}
+  cord: {string: [drum, load]}
+states: {start: {balance: true}}
+find: {T: cord.tension at start}
+"""
+
+
+def on_one_axle(x: Numbers) -> float:
+    """Each is held by a friction of its own."""
+    return x["Q"] - max(x["m"] * x["R"], x["n"] * x["r"]) * G
+
+
+def by_clutch(x: Numbers) -> float:
+    """The disc gives as much as the clutch passes on, and as its own friction holds."""
+    return x["Q"] + min(x["P"], x["Q"]) - x["m"] * G * x["R"]
 
 
 def in_a_row(x: Numbers) -> float:
@@ -99,6 +139,8 @@ SCENES: dict[str, tuple[str, Callable[[Numbers], float]]] = {
         on_corners,
     ),
     "gears": (GEARS, geared),
+    "one axle": (ONE_AXLE, on_one_axle),
+    "a clutch and one axle": (CLUTCH, by_clutch),
 }
 SETS = 40
 
@@ -111,7 +153,8 @@ def test_they_hold_as_far_as_their_greatest_frictions_suffice(name: str) -> None
     given = [part.split(":")[0].strip() for part in text.split("given: {")[1].split("}")[0].split(",")]
     rng, seen = random.Random(name), set()
     for _ in range(SETS):
-        numbers = {letter: round(rng.uniform(0.05, 1.0), 3) for letter in given} | {"F": rng.uniform(0.5, 5)}
+        numbers = {letter: round(rng.uniform(0.05, 1.0), 3) for letter in given}
+        numbers |= {letter: round(rng.uniform(0.5, 5), 2) for letter in given if letter in "FQ"}
         held = margin(numbers) >= 0
         assert (holding(answer, {**numbers, "g": G}) is not None) == held, numbers
         seen.add(held)
@@ -143,3 +186,14 @@ find: {N: b1.normal_force at start}
 """
     )
     assert [verdict.holds for verdict in scene.derivation.confirmed] == [None]
+
+
+def test_each_wheel_on_one_axle_is_held_by_a_torque_of_its_own() -> None:
+    text = ONE_AXLE.replace("balance: true", "at rest: all").replace(
+        "T: cord.tension at start", "T: cord.tension at start, S: rope.tension at start"
+    )
+    cases = rotsolve.solve(text).answers
+    held = {"I": 0.1, "J": 0.2, "R": 0.2, "r": 0.1, "m": 1.0, "n": 3.0, "Q": 10.0, "g": G}
+    for name, weight in (("T", 9.8), ("S", 29.4)):
+        case = holding(cases[name].answer, held)
+        assert case is not None and value_of(case.closed or case.formula, held) == pytest.approx(weight)

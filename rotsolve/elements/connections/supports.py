@@ -100,8 +100,13 @@ class Driven(Connection, frozen=True):
                 yield from self.friction(instant, name, sense)
             asked = self.friction_torque is None and instant.configuration.mentions.asks(self.name, "torque")
             if asked or any(getattr(self, word) is not None for word in TURNING):
-                size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
+                size = self.torque_on(name, instant, instant.turn_words(name))
                 yield Couple(self.name, DRIVE, name, signed(size, sense), "torque", size)
+
+    def torque_on(self, name: str, instant: Moment, words: tuple[str, str]) -> Formula:
+        """The letter of the torque on a body; of several wheels on one axle each has its own."""
+        several = len({instant.host(ref.owner) for ref in self.held()}) > 1
+        return instant.ask("torque", self.name, when=instant.span(name), component=name if several else "", words=words)
 
     def friction(self, instant: Moment, name: str, sense: int) -> Iterator[Fact]:
         """Friction of the axle: against the turn, whichever way that is; as large as it takes while it holds the body still."""
@@ -109,7 +114,7 @@ class Driven(Connection, frozen=True):
         forward, back = instant.turn_words(name)
         most = (self.friction_torque or ZERO).substitute({"time": instant.time()})
         if mode == "holds":
-            size = instant.ask("torque", self.name, when=instant.span(name), words=(forward, back))
+            size = self.torque_on(name, instant, (forward, back))
             yield Couple(self.name, FRICTION, name, signed(size, sense), "friction torque", size)
             yield held_still(self.name, name, instant.motion(name))
             if instant.in_balance:
