@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from itertools import product
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Witness, pass_on, witnessed_apart
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate
+from rotsolve.algebra.formula import ZERO, Formula, call, negate
 from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.core.facts import Force, Requirement, signed
 from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.core.letters import letters_of
-from rotsolve.core.symbols import POSITION, RATES, has_quantities, of_kinds, rub_key, rub_of
+from rotsolve.core.symbols import POSITION, has_quantities, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Find, Problem
-from rotsolve.laws.groups import by_one, one_motion
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import with_hereafter
 from rotsolve.motion.positive import limits_of
@@ -34,6 +31,7 @@ from rotsolve.search.explain import unreachable
 from rotsolve.search.openings import tell_ends
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
+from rotsolve.search.tied import Tied, Unit, ways_of
 
 TRIALS = 27  # ways in which contacts may stick and slip that are tried
 ROUNDS = 3  # in which the senses are found in which an event leaves several slipping
@@ -113,34 +111,21 @@ class Trials:
             return False
         carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
         rolls = any(rub.contact and self.scene.instant(rub.state).is_round(rub.body) for rub in group)
-        return carried or rolls or not self.in_one_motion(group)
+        return carried or rolls or not self.tied(group).in_one_motion()
 
-    def in_one_motion(self, group: Sequence[Rub]) -> bool:
-        """Whether the speeds of all that rubs follow from one, by strings and joints: of two blocks on a spring each has its own."""
-        scene = self.scene.where({**self.modes, **{rub.key: rub.mode(1) for rub in group}})
-        instant = scene.instant(group[0].state, virtual=True)
-        ties = [
-            first - second
-            for rule in scene.facts(group[0].state, virtual=True).rules
-            for first, second in [rule.velocity]
-        ]
-        rates = of_kinds({name for rub in group for name in (rub.drift(instant) or ZERO).symbols()}, RATES)
-        tied = set(rates)
-        while len(more := tied.union(*(of_kinds(tie.symbols(), RATES) for tie in ties if tie.symbols() & tied))) > len(
-            tied
-        ):
-            tied = more
-        return len(rates) < 2 or by_one(of_kinds(tied, RATES), ties) is not None
+    def tied(self, group: Sequence[Rub]) -> Tied:
+        """A group as it moves where all of it slips."""
+        slipping = self.scene.where({**self.modes, **{rub.key: rub.mode(1) for rub in group}})
+        return Tied(group, slipping, self.configuration.signs)
 
     def ways(self, group: list[Rub]) -> Iterator[dict[Rub, int]]:
         """The senses in which a group may begin to slip, 0 for what goes on to stick: those in which the fewest slip first."""
         if len(group) > 1 and not self.stacked(group):
             for way in (1, -1):
-                senses = self.senses_of(group, way)
+                senses = self.tied(group).senses(way)
                 yield {rub: senses[rub.key] for rub in group}
             return
-        for slips in ways_of(len(group))[1:]:
-            yield dict(zip(group, slips, strict=True))
+        yield from (ways_of(self.tied(group).units()) or [])[1:]
 
     def lasts(self, rub: Rub) -> bool:
         """Whether what rests may begin to slip there: not right before an event, where a finite force does nothing."""
@@ -302,7 +287,7 @@ class Trials:
         """The modes of a group that moves together: the way round in which it speeds up, or rest; nothing where numbers do not tell."""
         told = False
         for way in (1, -1):
-            senses = self.senses_of(group, way)
+            senses = self.tied(group).senses(way)
             moving = {rub.key: rub.mode(senses[rub.key]) for rub in group}
             trial = {key: against_most(mode) for key, mode in moving.items()}
             gains = [self.speeding_up(rub, trial, senses[rub.key]) for rub in group if senses[rub.key]]
@@ -341,18 +326,20 @@ class Trials:
         What a way that can not be hangs on is no condition of the one that can, but where two hold a wheel, neither of which would let it
         go alone: there motion is tried first.
         """
+        units = self.tied(group).units()
+        ways = ways_of(units) or []
         failed: list[Witness] = []
         together = any(rub.contact is None for rub in group)
-        for way in reversed(ways_of(len(group))) if together else ways_of(len(group)):
-            trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
+        for way in reversed(ways) if together else ways:
+            trial = {rub.key: rub.mode(sense) for rub, sense in way.items()}
             with witnessed_apart() as noted:
-                can_be = self.can_be(trial, group, way)
+                can_be = self.can_be(trial, units, way)
             failed = [*failed, noted] if together or not can_be else [noted]
             if can_be:
                 break
         for noted in failed:
             pass_on(noted)
-        if can_be:
+        if ways and can_be:
             return trial
         problem = self.configuration.problem
         if any(given.asked for given in problem.givens):
@@ -360,56 +347,39 @@ class Trials:
         names = ", ".join(f"`{rub.name}`" for rub in group)
         raise unsolvable(problem, f"which of {names} slip is not told by the laws of motion", kind=UNSOLVED)
 
-    def can_be(self, trial: Mapping[str, str], group: Sequence[Rub], way: Sequence[int]) -> bool:
+    def can_be(self, trial: Mapping[str, str], units: Sequence[Unit], way: Mapping[Rub, int]) -> bool:
         """Whether all that rubs does as it is supposed to; the first that does not is told."""
         found: list[Words] = []
-        for rub, sense in zip(group, way, strict=True):
-            holds, words = self.holds(rub, trial, sense)
+        for unit in units:
+            first = next(iter(unit))
+            holds, words = self.holds(unit, trial, way[first])
             found.append(words)
             if not holds:
-                why = "does not speed up that way" if sense else "lacks friction"
-                self.note(trial, found, False, f"{spoken(rub.name)} {why}")
+                why = "does not speed up that way" if way[first] else "lacks friction"
+                self.note(trial, found, False, f"{spoken(first.name)} {why}")
                 return False
         self.note(trial, found, True, "what sticks has friction enough, and what slips speeds up that way")
         return True
 
-    def holds(self, rub: Rub, trial: Mapping[str, str], sense: int) -> tuple[bool, Words]:
-        """Whether what rubs does as it is supposed to: sticks with no more friction than there can be, or speeds up as it slips."""
+    def holds(self, unit: Unit, trial: Mapping[str, str], sense: int) -> tuple[bool, Words]:
+        """Whether what slips together does as it is supposed to: sticks with no more friction than there can be, or speeds up as it
+        slips."""
+        first = next(iter(unit))
         if sense:
-            number, words = self.speeding_up(rub, trial, sense)
+            number, words = self.speeding_up(first, trial, sense)
             return number is not None and number > 0, words
-        if rub.contact is None:
-            gains = [self.speeding_up(rub, {**trial, rub.key: rub.mode(way)}, way) for way in (1, -1)]
+        if first.contact is None or len(unit) > 1:
+            moving = [{rub.key: against_most(rub.mode(own * way)) for rub, own in unit.items()} for way in (1, -1)]
+            gains = [
+                self.speeding_up(first, {**trial, **modes}, way) for modes, way in zip(moving, (1, -1), strict=True)
+            ]
             return all(number is not None and number <= 0 for number, _ in gains), ("it does not speed up either way",)
         search = self.search({**self.modes, **trial})
-        room = [search.settled(need.left - need.right) for need in own_needs(rub, search.scene)]
+        room = [search.settled(need.left - need.right) for need in own_needs(first, search.scene)]
         numbers = [search.number(value) if value is not None else None for value in room]
         left = [value for value in room if value is not None]
-        told: Words = (f"{spoken(rub.name)} has friction to spare: ", left[0]) if left else ()
+        told: Words = (f"{spoken(first.name)} has friction to spare: ", left[0]) if left else ()
         return all(number is not None and number >= 0 for number in numbers), told
-
-    def senses_of(self, group: list[Rub], way: int) -> dict[str, int]:
-        """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""
-        scene = self.scene.where({**self.modes, **{rub.key: rub.mode(1) for rub in group}})
-        rules = list(scene.facts(group[0].state, virtual=True).rules)
-        instant = scene.instant(group[0].state, virtual=True)
-        speeds = {rub.key: rub.drift(instant) for rub in group}
-        sides = [side for rule in rules for side in rule.velocity]
-        sides += [speed for speed in speeds.values() if speed is not None]
-        rates = of_kinds({name for side in sides for name in side.symbols()}, RATES)
-        allowed = one_motion(rates, rules) or {}
-        senses = {}
-        for rub in group:
-            slip, speed, signs = rub.rate(instant), speeds[rub.key], self.configuration.signs
-            if slip is not None and simplify(slip.substitute(allowed)) == ZERO:
-                # the rules keep it at rest whichever way the rest moves: how much it grips stays open
-                senses[rub.key] = 0
-                continue
-            value = speed.substitute(allowed) if speed is not None else ONE
-            rate = value.substitute(dict.fromkeys(of_kinds(value.symbols(), RATES), ONE))
-            senses[rub.key] = -1 if signs.taken(rate) == -1 else 1
-        first = next((sense for sense in senses.values() if sense), 1)
-        return {key: sense * first * way for key, sense in senses.items()}
 
     def speeding_up(self, rub: Rub, trial: Mapping[str, str], sense: int) -> tuple[float | None, Words]:
         """Acceleration along the sense in which it is taken to move, also in words; None where the numbers do not tell."""
@@ -439,11 +409,6 @@ def without_asked(group: Sequence[Rub], problem: Problem) -> Problem | None:
         return None
     free = [replace(item, value=ZERO, asked=False) if item.name in letters else item for item in problem.givens]
     return replace(problem, givens=tuple(free))
-
-
-def ways_of(count: int) -> list[tuple[int, ...]]:
-    """The ways in which several contacts may stick (0) and slip (1, -1), as far as they are tried: those in which the fewest slip first."""
-    return sorted(product((0, 1, -1), repeat=count), key=lambda way: sum(map(abs, way)))[:TRIALS]
 
 
 def sticking(search: Search, rub: Rub, contact: Connection) -> tuple[Answered, Answered] | None:

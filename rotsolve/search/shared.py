@@ -50,7 +50,7 @@ def telling_ways(group: list[Rub], trials: Trials) -> Iterator[dict[str, str]]:
     """The ways of moving by which it is told what a group does: as it moves, else as it does not, against all the friction there can be."""
     if not all(kept_still(rub, trials) for rub in group):
         yield {}
-    elif len(group) > 1:
+    elif len(group) > 1 and any(rub.contact for rub in group):
         for senses in trials.ways(group):
             yield {rub.key: against_most(rub.mode(sense)) for rub, sense in senses.items()}
 

@@ -283,3 +283,52 @@ find: {{A: {force}}}
             orders.add(c < d)
             assert value_of(case.closed or case.formula, known) == pytest.approx(one)
     assert orders == {True, False}
+
+
+SHARED_SHAFT = """
+title: A driven wheel and a braked one on a stiff axle, with a clutch between
+given: {I: kg m^2, J: kg m^2, R: m, C: N m, tau: N m, kap: N m, P: N, mu: number}
+bodies: {one: {inertia: I}, two: {inertia: J, radius: R}}
+connections:
+  p: {axle: [one, two], friction_torque: tau}
+  k: {clutch: [one, two], friction_torque: kap}
+actions: {shoe: {press: P, friction: mu, on: two.rim}, twist: {couple: C, on: one}}
+states: {start: at rest}
+find: {al: one.angular_acceleration at start, be: two.angular_acceleration at start}
+"""
+
+
+def least(x: Numbers) -> tuple[float, float]:
+    """The accelerations at which ½ I α² + ½ J β² − C α + τ |α| + (τ + μ P R) |β| + κ |α − β| is least, of all that can be (Gauss's
+    principle with friction)."""
+    drag = x["tau"] + x["mu"] * x["P"] * x["R"]
+
+    def constraint(a: float, b: float) -> float:
+        kinetic = x["I"] * a * a / 2 + x["J"] * b * b / 2 - x["C"] * a
+        return kinetic + x["tau"] * abs(a) + drag * abs(b) + x["kap"] * abs(a - b)
+
+    ways = [(0.0, 0.0)]
+    ways += [((x["C"] - (x["tau"] + drag) * way) / (x["I"] + x["J"]),) * 2 for way in (1, -1)]
+    for one in (1, 0, -1):
+        for two in (1, 0, -1):
+            for slip in (1, -1):
+                a = (x["C"] - x["tau"] * one - x["kap"] * slip) / x["I"] if one else 0.0
+                b = (x["kap"] * slip - drag * two) / x["J"] if two else 0.0
+                ways.append((a, b))
+    return min(ways, key=lambda way: constraint(*way))
+
+
+def test_axle_and_brake_of_one_wheel_are_overcome_together() -> None:
+    """Each alone would be held by the other; not all of the many cases are worked out."""
+    answers = {key: view.answer for key, view in rotsolve.solve(SHARED_SHAFT).answers.items()}
+    rng, seen = random.Random(7), set()
+    for _ in range(400):
+        numbers = {name: rng.uniform(0.1, 3) for name in ("I", "J", "R", "C", "tau", "kap", "P", "mu")}
+        numbers |= {"C": 3 * numbers["C"], "g": G}
+        for key, value in zip(("al", "be"), least(numbers), strict=True):
+            case = holding(answers[key], numbers)
+            if case is not None:
+                form = case.closed or case.formula
+                assert form is not None and value_of(form, numbers) == pytest.approx(value, abs=1e-9)
+                seen.add(form)
+    assert len(seen) >= 3
