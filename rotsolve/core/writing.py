@@ -101,7 +101,7 @@ def moved(left: Sequence[Formula], right: Sequence[Formula]) -> tuple[Formula, F
 
 def spoken(name: str) -> str:
     """A name of the scene as words."""
-    return name.replace("_", " ")
+    return name.replace("_", " ").strip()
 
 
 def and_joined(words: Sequence[str]) -> str:

@@ -72,7 +72,9 @@ def shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator
     if place in search.scene.encounters or not search.scene.instant(place).in_balance:
         return
     untold = [need.owner for need in needs if need.kind.grips and search.apart().settled(need.right) is None]
-    if not untold:
+    wheres = [find.where for find in search.scene.configuration.problem.finds if find.where is not None]
+    verges = [where for where in wheres if where.path is not None and where.path.owner in untold]
+    if not untold or verges:  # at the verge that is asked for friction has its limit
         return
     from rotsolve.search.shared import suffices_together
 

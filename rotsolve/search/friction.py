@@ -285,7 +285,7 @@ class Trials:
 
     def by_motion(self, group: list[Rub]) -> dict[str, str]:
         """The modes of a group that moves together: the way round in which it speeds up, or rest; nothing where numbers do not tell."""
-        told = False
+        told = True
         for way in (1, -1):
             senses = self.tied(group).senses(way)
             moving = {rub.key: rub.mode(senses[rub.key]) for rub in group}
@@ -299,7 +299,7 @@ class Trials:
             self.note(moving, [words for _, words in gains], holds if known else None, why)
             if holds:
                 return moving
-            told = told or known
+            told = told and known
         if told:
             return {rub.key: rub.mode(0) for rub in group}
         free = without_asked(group, self.configuration.problem)
@@ -309,14 +309,14 @@ class Trials:
         return Trials(Configuration(free)).by_motion(group)
 
     def check_told(self, group: Sequence[Rub]) -> None:
-        """Unsolvable where nothing tells whether a wheel turns against its friction, and no question may tell it."""
+        """Unsolvable where nothing tells whether what rubs begins to move, and no question may tell it."""
         problem = self.configuration.problem
-        wheels = [spoken(rub.body) for rub in group if rub.item is None]
+        named = [spoken(rub.body) for rub in group]
         sought = any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds)
-        if wheels and not sought:
+        if not sought:
             state = f" from `{group[0].state}` on" if group[0].state else ""
             raise unsolvable(
-                problem, f"whether friction holds {wheels[0]}{state} is not told by the laws of motion", kind=UNSOLVED
+                problem, f"whether friction holds {named[0]}{state} is not told by the laws of motion", kind=UNSOLVED
             )
 
     def by_trial(self, group: list[Rub]) -> dict[str, str]:

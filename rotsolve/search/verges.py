@@ -150,7 +150,8 @@ def wheels_turned(contact: str, state: str, way: int, scene: SceneEquations) -> 
     tied = scene.configuration.component(own.body, start)
     wheels = [rub for rub in rubs(scene.configuration) if rub.item is None and rub.state == start and rub.body in tied]
     told = dict(scene.configuration.timeline.state(start).senses)
-    wheels = [rub for rub in wheels if rub.name in told or rub.key not in scene.modes]
+    balanced = scene.instant(start).in_balance
+    wheels = [rub for rub in wheels if balanced or rub.name in told or rub.key not in scene.modes]
     senses = Trials(scene.configuration).tied([own, *wheels]).senses(way) if wheels else {}
     return {rub: senses[rub.key] for rub in wheels}
 

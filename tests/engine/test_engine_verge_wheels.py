@@ -13,7 +13,7 @@ surfaces: {floor: level}
 bodies: {sledge: {mass: M, moves: WAY}, wheel: {inertia: J, radius: r, turns: TURNS}, sack: {mass: m, moves: down}}
 connections: {base: {contact: [sledge, floor], friction: mu}, axle: {axle: wheelAXLE}, cord: {string: [sledge, wheel, sack]}}
 actions: {BRAKEpull: {force: n*g, on: sledge, direction: left}}
-states: {now: at rest}
+states: {now: STATE}
 find: {FIND}
 """
 RUBBING = {  # letters, axle and brake with the same torque of 0.49 N m
@@ -23,9 +23,9 @@ RUBBING = {  # letters, axle and brake with the same torque of 0.49 N m
 LEAST, MOST = "least: smallest m where base sticks", "most: largest m where base sticks"
 
 
-def sledge(way: str, turns: str, rubbing: str, find: str) -> str:
+def sledge(way: str, turns: str, rubbing: str, find: str, state: str = "at rest") -> str:
     letters, axle, brake = RUBBING[rubbing]
-    put = {"LETTERS": letters, "AXLE": axle, "BRAKE": brake, "WAY": way, "TURNS": turns, "FIND": find}
+    put = {"STATE": state, "LETTERS": letters, "AXLE": axle, "BRAKE": brake, "WAY": way, "TURNS": turns, "FIND": find}
     text = SLEDGE
     for word, value in put.items():
         text = text.replace(word, value)
@@ -36,9 +36,14 @@ def sledge(way: str, turns: str, rubbing: str, find: str) -> str:
 @pytest.mark.parametrize("way", ["right", "left"])
 @pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
 @pytest.mark.parametrize("rubbing", RUBBING)
-def test_a_wheel_that_rubs_holds_against_both_ways_of_slipping(way: str, turns: str, rubbing: str, find: str) -> None:
+@pytest.mark.parametrize("state", ["at rest", "{balance: true}"])
+def test_a_wheel_that_rubs_holds_against_both_ways_of_slipping(
+    way: str, turns: str, rubbing: str, find: str, state: str
+) -> None:
     """m g = n g ± (μ M g + τ/r): friction of wheel and sledge together hold less and more."""
-    answers = solve(sledge(way, turns, rubbing, find)).answers
+    solution = solve(sledge(way, turns, rubbing, find, state))
+    answers = solution.answers
+    assert all(check.holds for check in solution.derivation.checks)
     true = {"least": 2.5, "most": 5.5}
     assert {name: answer.float for name, answer in answers.items()} == pytest.approx(
         {name: true[name] for name in answers}, rel=1e-8
