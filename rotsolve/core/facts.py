@@ -367,9 +367,9 @@ def signed(value: Formula, sense: int) -> Formula:
     return value if sense > 0 else negate(value)
 
 
-def enough(owner: str, size: Formula, most: Formula, otherwise: str) -> Requirement:
-    """Friction that holds is at most as large as it can be: |f| ≤ f_max."""
-    return Requirement(owner, GRIPS, most, call("abs", size), "", otherwise)
+def enough(owner: str, size: Formula, most: Formula, verb: str) -> Requirement:
+    """Friction that holds is at most as large as it can be, |f| ≤ f_max: else it slips, or a wheel turns."""
+    return Requirement(owner, GRIPS, most, call("abs", size), f"does not {verb}", f"{verb}s")
 
 
 def held_still(owner: str, name: str, motion: Motion) -> Rule:

@@ -319,7 +319,7 @@ def holding_words(need: Requirement, search: Search, letters: Letters, settled: 
     """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
     if need.kind.grips:
         sides = [settled(side) for side in (need.right, need.left)]
-        stays = f"{spoken(need.owner)} does not {need.otherwise.removesuffix('s')}"
+        stays = f"{spoken(need.owner)} {need.kept}"
         if any(side is None or search.signs.lacking(side) for side in sides):
             return (f"friction suffices: {stays}",)
         size, limit_ = (decimal(side, search) for side in sides)

@@ -198,7 +198,7 @@ class Press(Action, frozen=True):
         yield facts.Force(self.name, facts.FRICTION, name, size, against, arm, "friction", way, works=False)
         yield facts.held_still(self.name, name, instant.motion(name))
         if instant.in_balance:
-            yield facts.enough(self.name, size, (self.friction or ZERO) * push, "turns")
+            yield facts.enough(self.name, size, (self.friction or ZERO) * push, "turn")
 
 
 class AppliedPower(Action, frozen=True):

@@ -126,7 +126,7 @@ class Clutch(Rubbing, frozen=True):
         if sticks:
             yield self.grip_rule(instant)
         if sticks and instant.in_balance:
-            yield enough(self.name, size, self.torque(instant), "slips")
+            yield enough(self.name, size, self.torque(instant), "slip")
 
 
 class Rims(Rubbing, frozen=True):
@@ -189,4 +189,4 @@ class Rims(Rubbing, frozen=True):
         if sticks:
             yield self.grip_rule(instant)
         if sticks and instant.in_balance and self.friction.static is not None:
-            yield enough(self.name, size, self.friction.static * self.press, "slips")
+            yield enough(self.name, size, self.friction.static * self.press, "slip")

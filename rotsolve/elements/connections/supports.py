@@ -118,7 +118,7 @@ class Driven(Connection, frozen=True):
             yield Couple(self.name, FRICTION, name, signed(size, sense), "friction torque", size)
             yield held_still(self.name, name, instant.motion(name))
             if instant.in_balance:
-                yield enough(self.name, size, most, "turns")
+                yield enough(self.name, size, most, "turn")
             return
         turn, against = (sense, forward) if mode == "turns back" else (-sense, back)
         yield Couple(self.name, FRICTION, name, signed(most, turn), "friction torque", most, against)

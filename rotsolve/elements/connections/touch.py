@@ -438,7 +438,7 @@ class Touch(Connection, frozen=True):
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
-            yield enough(self.name, size, grip.static * normal, "slips")
+            yield enough(self.name, size, grip.static * normal, "slip")
 
     def both(self, force: Force, instant: Moment, noun: str, way: str, of: str) -> Iterator[Force]:
         """A force on the body, and that by which it acts back on the body that carries it."""
