@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from rotsolve import solve
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.matching import cheapest_plan
 from rotsolve.motion.complete import completed
 from rotsolve.motion.configuration import Configuration
 from rotsolve.scene.read import read_text
