@@ -105,7 +105,9 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
         raise too_long(problem) from None
     except Unsolvable as error:
         fault = fair_refusal(error.fault, problem, [find.name for find in problem.finds], law)
-        raise error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help) from None
+        if fault is error.fault:
+            raise
+        raise unsolvable(problem, fault.message, fault.span, fault.help, kind=fault.kind) from None
     if not solution.derivation.refused:
         return solution
     refused = [
@@ -372,7 +374,9 @@ def fairly_refused(
     givens = [replace(item, value=Number(point[item.name])) if item.name in point else item for item in problem.givens]
     at_point = replace(problem, givens=tuple(givens))
     fault = fair_refusal(error.fault, at_point, [find.name for find in problem.finds], law)
-    return error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help)
+    return (
+        error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help, kind=fault.kind)
+    )
 
 
 def may_be(problem: Problem, configuration: Configuration, numbers: Mapping[str, float]) -> bool:

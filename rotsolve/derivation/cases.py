@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words, in_a_row
-from rotsolve.core.faults import UNSOLVED, Fault, Unsolvable
+from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.derivation.closing import Closing, Held, Solved, answer_put, unanswered_in
 from rotsolve.language.problem import Problem
 from rotsolve.search.cases import Needed
@@ -183,13 +183,13 @@ class CaseTeller(Struct, frozen=True):
                 continue  # what it needs is told by the other
             alike.setdefault(why_no_answer(case), []).append(case)
         for why, cases in alike.items():
-            none = self.lack_words(*(case.fault.fault for case in cases if isinstance(case.fault, Unsolvable)))
+            none = self.lack_words(*map(kind_of, cases))
             for region in map(partial(self.closed_without, why, ()), self.regions(cases)):
                 found[(f"if {in_a_line(self.equalities(region))} {none}: ", *why)] = None
         for names, reason, cases in self.lacking(named):
             letters = [part for name in names for part in (", ", Symbol(name))][1:]
             told = (item for case in cases if case.found is not None for item in case.found.refused)
-            none = self.lack_words(*(item.fault for item in told if item.name in names))
+            none = self.lack_words(*(item.fault.kind for item in told if item.name in names))
             for region in map(partial(self.closed_without, (reason,), names), self.regions(cases)):
                 line = in_a_line(self.equalities(region))
                 found[(f"if {line} {none} for ", *letters, f": {reason}")] = None
@@ -210,13 +210,12 @@ class CaseTeller(Struct, frozen=True):
             found[("of other letters there are more cases, which are not worked out: give them numbers",)] = None
         return tuple(Check(words, None) for words in found)
 
-    def lack_words(self, *faults: Fault) -> str:
+    def lack_words(self, *kinds: str) -> str:
         """What is said where there is none: of a letter that is sought only those values are known to which the ways tried lead, and
         that something is not solved is no reason why there should be none."""
         problem = self.space.problem
         sought = any(given.asked for given in problem.givens) or any(find.seeks for find in problem.finds)
-        unsolved = any(fault.kind == UNSOLVED for fault in faults)
-        return "no answer is found" if sought or unsolved else "there is no answer"
+        return "no answer is found" if sought or UNSOLVED in kinds else "there is no answer"
 
     def closed_without(self, why: Words, names: Collection[str], region: Region) -> Region:
         """A region without an answer, or with none for those that are named, with those of its edges on which there is none for the same
@@ -318,6 +317,11 @@ def headed(key: tuple[Equality, ...], case: Solved, known: Sequence[Words]) -> t
 def in_a_line(conditions: Sequence[Equality]) -> str:
     """Conditions in a line of text."""
     return " and ".join(map(condition_line, conditions))
+
+
+def kind_of(case: Solved) -> str:
+    """The kind of the fault for which a case without an answer was refused."""
+    return case.fault.fault.kind if isinstance(case.fault, Unsolvable) else ""
 
 
 def why_no_answer(case: Solved) -> Words:

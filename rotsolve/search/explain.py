@@ -7,7 +7,7 @@ from itertools import islice
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
-from rotsolve.core.faults import INCOMPLETE, Contradicted, NeverReached, Span, Unsolvable
+from rotsolve.core.faults import INCOMPLETE, UNSOLVED, Contradicted, NeverReached, Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
@@ -235,10 +235,10 @@ def refuse_unsolved(search: Search, shortage: Shortage, find: Find) -> None:
     several = next((travel.body for travel in travels if travel.pace == MIXED), "")
     if several:
         message = f"`{several}` is driven by what varies with more than one of time, place and speed: not solved yet"
-        raise unsolvable(problem, message, find.span)
+        raise unsolvable(problem, message, find.span, kind=UNSOLVED)
     quantities = search.scene.registry.quantities
     open_ = {quantities[name].kind for name in shortage.unknowns if name in quantities}
     driven = next((travel.body for travel in travels if travel.pace == POSITION and not travel.leads), "")
     if driven and open_ == {"time"}:
         message = f"how long `{driven}` takes is not solved yet, since what drives it varies with its place"
-        raise unsolvable(problem, message, find.span)
+        raise unsolvable(problem, message, find.span, kind=UNSOLVED)
