@@ -185,14 +185,13 @@ class CaseTeller(Struct, frozen=True):
         for why, cases in alike.items():
             none = self.lack_words(*map(kind_of, cases))
             for region in map(partial(self.closed_without, why, ()), self.regions(cases)):
-                found[(f"if {in_a_line(self.equalities(region))} {none}: ", *why)] = None
+                found[(f"{self.where(region)}{none}: ", *why)] = None
         for names, reason, cases in self.lacking(named):
             letters = [part for name in names for part in (", ", Symbol(name))][1:]
             told = (item for case in cases if case.found is not None for item in case.found.refused)
             none = self.lack_words(*(item.fault.kind for item in told if item.name in names))
             for region in map(partial(self.closed_without, (reason,), names), self.regions(cases)):
-                line = in_a_line(self.equalities(region))
-                found[(f"if {line} {none} for ", *letters, f": {reason}")] = None
+                found[(f"{self.where(region)}{none} for ", *letters, f": {reason}")] = None
         for need, cases in self.needing():
             broken = Proviso(simplify(-need.proviso.gap), not need.proviso.strict)
             for region in self.regions(cases):
@@ -209,6 +208,11 @@ class CaseTeller(Struct, frozen=True):
         if self.more:
             found[("of other letters there are more cases, which are not worked out: give them numbers",)] = None
         return tuple(Check(words, None) for words in found)
+
+    def where(self, region: Sequence[Proviso]) -> str:
+        """The condition of a region at the head of what is said of it; nothing where it is all there is."""
+        line = in_a_line(self.equalities(region))
+        return f"if {line} " if line else ""
 
     def lack_words(self, *kinds: str) -> str:
         """What is said where there is none: of a letter that is sought only those values are known to which the ways tried lead, and

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from rotsolve.core.faults import Unsolvable
     from rotsolve.core.passage import Passage
     from rotsolve.derivation.letters import Letters
-    from rotsolve.language.problem import TimeValue
+    from rotsolve.language.problem import State, TimeValue
     from rotsolve.search.search import Search
 
 Settling = Callable[[Formula], Formula | None]  # puts in what is known for the letters of the laws
@@ -176,7 +176,11 @@ def requirements_by_state(
     scene = search.scene
     for state in scene.configuration.timeline.states:
         needs = scene.facts(state.name).requirements
-        yield state.name, tuple(need for need in needs if not (need.kind.grips and passing(state.name, search)))
+        fleeting = passing(state.name, search)
+        yield (
+            state.name,
+            tuple(need for need in needs if not (need.kind.grips and fleeting) or said_to_hold(need, state)),
+        )
     for name, encounter in scene.encounters.items():
         yield name, encounter.requirements
     for swing in scene.swings.values():
@@ -208,6 +212,12 @@ def pushes_vary(passage: Passage) -> bool:
     """Whether forces that may let go vary in a phase, with the time, a place or a speed."""
     varies = any(travel.pace != CONSTANT for travel in passage.travels)
     return varies and any(not need.kind.placed for need in passage.midst.requirements)
+
+
+def said_to_hold(need: Requirement, state: State) -> bool:
+    """Whether a state says itself that friction holds there: in balance, or by a word about the contact or clutch."""
+    lines = [line for line in state.conditions if line.path is not None and line.path.owner == need.owner]
+    return state.balance or any(line.word in ("sticks", "rolls") for line in lines)
 
 
 def passing(state: str, search: Search) -> bool:

@@ -140,6 +140,13 @@ class Standing(Struct, frozen=True, dict=True):
         """Whether the state says that all stands in balance."""
         return self.configuration.timeline.state(self.state).balance
 
+    def says_to_stick(self, name: str) -> bool:
+        """Whether the scene begins with what is said to stick there, or in balance: then friction has to suffice for it."""
+        state = self.configuration.timeline.state(self.state)
+        first = self.configuration.timeline.states[0].name == state.name
+        paths = [line.path for line in state.conditions if line.word == "sticks"]
+        return state.balance or (first and any(path is not None and path.owner == name for path in paths))
+
     def orientation(self, name: str) -> Heading:
         """How far a body's own axes are turned in space: by its angle, or not at all where it stands as drawn."""
         angle = self.angle(name)

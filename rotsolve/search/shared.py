@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.facts import TOUCHES
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.language.problem import Condition
+from rotsolve.language.problem import Condition, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import Rub, against_most, rubs_at
 from rotsolve.paths.meaning import NotYet
@@ -24,12 +24,9 @@ from rotsolve.search.friction import Trials
 def suffices_together(configuration: Configuration, state: str) -> bool | None:
     """Whether all that rubs holds at a first state that is in balance; None where the laws do not tell how it would begin to move."""
     problem = configuration.problem
-    first, *later = problem.states
-    if state != first.name or any(given.asked for given in problem.givens):
+    if state != problem.states[0].name or any(given.asked for given in problem.givens):
         return None
-    at_rest = Condition(None, rest=True, owner="all", span=first.span)
-    let_go = replace(first, balance=False, conditions=(*first.conditions, at_rest))
-    trials = Trials(Configuration(replace(problem, states=(let_go, *later)), configuration.alteration))
+    trials = Trials(Configuration(let_go(configuration, problem.states[0]), configuration.alteration))
     rubbing = list(rubs_at(trials.configuration, state))
     try:
         trials.decide_from(state, rubbing, ())
@@ -40,6 +37,23 @@ def suffices_together(configuration: Configuration, state: str) -> bool | None:
     except (SceneError, Unsolvable, NotYet, NoAnswer):
         return None
     return all(map(partial(kept_still, trials=trials), rubbing)) if pressed else None
+
+
+def let_go(configuration: Configuration, state: State) -> Problem:
+    """The problem at a state alone, at rest instead of in balance, with what acts there."""
+    at_rest = Condition(None, rest=True, owner="all", span=state.span)
+    first = replace(state, balance=False, conditions=(*state.conditions, at_rest))
+    actions = tuple(replace(action, from_=None, to=None) for action in configuration.actions(state.name))
+    connections = tuple(configuration.connections(state.name))
+    return replace(
+        configuration.problem,
+        states=(first,),
+        phases=(),
+        events=(),
+        finds=(),
+        actions=actions,
+        connections=connections,
+    )
 
 
 def kept_still(rub: Rub, trials: Trials) -> bool:

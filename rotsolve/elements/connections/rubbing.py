@@ -125,7 +125,7 @@ class Clutch(Rubbing, frozen=True):
             yield Couple(self.name, FRICTION, name, torque, "friction torque", size, sense, internal=sticks)
         if sticks:
             yield self.grip_rule(instant)
-        if sticks and instant.in_balance:
+        if sticks and instant.says_to_stick(self.name):
             yield enough(self.name, size, self.torque(instant), "slip")
 
 
@@ -188,5 +188,5 @@ class Rims(Rubbing, frozen=True):
             yield Force(self.name, FRICTION, name, size, along, arm, noun, way, works=not sticks, internal=sticks)
         if sticks:
             yield self.grip_rule(instant)
-        if sticks and instant.in_balance and self.friction.static is not None:
+        if sticks and instant.says_to_stick(self.name) and self.friction.static is not None:
             yield enough(self.name, size, self.friction.static * self.press, "slip")
