@@ -183,7 +183,7 @@ class CaseTeller(Struct, frozen=True):
                 continue  # what it needs is told by the other
             alike.setdefault(why_no_answer(case), []).append(case)
         for why, cases in alike.items():
-            none = self.lack_words(*map(kind_of, cases))
+            none = self.lack_words(*map(refusal_kind, cases))
             for region in map(partial(self.closed_without, why, ()), self.regions(cases)):
                 found[(f"{self.where(region)}{none}: ", *why)] = None
         for names, reason, cases in self.lacking(named):
@@ -323,7 +323,7 @@ def in_a_line(conditions: Sequence[Equality]) -> str:
     return " and ".join(map(condition_line, conditions))
 
 
-def kind_of(case: Solved) -> str:
+def refusal_kind(case: Solved) -> str:
     """The kind of the fault for which a case without an answer was refused."""
     return case.fault.fault.kind if isinstance(case.fault, Unsolvable) else ""
 

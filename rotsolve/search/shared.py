@@ -26,7 +26,7 @@ def suffices_together(configuration: Configuration, state: str) -> bool | None:
     problem = configuration.problem
     if state != problem.states[0].name or any(given.asked for given in problem.givens):
         return None
-    trials = Trials(Configuration(let_go(configuration, problem.states[0]), configuration.alteration))
+    trials = Trials(Configuration(released(configuration, problem.states[0]), configuration.alteration))
     rubbing = list(rubs_at(trials.configuration, state))
     try:
         trials.decide_from(state, rubbing, ())
@@ -39,7 +39,7 @@ def suffices_together(configuration: Configuration, state: str) -> bool | None:
     return all(map(partial(kept_still, trials=trials), rubbing)) if pressed else None
 
 
-def let_go(configuration: Configuration, state: State) -> Problem:
+def released(configuration: Configuration, state: State) -> Problem:
     """The problem at a state alone, at rest instead of in balance, with what acts there."""
     at_rest = Condition(None, rest=True, owner="all", span=state.span)
     first = replace(state, balance=False, conditions=(*state.conditions, at_rest))
