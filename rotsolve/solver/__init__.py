@@ -182,8 +182,8 @@ class Solver(Isolation, kw_only=True):
             if key[0] == 3 and self._told_square(item, name, items) is not None:
                 return None
             found = self.value_in(item, name, alone=key[0] in (1, 3))
-            if found is None:
-                continue
+            if found is None or (found[0] == ZERO and key[3] > 1):
+                continue  # of c x = 0 either may be nothing, as long as c is not known
             value, reason = found
             summed = item.left.holds(Integral) or item.right.holds(Integral)
             trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value)) and not summed
@@ -253,7 +253,7 @@ class Solver(Isolation, kw_only=True):
         ):
             for name in sorted(item.unknowns(unknowns) - {asked}):
                 value = self._told_square(item, name, items)
-                if value is None:
+                if value is None or (value == ZERO and item.unknowns(unknowns) - {name}):
                     continue
                 self._check_nothing(item, value)
                 square = Symbol(name) ** 2

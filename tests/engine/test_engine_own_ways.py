@@ -332,3 +332,39 @@ def test_axle_and_brake_of_one_wheel_are_overcome_together() -> None:
                 assert form is not None and value_of(form, numbers) == pytest.approx(value, abs=1e-9)
                 seen.add(form)
     assert len(seen) >= 3
+
+
+LIFTED = """
+title: A flywheel lifts a load by a clutch and a gear, whose drum rubs on its axle, until the clutch sticks
+given: {I: kg m^2, m: kg, r: m, w: rad/s, tau: N m, C: N m}
+bodies: {fly: {inertia: I}, plate: {inertia: 2*I, radius: 2*r}, drum: {inertia: I, radius: r}, load: {mass: m, moves: up}}
+connections:
+  shaft: {axle: [fly, plate]}
+  post: {axle: drum, friction_torque: C}
+  k: {clutch: [fly, plate], friction_torque: tau}
+  mesh: {gear: [plate, drum]}
+  rope: {string: [load, drum]}
+states: {start: {fly.angular_velocity: w, at rest: [plate, drum, load]}, one: {k: sticks}}
+find: {h: load.displacement from start to one, T: rope.tension at one}
+"""
+
+
+def test_of_a_product_that_vanishes_neither_factor_is_taken_to() -> None:
+    """½ t (r ω + v) = 0 tells no time, since the rope says r ω + v = 0: friction goes on against the turn as the load rises.
+
+    From then on 7 I + 4 m r² goes with (m g r + C) / r: T = m (7 I g − 4 C r)/(7 I + 4 m r²).
+    """
+    answers = rotsolve.solve(LIFTED).answers
+    rng = random.Random(5)
+    for _ in range(30):
+        x = {name: rng.uniform(0.2, 1) for name in ("I", "m", "r", "w", "C")} | {"g": G}
+        x["tau"] = 2 * (x["C"] + x["m"] * G * x["r"]) * rng.uniform(1.1, 3)
+        tension = x["m"] * (7 * x["I"] * G - 4 * x["C"] * x["r"]) / (7 * x["I"] + 4 * x["m"] * x["r"] ** 2)
+        rise = x["r"] * (x["tau"] - 2 * x["C"] - 2 * x["m"] * G * x["r"]) / (3 * x["I"] + 2 * x["m"] * x["r"] ** 2)
+        slowing = x["tau"] / x["I"] + rise / (2 * x["r"])  # of the flywheel against the plate
+        height = rise * (x["w"] / slowing) ** 2 / 2
+        for name, value in (("T", tension), ("h", height)):
+            case = holding(answers[name].answer, x)
+            if tension > 0:
+                form = None if case is None else case.closed or case.formula
+                assert form is not None and value_of(form, x) == pytest.approx(value)
