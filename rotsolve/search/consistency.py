@@ -324,7 +324,8 @@ class KnownBalls(Struct, frozen=True):
 
     @staticmethod
     def known(search: Search) -> KnownBalls:
-        """What the search found, also on the way to the answers; givens without a number have that of the case that is looked at."""
+        """What the search found, also on the way to the answers; givens without a number, and a sought one in the case of its value, have
+        that of the case that is looked at."""
         solver = search.solver
         letters = {name: found.formula for name, found in solver.solved.items() if found.formula is not None}
         for name in solver.told.keys() - letters.keys():
@@ -338,7 +339,10 @@ class KnownBalls(Struct, frozen=True):
         letters = {name: value.substitute(settled) for name, value in letters.items()} | settled
         values = {name: value for name, value in {**free, **search.values}.items() if name not in settled}
         numbers = KnownBalls({}, values, frozenset(free), sought)
-        sizes = {name: numbers.size(value) for name, value in letters.items()}
+        supposed = {
+            given.name: given.trial for given in search.givens.values() if given.asked and given.trial is not None
+        }
+        sizes = {name: numbers.size(value) for name, value in {**supposed, **letters}.items()}
         numbers.found.update((name, size) for name, size in sizes.items() if size is not None)
         together = [(name, found.number) for name, found in solver.solved.items() if found.number is not None]
         numbers.found.update((name, number.refine(DIGITS)) for name, number in together)

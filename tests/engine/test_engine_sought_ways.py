@@ -197,3 +197,36 @@ events: {hit: {collides: [a, b], restitution: e, from: before, to: after}}
 find: {e: e}
 """)
     assert any("whether a and b meet again" in str(check.words) and check.holds is None for check in found.checks)
+
+
+@pytest.mark.parametrize("ends", ["ground, box", "box, ground"])
+@pytest.mark.parametrize("way", ["left", "right"])
+def test_where_a_sought_speed_leads_friction_holds_or_does_not(way: str, ends: str) -> None:
+    """Shot on a spring it stops when the spring has changed by d: there |f| = k d as long as that is at most μ m g."""
+    text = f"""
+title: A block shot on a spring over a rough floor, so fast that it gets a told way
+given: {{m: kg, k: N/m, d: m, mu: number, u: unknown}}
+surfaces: {{floor: level}}
+bodies: {{box: {{mass: m, moves: {way}}}}}
+connections: {{base: {{contact: [box, floor], friction: mu}}, coil: {{spring: [{ends}], stiffness: k}}}}
+states: {{start: {{coil.elongation: 0, box.velocity: u}}, turn: {{box.velocity: 0}}}}
+find: {{u: u where box.displacement from start to turn = d, f: size of base.friction_force at turn}}
+"""
+    answers = rotsolve.solve(text).answers
+    rng, seen = random.Random(way), set()
+    for _ in range(20):
+        x = {
+            "m": rng.uniform(0.2, 2),
+            "k": rng.uniform(1, 30),
+            "d": rng.uniform(0.1, 1),
+            "mu": rng.uniform(0.1, 1),
+            "g": 9.8,
+        }
+        force, most = x["k"] * x["d"], x["mu"] * x["m"] * 9.8
+        true = {"u": math.sqrt(x["d"] * (force + 2 * most) / x["m"]), "f": min(force, most)}
+        for name, value in true.items():
+            case = holding(answers[name].answer, x)
+            form = None if case is None else case.closed or case.formula
+            assert form is not None and value_of(form, x) == pytest.approx(value)
+        seen.add(force > most)
+    assert seen == {True, False}
