@@ -16,11 +16,12 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
+from rotsolve.core.facts import STANDS, TAUT, TOUCHES
 from rotsolve.core.faults import UNSOLVED
 from rotsolve.core.symbols import CONSTANT, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
-from rotsolve.motion.rubs import rubs
+from rotsolve.motion.rubs import STICKS, rubs, rubs_at
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.within import seeks
@@ -60,6 +61,7 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
         yield from shares(place, needs, search)
+        yield from unshared(place, needs, search)
     yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
         from rotsolve.derivation.parted import untold_meetings
@@ -86,6 +88,43 @@ def shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator
         None: f"whether the frictions of {names} suffice together: nothing tells their shares",
     }
     yield Check((words[holds],), holds)
+
+
+def unshared(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
+    """What pulls, presses or stands among what several frictions hold still, and of which it hangs on their shares whether it does."""
+    configuration = search.scene.configuration
+    still = [] if place in search.scene.encounters else held_together(place, search)
+    told: dict[str, None] = {}
+    for need in needs if still else ():
+        item = configuration.connection(need.owner, place)
+        bodies = {configuration.host(ref.owner, place) for ref in item.touches()} if item is not None else set()
+        group = next((group for group in still if bodies & group), None)
+        if need.kind not in (TAUT, TOUCHES, STANDS) or group is None:
+            continue
+        if not (search.scene.instant(place).in_balance or part_of_it(group, search)):
+            continue
+        _, gap = margin_of(need, search, families_for(NEWTON), {})
+        if gap is None and search.apart().certified(need.left - need.right) is None:
+            told[need.otherwise + (f" {spoken(place)}" if need.kind.placed else f" ({spoken(need.owner)})")] = None
+    for words in told:
+        yield Check((f"whether {words}: nothing tells how the frictions share what they hold",), None)
+
+
+def held_together(place: str, search: Search) -> list[frozenset[str]]:
+    """The bodies that are tied to each other and of which two or more frictions hold some still at a state."""
+    configuration, modes = search.scene.configuration, search.scene.modes
+    groups: dict[frozenset[str], int] = {}
+    for rub in rubs_at(configuration, configuration.phase_start(place)):
+        if modes.get(rub.key, STICKS if rub.item is not None else "") == rub.mode(0):
+            group = configuration.component(rub.body, place)
+            groups[group] = groups.get(group, 0) + 1
+    return [group for group, held in groups.items() if held > 1]
+
+
+def part_of_it(group: frozenset[str], search: Search) -> bool:
+    """Whether what is derived speaks of one of some bodies."""
+    laws = [search.planner.pool[index] for answered in search.answered for index in answered.used]
+    return any(name in group for law in laws for name in law.bodies)
 
 
 def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[str, Words]]:
