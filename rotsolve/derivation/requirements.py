@@ -74,9 +74,7 @@ def shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator
     if place in search.scene.encounters or not search.scene.instant(place).in_balance:
         return
     untold = [need.owner for need in needs if need.kind.grips and search.apart().settled(need.right) is None]
-    wheres = [find.where for find in search.scene.configuration.problem.finds if find.where is not None]
-    verges = [where for where in wheres if where.path is not None and where.path.owner in untold]
-    if not untold or verges:  # at the verge that is asked for friction has its limit
+    if not untold or at_verge(search):
         return
     from rotsolve.search.shared import suffices_together
 
@@ -93,7 +91,7 @@ def shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator
 def unshared(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
     """What pulls, presses or stands among what several frictions hold still, and of which it hangs on their shares whether it does."""
     configuration = search.scene.configuration
-    still = [] if place in search.scene.encounters else held_together(place, search)
+    still = [] if place in search.scene.encounters or at_verge(search) else held_together(place, search)
     told: dict[str, None] = {}
     for need in needs if still else ():
         item = configuration.connection(need.owner, place)
@@ -108,6 +106,12 @@ def unshared(place: str, needs: Sequence[Requirement], search: Search) -> Iterat
             told[need.otherwise + (f" {spoken(place)}" if need.kind.placed else f" ({spoken(need.owner)})")] = None
     for words in told:
         yield Check((f"whether {words}: nothing tells how the frictions share what they hold",), None)
+
+
+def at_verge(search: Search) -> bool:
+    """Whether a question seeks where something is on the point of slipping: there friction has its limit, and no share is open."""
+    wheres = (find.where for find in search.scene.configuration.problem.finds)
+    return any(where is not None and where.word in ("sticks", "rolls") for where in wheres)
 
 
 def held_together(place: str, search: Search) -> list[frozenset[str]]:
