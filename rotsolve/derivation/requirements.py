@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -16,12 +16,11 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.facts import STANDS, TAUT, TOUCHES
 from rotsolve.core.faults import UNSOLVED
 from rotsolve.core.symbols import CONSTANT, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
-from rotsolve.motion.rubs import STICKS, rubs, rubs_at
+from rotsolve.motion.rubs import rubs
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.within import seeks
@@ -40,6 +39,8 @@ Settling = Callable[[Formula], Formula | None]  # puts in what is known for the 
 def requirements(search: Search, letters: Letters, moment: TimeValue | None = None) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of, up to the `moment` at
     which functions of time are evaluated."""
+    from rotsolve.derivation.shared_friction import shares_told
+
     told: set[tuple[str, str, str, Formula]] = set()
     spoken_of: list[str | Formula] = []
     for place, needs in requirements_by_state(search, moment):
@@ -60,75 +61,12 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
                         continue
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
-        yield from shares(place, needs, search)
-        yield from unshared(place, needs, search)
+        yield from shares_told(place, needs, search)
     yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
         from rotsolve.derivation.parted import untold_meetings
 
         yield from (Check((words,), None) for words in untold_meetings(search))
-
-
-def shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
-    """Whether frictions hold a state in balance together, of which the laws do not tell how large each is."""
-    if place in search.scene.encounters or not search.scene.instant(place).in_balance:
-        return
-    untold = [need.owner for need in needs if need.kind.grips and search.apart().settled(need.right) is None]
-    if not untold or at_verge(search):
-        return
-    from rotsolve.search.shared import suffices_together
-
-    holds = suffices_together(search.scene.configuration, place)
-    names = " and ".join(map(spoken, dict.fromkeys(untold)))
-    words = {
-        True: f"friction suffices: {names} hold together",
-        False: f"the frictions of {names} together do not hold it at {spoken(place)}",
-        None: f"whether the frictions of {names} suffice together: nothing tells their shares",
-    }
-    yield Check((words[holds],), holds)
-
-
-def unshared(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
-    """What pulls, presses or stands among what several frictions hold still, and of which it hangs on their shares whether it does."""
-    configuration = search.scene.configuration
-    still = [] if place in search.scene.encounters or at_verge(search) else held_together(place, search)
-    told: dict[str, None] = {}
-    for need in needs if still else ():
-        item = configuration.connection(need.owner, place)
-        bodies = {configuration.host(ref.owner, place) for ref in item.touches()} if item is not None else set()
-        group = next((group for group in still if bodies & group), None)
-        if need.kind not in (TAUT, TOUCHES, STANDS) or group is None:
-            continue
-        if not (search.scene.instant(place).in_balance or part_of_it(group, search)):
-            continue
-        _, gap = margin_of(need, search, families_for(NEWTON), {})
-        if gap is None and search.apart().certified(need.left - need.right) is None:
-            told[need.otherwise + (f" {spoken(place)}" if need.kind.placed else f" ({spoken(need.owner)})")] = None
-    for words in told:
-        yield Check((f"whether {words}: nothing tells how the frictions share what they hold",), None)
-
-
-def at_verge(search: Search) -> bool:
-    """Whether a question seeks where something is on the point of slipping: there friction has its limit, and no share is open."""
-    wheres = (find.where for find in search.scene.configuration.problem.finds)
-    return any(where is not None and where.word in ("sticks", "rolls") for where in wheres)
-
-
-def held_together(place: str, search: Search) -> list[frozenset[str]]:
-    """The bodies that are tied to each other and of which two or more frictions hold some still at a state."""
-    configuration, modes = search.scene.configuration, search.scene.modes
-    groups: dict[frozenset[str], int] = {}
-    for rub in rubs_at(configuration, configuration.phase_start(place)):
-        if modes.get(rub.key, STICKS if rub.item is not None else "") == rub.mode(0):
-            group = configuration.component(rub.body, place)
-            groups[group] = groups.get(group, 0) + 1
-    return [group for group, held in groups.items() if held > 1]
-
-
-def part_of_it(group: frozenset[str], search: Search) -> bool:
-    """Whether what is derived speaks of one of some bodies."""
-    laws = [search.planner.pool[index] for answered in search.answered for index in answered.used]
-    return any(name in group for law in laws for name in law.bodies)
 
 
 def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[str, Words]]:
@@ -307,10 +245,15 @@ def negative_margin(gap: Formula, search: Search) -> bool:
 
 def concerns(owner: str, search: Search) -> bool:
     """Whether the body that a requirement of an element is about takes part in the derivation."""
-    laws = [search.planner.pool[index] for answered in search.answered for index in answered.used]
-    used = {name for law in laws for name in law.bodies}
+    used = bodies_used(search)
     item = next((item for item in search.scene.configuration.problem.connections if item.name == owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())
+
+
+def bodies_used(search: Search) -> set[str]:
+    """The bodies of which the laws speak that lead to the answers."""
+    laws = [search.planner.pool[index] for answered in search.answered for index in answered.used]
+    return {name for law in laws for name in law.bodies}
 
 
 def asked_after(need: Requirement, event: str, search: Search) -> bool:

@@ -1,0 +1,84 @@
+"""Shared friction: what is said where several frictions hold bodies still, and statics does not tell how much each of them takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from rotsolve.core.derivation import Check
+from rotsolve.core.equation import NEWTON
+from rotsolve.core.facts import STANDS, TAUT, TOUCHES
+from rotsolve.core.writing import spoken
+from rotsolve.derivation.requirements import bodies_used, margin_of
+from rotsolve.motion.rubs import STICKS, Rub, rubs_at
+from rotsolve.search.planning import families_for
+
+if TYPE_CHECKING:
+    from rotsolve.core.facts import Requirement
+    from rotsolve.search.search import Search
+
+
+def shares_told(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
+    """Whether frictions suffice together, in balance; and what else hangs on how large each of them is, at any state at rest."""
+    if place in search.scene.encounters:
+        return
+    if search.scene.instant(place).in_balance:
+        yield from sufficing(place, needs, search)
+    for words in dict.fromkeys(hanging_on_shares(place, needs, search)):
+        yield Check((f"whether {words}: nothing tells how the frictions share what they hold",), None)
+
+
+def sufficing(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
+    """Whether frictions hold a state in balance together, of which the laws do not tell how large each is."""
+    untold = [need.owner for need in needs if need.kind.grips and search.apart().settled(need.right) is None]
+    if not untold or not verges_sought(search).isdisjoint(untold):  # there friction has its limit
+        return
+    from rotsolve.search.shared_friction import suffices_together
+
+    holds = suffices_together(search.scene.configuration, place)
+    names = " and ".join(map(spoken, dict.fromkeys(untold)))
+    words = {
+        True: f"friction suffices: {names} hold together",
+        False: f"the frictions of {names} together do not hold it at {spoken(place)}",
+        None: f"whether the frictions of {names} suffice together: nothing tells their shares",
+    }
+    yield Check((words[holds],), holds)
+
+
+def hanging_on_shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[str]:
+    """What may go slack, lift or tip over among what several frictions hold still, where the laws do not tell the force on which that
+    hangs, in words."""
+    configuration = search.scene.configuration
+    told = bodies_used(search)
+    still = [group for group in held_together(place, search) if search.scene.instant(place).in_balance or group & told]
+    for need in needs if still else ():
+        item = configuration.connection(need.owner, place)
+        bodies = {configuration.host(ref.owner, place) for ref in item.touches()} if item is not None else set()
+        if need.kind not in (TAUT, TOUCHES, STANDS) or not any(bodies & group for group in still):
+            continue
+        gap = margin_of(need, search, families_for(NEWTON), {})[1]
+        if gap is None and search.apart().certified(need.left - need.right) is None:
+            yield need.otherwise + (f" {spoken(place)}" if need.kind.placed else f" ({spoken(need.owner)})")
+
+
+def held_together(place: str, search: Search) -> list[frozenset[str]]:
+    """The bodies that are tied to each other and of which two or more frictions hold some still at a state, as large as nothing tells."""
+    configuration, modes = search.scene.configuration, search.scene.modes
+    groups: dict[frozenset[str], list[Rub]] = {}
+    for rub in rubs_at(configuration, configuration.phase_start(place)):
+        if modes.get(rub.key, STICKS if rub.item is not None else "") == rub.mode(0):
+            groups.setdefault(configuration.component(rub.body, place), []).append(rub)
+    verges = verges_sought(search)
+    return [group for group, held in groups.items() if len(held) > 1 and not all_at_limit(held, verges)]
+
+
+def all_at_limit(held: Sequence[Rub], verges: set[str]) -> bool:
+    """Whether what holds is a contact that is on the point of slipping, and wheels that are on the point of turning with it."""
+    return all(rub.contact is None or rub.owner in verges for rub in held) and any(rub.owner in verges for rub in held)
+
+
+def verges_sought(search: Search) -> set[str]:
+    """The contacts of which a question seeks where they are on the point of slipping: `largest F where touch sticks`."""
+    wheres = (find.where for find in search.scene.configuration.problem.finds)
+    verges = (where for where in wheres if where is not None and where.word in ("sticks", "rolls"))
+    return {where.path.owner for where in verges if where.path is not None}
