@@ -187,6 +187,8 @@ def one_motion(rates: list[str], rules: list[Rule]) -> dict[str, Formula] | None
 def by_one(names: list[str], ties: list[Formula]) -> dict[str, Formula] | None:
     """Rates or accelerations in terms of one of them, that of a turn first, by equations that are zero; None where one does not do."""
     equations = [equation for equation in ties if equation.symbols() & set(names)]
+    if len(equations) < len(names) - 1:  # of a long chain each rate would be tried in vain
+        return None
     for free in sorted(names, key=lambda name: not key_of(name).turns):
         found = in_terms_of(free, [name for name in names if name != free], equations)
         if found is not None:
