@@ -31,6 +31,7 @@ from rotsolve.space.inertia import CM, in_axes, moment_along
 from rotsolve.space.telling import turns_untold
 from rotsolve.space.vector_reader import VectorReader, tidied_part
 
+PRINCIPAL = "principal moment of inertia, a root λ of det(I − λ 1) = 0"
 INERTIAL_NAMES = {
     "centrifugal": "centrifugal force on {body}, −m Ω × (Ω × r)",
     "euler": "Euler force on {body}, −m (dΩ/dt) × r",
@@ -247,7 +248,7 @@ class SpaceReader(VectorReader):
 
         found = principal_moment(tensor, spelled, number, path, self.held.vanishes, side)
         steps = tuple(self.dynamics.tensors.steps)
-        return Meaning(found, QUANTITIES["inertia"].dimension, label="principal moment of inertia", laws=steps)
+        return Meaning(found, QUANTITIES["inertia"].dimension, label=PRINCIPAL, laws=steps)
 
     def rotation_angle(self, path: Path, term: Term) -> Meaning:
         """cos = (trace R − 1)/2."""

@@ -9,7 +9,8 @@ I₁ σ² − I₃ ω₃ σ + M g l = 0, while (I₃ ω₃)² ≥ 4 I₁ M g l (
 from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
-from rotsolve.core.equation import STABILITY, Equation
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import STABILITY, STEADY_LIMIT, Equation
 from rotsolve.core.facts import square
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.tensor import AXES
@@ -21,6 +22,10 @@ from rotsolve.space.inertia import CM, entry_along
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.rolling import rolling_radius
 
+TREMBLES = (
+    "small tilts x, y of its axis: I₁ ẍ + I₃ ω₃ ẏ = M g l x, I₁ ÿ − I₃ ω₃ ẋ = M g l y; x + i y ∝ exp(i σ t): "
+    "I₁ σ² − I₃ ω₃ σ + M g l = 0 has one root σ"
+)
 HANGS = "its centre of mass lies below the point that is held"
 
 
@@ -79,7 +84,8 @@ def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     """Where the motion of a body at a state is just stable: an upright top, on the point at which it begins to sway; a rolling wheel."""
     moment, held = dynamics.moment, dynamics.moment.held
     if rolls_upright(dynamics, name):
-        return STABILITY.equation(ZERO, of_rolling(dynamics, name).formula, moment.when, (name,), words="λ² = 0")
+        lean = of_rolling(dynamics, name)
+        return STABILITY.equation(ZERO, lean.formula, moment.when, (name,), (f"{lean.label}; λ² = 0",))
     own = moment.attitude(name)
     if not (
         dynamics.fixed(name) and own.about is not None and moment.nods(name) and moment.nodding(name).angles[1] == ZERO
@@ -98,7 +104,7 @@ def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     momentum = square(multiply(axial, own.omega[2]))
     if moment.signs.decide(dynamics.tensors.spelled(lift)) == -1:
         raise NotYet(f"`{name}` is stable at `{moment.when}` however it spins: no spin is the least", help=HANGS)
-    return STABILITY.equation(momentum, 4 * multiply(across, lift), moment.when, (name,))
+    return STABILITY.equation(momentum, 4 * multiply(across, lift), moment.when, (name,), (TREMBLES,))
 
 
 def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
@@ -123,5 +129,6 @@ def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
             if dynamics.moment.signs.decide(dynamics.tensors.spelled(multiply(a, c))) == -1:
                 message = f"`{name}` has a steady precession at `{dynamics.moment.when}` however it spins: no spin is the least"
                 raise NotYet(message, help=HANGS)
-            return STABILITY.equation(square(b), 4 * multiply(a, c), dynamics.moment.when, (name,))
+            roots: Words = ("the roots of ", gap, " = 0 for ", rate, " are equal")
+            return STEADY_LIMIT.equation(square(b), 4 * multiply(a, c), dynamics.moment.when, (name,), roots)
     raise NotYet(f"`{name}` has no steady precession with two roots at `{dynamics.moment.when}`")
