@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import gc
 from functools import cache
+from itertools import count
 from pathlib import Path
 
 import pytest
+
+DONE, TESTS_PER_LOOK = count(1), 200
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -19,9 +22,19 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    gc.set_threshold(100_000)  # as the commands do: of all that is kept for other tests little is garbage
+    gc.set_threshold(
+        2_000_000
+    )  # of all that is kept for other tests little is garbage: looking for it took an eighth of all tests
     if config.getoption("--regenerate") and config.getoption("numprocesses", None):
         raise pytest.UsageError("--regenerate writes files that several tests share: leave -n out")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item: pytest.Item) -> None:
+    """Look for garbage now and then, and never again through what is left then, which is kept for other tests."""
+    if next(DONE) % TESTS_PER_LOOK == 0:
+        gc.collect()
+        gc.freeze()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -333,8 +333,9 @@ def fits(grip: Grip, found: Dynamics) -> bool:
     if mode == OPEN or grip.static is None:
         return True
     if mode == STICKS and (FORWARD, grip.name) in found.shared:
-        size = max(map(abs, found.reactions.values()), default=0.0)
-        return all(found.shared[way, grip.name].room >= -slack * size for way in (FORWARD, BACK))
+        rooms = [found.shared[way, grip.name].room for way in (FORWARD, BACK)]
+        rounding = 1e-13 * max(map(abs, found.reactions.values()), default=0.0)
+        return min(rooms) >= -slack * sum(map(abs, rooms)) - rounding
     if mode == STICKS:
         push = found.reactions.get(grip.normal, 0.0) if grip.normal is not None else 1.0
         limit = grip.static * abs(push)

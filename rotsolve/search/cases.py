@@ -114,7 +114,7 @@ def signs_of_parts(needed: Mapping[Formula, tuple[int, object]], space: LetterSp
     """The signs of the parts of what is needed where it has several: two that are both negative make it positive as well, in a case of its
     own."""
     for value, (sign, _) in needed.items():
-        for whole in (value,) if sign < 0 else space.both_ways(value):
+        for whole in space.both_ways(value, sign):
             parts = tuple(space.factors(whole, sign, point))
             yield from parts if len(parts) > 1 else ()
 
@@ -124,7 +124,7 @@ def needs_noted(
 ) -> Iterator[Needed]:
     """What the answers need beside conditions that are known."""
     for value, (sign, failing) in needed.items():
-        wholes = (value,) if sign < 0 else space.both_ways(value)  # |f| ≤ μ N of a friction of either sign
+        wholes = space.both_ways(value, sign)  # |f| ≤ μ N of a friction of either sign
         for one in (one for whole in wholes for one in space.factors(whole, sign, point)):
             if not any(is_zero(one.gap - other.gap) for other in known):
                 yield Needed(one, cast("Words", failing))

@@ -218,14 +218,14 @@ class LetterSpace(LetterSigns):
             return ()
         return simplify(slope**2 * under - free**2, positive=self.positive), under
 
-    def both_ways(self, value: Formula) -> tuple[Formula, ...]:
-        """What together is not negative where a − b |x| is not: a − b x and a + b x; of anything else itself."""
+    def both_ways(self, value: Formula, sign: int) -> tuple[Formula, ...]:
+        """What together has a sign where a − b |x| is positive, or b |x| − a negative: the same of x and −x; of anything else itself."""
         bars = {node for node in value.walk("abs") if isinstance(node, Call) and node.function == "abs"}
         if len(bars) != 1:
             return (value,)
         size, inside = Symbol(BARS), next(iter(bars)).arguments[0]
         whole = value.transform(lambda node: size if node in bars else node, "abs")
-        if degree(whole, BARS) != 1 or self.sure(simplify(differentiate(whole, BARS))) != -1:
+        if degree(whole, BARS) != 1 or self.sure(simplify(differentiate(whole, BARS))) != -sign:
             return (value,)
         return tuple(whole.substitute({BARS: way}) for way in (inside, negate(inside)))
 

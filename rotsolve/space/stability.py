@@ -2,8 +2,9 @@
 
 Free body about its own axis k: Euler's equations for the two other components, I_i ω̇_i = (I_j − I_k) ω_j ω and
 I_j ω̇_j = (I_k − I_i) ω ω_i, give λ² = (I_j − I_k)(I_k − I_i) ω²/(I_i I_j) (Landau & Lifshitz, Mechanics, §37).
-Upright top: with small tilts x, y of its axis, I₁ ẍ + I₃ ω₃ ẏ = M g l x and I₁ ÿ − I₃ ω₃ ẋ = M g l y; x + i y ∝ exp(i σ t) has real σ,
-I₁ σ² − I₃ ω₃ σ + M g l = 0, while (I₃ ω₃)² ≥ 4 I₁ M g l (Goldstein, Poole & Safko, Classical Mechanics, §5.7).
+Upright top: p_φ = p_ψ = I₃ ω₃, and U(θ) = (I₃ ω₃)² tan²(θ/2)/(2 I₁) + M g l cos θ = M g l + ½ ((I₃ ω₃)²/(4 I₁) − M g l) θ² + …
+is least at θ = 0 while (I₃ ω₃)² ≥ 4 I₁ M g l (Landau & Lifshitz, Mechanics, §35, problem 2; Kibble & Berkshire, Classical Mechanics,
+eqs. 12.24 to 12.26).
 """
 
 from __future__ import annotations
@@ -22,10 +23,7 @@ from rotsolve.space.inertia import CM, entry_along
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.rolling import rolling_radius
 
-TREMBLES = (
-    "small tilts x, y of its axis: I₁ ẍ + I₃ ω₃ ẏ = M g l x, I₁ ÿ − I₃ ω₃ ẋ = M g l y; x + i y ∝ exp(i σ t): "
-    "I₁ σ² − I₃ ω₃ σ + M g l = 0 has one root σ"
-)
+FLAT = "small tilts, p_φ = p_ψ = I₃ ω₃: U(θ) = U(0) + ½ ((I₃ ω₃)²/(4 I₁) − M g l) θ² has its least value at θ = 0 no longer"
 HANGS = "its centre of mass lies below the point that is held"
 
 
@@ -104,7 +102,7 @@ def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     momentum = square(multiply(axial, own.omega[2]))
     if moment.signs.decide(dynamics.tensors.spelled(lift)) == -1:
         raise NotYet(f"`{name}` is stable at `{moment.when}` however it spins: no spin is the least", help=HANGS)
-    return STABILITY.equation(momentum, 4 * multiply(across, lift), moment.when, (name,), (TREMBLES,))
+    return STABILITY.equation(momentum, 4 * multiply(across, lift), moment.when, (name,), (FLAT,))
 
 
 def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:

@@ -83,7 +83,7 @@ def draws(seed: int) -> tuple[Random, float]:
     return chance, chance.uniform(*TIMES[seed % len(TIMES)])
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_block_thrown_along_a_rough_slope(seed: int) -> None:
     chance, time = draws(seed)
     slope, static = chance.uniform(5, 50), chance.uniform(0.1, 0.8)
@@ -110,7 +110,7 @@ find:
     compare(scene, {"v": v, "x": x, "W": -taken}, seed)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_round_bodies_thrown_with_a_spin(seed: int) -> None:
     chance, time = draws(seed)
     share, shape = chance.choice([(0.4, "sphere"), (0.5, "disc"), (1.0, "ring")])
@@ -146,7 +146,7 @@ find:
     compare(scene, {"v": v, "w": w, "x": x, "phi": turned, "L": taken}, seed)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(3))
 def test_windlass_on_a_stiff_bearing_with_a_brake(seed: int) -> None:
     chance, time = draws(seed)
     radius, mass, inertia = chance.uniform(0.1, 0.4), chance.uniform(1, 6), chance.uniform(0.05, 1)
@@ -183,7 +183,7 @@ find:
     compare(scene, {"v": v, "x": x, "L": taken}, seed)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(3))
 def test_clutch_between_two_wheels(seed: int) -> None:
     chance, time = draws(seed)
     inertias, speeds = [chance.uniform(0.2, 2) for _ in range(2)], [chance.uniform(-20, 20) for _ in range(2)]
@@ -215,7 +215,7 @@ find:
     compare(scene, {"w1": w1, "w2": w2, "n1": n1, "n2": n2}, seed)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_block_on_a_plank_on_a_rough_floor(seed: int) -> None:
     chance, time = draws(seed)
     m, M = chance.uniform(1, 4), chance.uniform(1, 6)
@@ -243,7 +243,7 @@ find:
     compare(scene, {"v": v, "w": w, "x": x, "y": y, "L": taken}, seed)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_block_on_a_table_drawn_over_a_pulley(seed: int) -> None:
     chance, time = draws(seed)
     m, M, mu, tau = chance.uniform(1, 6), chance.uniform(1, 4), chance.uniform(0.1, 0.6), chance.uniform(0, 2)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import product
 
 import numpy as np
 import pytest
@@ -86,8 +87,7 @@ find:
 
 
 @pytest.mark.parametrize("held", ["free", "hinge", "cart"])
-@pytest.mark.parametrize("count", [1, 2, 3, 4, 10])
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(("count", "seed"), [*product((1, 2, 3, 4), range(4)), (10, 0)])
 def test_rods_struck_anywhere_in_any_direction(seed: int, count: int, held: str) -> None:
     """All angular velocities, and both components of every joint's impulse; a cart that would have to be pulled down leaves the floor."""
     scene, truth = chain(100 * count + seed, count, held)

@@ -252,8 +252,9 @@ BRAKE = ", block: {press: R, on: it.rim, friction: 0.5}"
 
 
 @pytest.mark.parametrize("kind", DRIVEN)
-@pytest.mark.parametrize("power", [1, 2])
-@pytest.mark.parametrize("states", ["mid: {time: T}", "mid: {time: 0.5*T}, more: {time: 0.5*T}"])
+@pytest.mark.parametrize(
+    ("power", "states"), [(1, "mid: {time: 0.5*T}, more: {time: 0.5*T}"), (2, "mid: {time: T}")], ids=["1", "2"]
+)
 def test_what_friction_holds_up_to_a_time_is_held_from_then_on(kind: str, power: int, states: str) -> None:
     """v → ((Q − R)/c)^(1/n) where Q > R, by as much at T as M v̇ = Q − R − c vⁿ gives; else nothing moves at all."""
     bodies, word = DRIVEN[kind]

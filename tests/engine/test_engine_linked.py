@@ -63,7 +63,7 @@ find:
 
 @pytest.mark.parametrize("hangs", [True, False], ids=["hanging", "on ice"])
 @pytest.mark.parametrize("how", HOW)
-@pytest.mark.parametrize("count", range(2, 11))
+@pytest.mark.parametrize("count", [2, 3, 4, 6, 10])
 def test_accelerations_and_all_joint_forces(count: int, how: str, hangs: bool) -> None:
     scene, truth = chain(10 * count + HOW.index(how), count, how, hangs=hangs)
     answers = solve(scene).answers

@@ -81,8 +81,7 @@ def test_numbers_on_both_sides_of_the_edge(kind: str, way: str) -> None:
         solve(written(kind, way, beyond))
 
 
-@pytest.mark.parametrize("way", ["right", "left"])
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(("kind", "way"), [(kind, ("right", "left")[place % 2]) for place, kind in enumerate(KINDS)])
 def test_letters_have_the_edge_as_condition(kind: str, way: str) -> None:
     """What is printed holds with the numbers on this side, no case of it with those beyond, and both give one number."""
     solution = solve(written(kind, way, None))

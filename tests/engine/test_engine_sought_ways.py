@@ -85,7 +85,7 @@ COURSES = {
 }
 CASES = [(name, sought, "unknown") for name, course in COURSES.items() for sought in course.sought.split()]
 CASES += [(name, course.sought.split()[0], "where") for name, course in COURSES.items()]
-SETS = 5
+SETS = 3
 
 
 def drawn(letters: str, rng: random.Random) -> dict[str, float]:

@@ -81,8 +81,10 @@ find: {{v: rod.angular_velocity at back}}
 """
 
 
-@pytest.mark.parametrize("name", SCENES)
-@pytest.mark.parametrize("turns", TURNS)
+IN_TURN = [(name, tuple(TURNS)[place % len(TURNS)]) for place, name in enumerate(SCENES)]
+
+
+@pytest.mark.parametrize(("name", "turns"), IN_TURN)
 def test_letters_leave_the_edge_out(name: str, turns: str) -> None:
     letters, *_, right = SCENES[name]
     (answer,) = solve(scene(name, turns, f"rod.angle: {TURNS[turns][0]}")).answers.values()
@@ -95,8 +97,7 @@ def test_letters_leave_the_edge_out(name: str, turns: str) -> None:
             assert value_of(case.formula, numbers) == pytest.approx(there)
 
 
-@pytest.mark.parametrize("name", SCENES)
-@pytest.mark.parametrize("turns", TURNS)
+@pytest.mark.parametrize(("name", "turns"), IN_TURN)
 @pytest.mark.parametrize("rests", [False, True])
 def test_numbers_on_the_edge_are_refused(name: str, turns: str, rests: bool) -> None:
     """Whether the highest place is told as such, or as that at which it is at rest; a little less is answered."""
@@ -120,8 +121,7 @@ def test_at_its_highest_it_is_up_there_also_on_the_edge() -> None:
     assert "v" in solution.refused
 
 
-@pytest.mark.parametrize("name", SCENES)
-@pytest.mark.parametrize("turns", TURNS)
+@pytest.mark.parametrize(("name", "turns"), IN_TURN)
 def test_it_does_not_come_to_rest_up_there(name: str, turns: str) -> None:
     """The state at which it is at rest is itself not reached on the edge, as its `rod.angle: largest` is; in letters that is left out."""
     letters, *_ = SCENES[name]

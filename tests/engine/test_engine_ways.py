@@ -214,8 +214,10 @@ find: {s: one.displacement from after to late}
 """
 
 
-@pytest.mark.parametrize("pair", ["[one, two]", "[two, one]"])
-@pytest.mark.parametrize(("way", "other"), [("right", "right"), ("left", "left"), ("right", "left")])
+@pytest.mark.parametrize(
+    ("way", "other", "pair"),
+    [("right", "right", "[one, two]"), ("left", "left", "[two, one]"), ("right", "left", "[two, one]")],
+)
 def test_what_has_bounced_off_is_passed_by_nothing(way: str, other: str, pair: str) -> None:
     """The first goes on at v₁ = u (1 − 2 e)/3 < 0 or, with e = 0.2, after the second, which friction stops: v₁ T = v₂²/(2 μ g)."""
     text = MET.replace("WAY", way).replace("OTHER", other).replace("PAIR", pair).replace("e: 0.8", "e: 0.2")

@@ -21,7 +21,7 @@ from rotsolve.scene.read import read_file
 EVERY = int(os.environ.get("ROTSOLVE_TRUST_EVERY", "4"))
 PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))[::EVERY]
 FACTORS = [Fraction(text) for text in ("1/2", "0.8", "0.9", "1.1", "1.3", "2")]
-TRIES = 12
+TRIES = 8
 
 
 def changed(problem: Problem, random: Random) -> dict[str, str]:

@@ -68,17 +68,25 @@ def verge(find: Find, condition: Condition, said: float, at: Callable[[float], C
     """It sticks on one side of the answer, and slips on the other."""
     step = NEAR * (abs(said) or 1.0) * (-1.0 if find.modifier != "smallest" else 1.0)
     inside, outside = at(said + step), at(said - step)
-    told = [(grip_holds(condition, inside, name), grip_holds(condition, outside, name)) for name in inside.names]
+    told = []
+    for name in inside.names:
+        held = grip_holds(condition, inside, name)
+        looked_for = held and inside.node(name).settled
+        told.append((held, grip_holds(condition, outside, name, looked_for=looked_for)))
     if (True, False) not in told:
         if len(told) > 1:
             raise NotConfirmed(f"the state at which `{condition.owner}` is to stick")
+        if told == [(False, False)] and grip_holds(condition, at(said), inside.names[0]):
+            raise NotConfirmed(f"`{condition.owner}` sticks with that value alone")
         beside = "a little less" if step < 0 else "a little more"
         raise Broken(f"`{condition.owner}` {'sticks beyond it' if told[0][0] else f'does not stick with {beside}'}")
 
 
-def grip_holds(condition: Condition, course: Course, state: str) -> bool:
+def grip_holds(condition: Condition, course: Course, state: str, *, looked_for: bool = True) -> bool:
+    """Whether it sticks at a state; where its place is told, and not `looked_for`, it does not if it is held at another one alone."""
     try:
-        modes = course.node(state).moment.modes
+        at = course.node(state)
+        modes = at.moment.modes
     except SlipsOn as reason:
         if reason.owner != condition.owner:
             raise
@@ -86,4 +94,4 @@ def grip_holds(condition: Condition, course: Course, state: str) -> bool:
     found = [mode for name, mode in modes.items() if name == condition.owner or name.startswith(f"{condition.owner}.")]
     if not found:
         raise NotConfirmed(f"`{condition.owner}` does not rub")
-    return all(mode == STICKS for mode in found)
+    return all(mode == STICKS for mode in found) and (looked_for or not at.settled)

@@ -1,0 +1,89 @@
+"""Verges of states in balance that several frictions hold: conditions both ways, and a confirmation that tells sticking from slipping."""
+
+from __future__ import annotations
+
+import pytest
+
+import rotsolve
+from margins import G, answered_just_where
+from rotsolve.confirm.course.samples import holding
+
+PLANK = """
+title: Block on a pulled plank, held by a spring
+given: {GIVEN}
+surfaces: {floor: level, post: {wall: BACK}}
+bodies: {plank: {mass: M, moves: WAY}, block: {mass: m, moves: WAY}}
+connections:
+  low: {contact: [plank, floor], friction: nu}
+  high: {contact: [block, plank], friction: mu}
+  coil: {spring: [post, block], stiffness: k}
+actions: {pull: {force: F, on: plank, direction: WAY}}
+states: {hold: {coil.elongation: x, balance: true}}
+find: {x: largest x where high sticks}
+"""
+RAMP = """
+title: Box on a ramp, held by a load over a wheel that rubs
+given: {m: kg, beta: 30 deg, mu: number, Q: N m, R: 15 cm, M: unknown}
+surfaces: {ramp: {slope: beta, down: WAY}}
+bodies: {bob: {mass: M, moves: down}, drum: {inertia: 0.05 kg m^2, radius: R}, box: {mass: m, moves: up}}
+connections:
+  bed: {contact: [box, ramp], friction: mu}
+  pin: {axle: drum, friction_torque: Q}
+  rope: {string: [box, drum, bob]}
+states: {hold: {balance: true}}
+find: {M: smallest M where bed sticks}
+"""
+TABLE = """
+title: Load over a wheel that rubs, and a block on a table that a spring holds back
+given: {m: LOAD, M: LOWER, mu: 0.2, k: STIFF, Q: TORQUE, R: 10 cm, x: unknown}
+surfaces: {table: level, side: {wall: BACK}}
+bodies: {block: {mass: M, moves: WAY}, wheel: {inertia: 0.01 kg m^2, radius: R}, bob: {mass: m, moves: down}}
+connections:
+  base: {contact: [block, table], friction: mu}
+  pin: {axle: wheel, friction_torque: Q}
+  coil: {spring: [side, block], stiffness: k}
+  cord: {string: [block, wheel, bob], pulls: {block: WAY}}
+states: {hold: {coil.elongation: x, balance: true}}
+find: {x: smallest x where base sticks}
+"""
+SIDES = {"right": "left", "left": "right"}
+
+
+def to_the(way: str, text: str) -> str:
+    return text.replace("WAY", way).replace("BACK", SIDES[way])
+
+
+@pytest.mark.parametrize("way", SIDES)
+def test_the_other_friction_holds_either_way(way: str) -> None:
+    """x = μ m g/k while |F − μ m g| ≤ ν (m + M) g: both ways are conditions, in letters and with numbers for all but F."""
+    text = to_the(way, PLANK)
+    letters = text.replace("GIVEN", "m: kg, M: kg, k: N/m, mu: number, nu: number, F: N, x: unknown")
+    answered_just_where(letters, lambda of: of["nu"] * (of["m"] + of["M"]) * G - abs(of["F"] - of["mu"] * of["m"] * G))
+    numbers = text.replace("GIVEN", "m: 2 kg, M: 4 kg, k: 100 N/m, mu: 0.5, nu: 0.2, F: N, x: unknown")
+    answer = rotsolve.solve(numbers).answers["x"].answer  # 9.8 N + 11.76 N
+    known = {"m": 2.0, "M": 4.0, "k": 100.0, "mu": 0.5, "nu": 0.2, "g": G}
+    told = {force: holding(answer, {**known, "F": force}) is not None for force in (5.0, 9.9, 15.0, 21.5, 21.6)}
+    assert told == {5.0: True, 9.9: True, 15.0: True, 21.5: True, 21.6: False}
+
+
+@pytest.mark.parametrize("way", SIDES)
+def test_a_heavy_wheel_beside_a_light_box_is_told_apart(way: str) -> None:
+    """M = m (sin β − μ cos β) − Q/(g R), however small it is beside the weight of the wheel."""
+    (answer,) = rotsolve.solve(to_the(way, RAMP)).derivation.answers
+    for mass, least in ((5.0, 5 * (0.5 - 0.2 * 0.75**0.5) - 1 / (G * 0.15)), (1.0, None)):
+        numbers = {"m": mass, "mu": 0.2, "Q": 1.0, "g": G}
+        case = holding(answer, {**numbers, "beta": 0.5235987755982988, "R": 0.15})
+        assert (case is None) == (least is None)
+
+
+@pytest.mark.parametrize("way", SIDES)
+def test_where_it_slips_it_is_not_held_by_another_place(way: str) -> None:
+    """k x = m g − Q/R − μ M g: a little less lets the block go to where it is held again, with a spring that is longer than x."""
+    words = {"LOAD": "5 kg", "LOWER": "2 kg", "STIFF": "100 N/m", "TORQUE": "1 N m"}
+    numbers = letters = to_the(way, TABLE)
+    for word, value in words.items():
+        numbers, letters = numbers.replace(word, value), letters.replace(word, value.split(" ", 1)[1])
+    solution = rotsolve.solve(numbers)
+    assert solution.answers["x"].float == pytest.approx((5 * G - 1 / 0.1 - 0.2 * 2 * G) / 100)
+    assert [item.holds for item in solution.derivation.confirmed] == [True]
+    assert [item.holds for item in rotsolve.solve(letters).derivation.confirmed] == [True]
