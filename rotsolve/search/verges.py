@@ -33,12 +33,14 @@ Limit = tuple[Equation, Formula]  # |f| = μ N one way, and the normal force
 
 class Verge(Struct, frozen=True):
     """A value at which a contact is on the point of slipping one way, by the limits that are reached; `side` is +1 where it slips beyond
-    it, −1 below it, 0 where nothing tells; `turned` are the senses of wheels on rubbing axles that are on the point of turning with it."""
+    it, −1 below it, 0 where nothing tells; `turned` are the senses of wheels on rubbing axles that are on the point of turning with it;
+    `meant` is whether the search takes this root of the limits for the one that is meant."""
 
     value: Formula
     limits: tuple[Equation, ...]
     side: int
     turned: Mapping[Rub, int] = {}
+    meant: bool = True
 
 
 def on_the_point_of_slipping(search: Search, find: Find) -> None:
@@ -48,7 +50,7 @@ def on_the_point_of_slipping(search: Search, find: Find) -> None:
     own_scene = open_at(contact, state, search.scene) is search.scene and all(
         search.scene.modes.get(rub.key, "") == rub.mode(sense) for rub, sense in verge.turned.items()
     )
-    if question.letter not in search.solver.solved and own_scene:
+    if question.letter not in search.solver.solved and own_scene and verge.meant:
         search.answer(question, *verge.limits)
         return
     own = asked_symbol(find.name)  # the letter has the value of another verge
@@ -77,7 +79,8 @@ def verge_meant(find: Find, search: Search) -> Verge:
     if not verges:
         alone = not configuration.timeline.state(state).balance and len(rubs(configuration)) > 1
         raise NotYet(
-            f"`{spoken(contact)}` does not come to the point of slipping" + (" by itself" if alone else ""),
+            f"no value is found at which `{spoken(contact)}` is on the point of slipping"
+            + (" by itself" if alone else ""),
             help=f"with `balance: true` at `{state}` all that can give way is at it together"
             if alone and state
             else "",
@@ -117,7 +120,7 @@ def verges_of(contact: str, state: str, question: Asked, search: Search) -> list
     """The values at which a contact is on the point of slipping, along its slip and back; in balance together with others, if not alone."""
     scene = open_at(contact, state, search.scene)
     ground = search if scene is search.scene else Search(scene, search.families, search.spare)
-    verges = [verge for way in (1, -1) if (verge := verge_slipping(way, contact, state, question, ground)) is not None]
+    verges = [verge for way in (1, -1) for verge in verges_slipping(way, contact, state, question, ground)]
     if verges or not ground.scene.configuration.timeline.state(state).balance:
         return verges
     own = limiting(ground.scene, contact, state)
@@ -125,19 +128,19 @@ def verges_of(contact: str, state: str, question: Asked, search: Search) -> list
     return [
         verge
         for limits in islice(at_once(own, [item for item in others if item and item != own]), TRIALS)
-        if (verge := verge_at(ground, question, limits))
+        for verge in verges_at(ground, question, limits)
     ]
 
 
-def verge_slipping(way: int, contact: str, state: str, question: Asked, search: Search) -> Verge | None:
-    """The value at which a contact is on the point of slipping in one sense, and wheels that it would turn are on the point of turning."""
+def verges_slipping(way: int, contact: str, state: str, question: Asked, search: Search) -> Iterator[Verge]:
+    """The values at which a contact is on the point of slipping in one sense, and wheels that it would turn are on the point of turning."""
     turned = wheels_turned(contact, state, way, search.scene)
     modes = {rub.key: rub.mode(sense) for rub, sense in turned.items()}
     if modes:
         search = Search(search.scene.where({**search.scene.modes, **modes}), search.families, search.spare)
     limits = limiting(search.scene, contact, state)  # friction against the slip, then along it
-    verge = verge_at(search, question, (limits[0 if way > 0 else 1],)) if limits else None
-    return None if verge is None else replace(verge, turned=turned)
+    for verge in verges_at(search, question, (limits[0 if way > 0 else 1],)) if limits else ():
+        yield replace(verge, turned=turned)
 
 
 def wheels_turned(contact: str, state: str, way: int, scene: SceneEquations) -> dict[Rub, int]:
@@ -161,21 +164,33 @@ def at_once(own: list[Limit], others: list[list[Limit]]) -> Iterator[tuple[Limit
     return product(own, *others) if others else iter(())
 
 
-def verge_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Verge | None:
-    """The value at which friction has its limits; None where there is none, a surface would have to pull, or it is none that it can be."""
+def verges_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Iterator[Verge]:
+    """The values at which friction has its limits, one for each root of these: none at which a surface would have to pull, nor one that the
+    letter can not be."""
     trial = search.another(search.families, spare=search.spare)
     try:
         value = trial.answer(question, *(limit for limit, _ in limits)).found.formula
         pushes = [trial.value_of(next(iter(normal.symbols()))) for _, normal in limits]
     except NoAnswer:
-        return None
-    if value is None or any(push is not None and trial.numbers.side(push) == -1 for push in pushes):
-        return None
-    if not is_place(question.letter, search) and trial.numbers.side(value) in (0, -1):
-        return None
-    alone = len(limits) == 1
-    side = slipping_side(search, question, limits[0][0], value) if alone else 0
-    return Verge(value, tuple(limit for limit, _ in limits), side)
+        return
+    if value is None:
+        return
+    rivals = [trial.solver.with_found(root) for root in trial.rivals.get(question.letter, ())]
+    for root in (value, *rivals):
+        if not is_place(question.letter, search) and trial.numbers.side(root) in (0, -1):
+            continue
+        pressed = pushes if root == value else pushes_at(search, question, root, limits)
+        if not any(push is not None and trial.numbers.side(push) == -1 for push in pressed):
+            side = slipping_side(search, question, limits[0][0], root) if len(limits) == 1 else 0
+            yield Verge(root, tuple(limit for limit, _ in limits), side, meant=root == value)
+
+
+def pushes_at(search: Search, question: Asked, value: Formula, limits: tuple[Limit, ...]) -> list[Formula | None]:
+    """How hard surfaces press where the letter has a value."""
+    other = search.another(search.families, spare=search.spare)
+    other.known.add(question.letter)
+    found = [other.settled(normal) for _, normal in limits]
+    return [None if push is None else push.substitute({question.letter: value}) for push in found]
 
 
 def is_place(letter: str, search: Search) -> bool:

@@ -248,3 +248,24 @@ find: {M: largest M where cb sticks}
     alpha, beta = math.radians(20), math.radians(40)
     most = 2 * (math.sin(alpha) + 0.3 * math.cos(alpha)) / (math.sin(beta) - 0.2 * math.cos(beta))
     assert solve(scene.replace("STATE", "{balance: true}")).answers["M"].float == pytest.approx(most)
+
+
+PULLED_AT = """
+title: Crate pulled at an angle
+given: {M: 10 kg, F: 40 N, mu: 0.35, theta: unknown}
+surfaces: {floor: level}
+bodies: {crate: {mass: M, moves: right}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+actions: {pull: {force: F, on: crate, direction: theta}}
+states: {go: {at rest: all}}
+find: {theta: smallest theta where base sticks}
+"""
+
+
+@pytest.mark.parametrize("force", [36.0, 40.0, 60.0])
+def test_of_two_roots_at_a_verge_the_one_that_can_be_is_told(force: float) -> None:
+    """F cos θ = μ (M g − F sin θ) at θ = arctan μ ± arccos(μ M g/(F √(1 + μ²))); the lower root is negative."""
+    answer = solve(PULLED_AT.replace("40 N", f"{force} N")).answers["theta"]
+    true = math.atan(0.35) + math.acos(0.35 * 98 / (force * math.sqrt(1 + 0.35**2)))
+    assert answer.float == pytest.approx(true)
+    assert [item.holds for item in solve(PULLED_AT).derivation.confirmed] == [True]
