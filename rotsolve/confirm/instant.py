@@ -32,6 +32,7 @@ CLOSE, TRIES, STILL = 1e-12, 50, 1e-9
 ROUNDING = 1e-13  # share of the forces on a body below which what is left of them is rounding: what rests stays at rest
 STICKS, FORWARD, BACK, OPEN = "sticks", "slips forward", "slips back", "open"
 MODES = (STICKS, FORWARD, BACK)
+PUSHES = "push "  # before the kind of a reaction that only pushes or pulls: the limit at which it lets go
 
 
 class NoWay(NotConfirmed):
@@ -100,7 +101,7 @@ class Dynamics(Struct, frozen=True, dict=True):
         if not lines:
             return {}
         pushing = [key for key in self.open_reactions if self.rows[key].push]
-        lines |= {(f"push {kind}", owner): (0.0, {place[owner, kind]: 1.0}) for owner, kind in pushing}
+        lines |= {(f"{PUSHES}{kind}", owner): (0.0, {place[owner, kind]: 1.0}) for owner, kind in pushing}
         from rotsolve.confirm.sharing import rooms
 
         return rooms(lines, list(self.reactions.values()), self.laws, {place[key] for key in self.open_reactions})
@@ -109,7 +110,7 @@ class Dynamics(Struct, frozen=True, dict=True):
     def room(self) -> dict[tuple[str, str], float]:
         """How far what holds is from giving way: μₛ N ± f of what sticks, by how it would slip then; what pushes only by its push, and
         a brake by the most that it can hold: pressed on by less than nothing it would pull."""
-        found = {(f"push {kind}", owner): value for (owner, kind), value in self.pressing.items()}
+        found = {(f"{PUSHES}{kind}", owner): value for (owner, kind), value in self.pressing.items()}
         for grip in self.grips:
             if grip.static is None or self.modes.get(grip.name, STICKS) != STICKS:
                 continue
@@ -119,7 +120,7 @@ class Dynamics(Struct, frozen=True, dict=True):
             for key in ((FORWARD, grip.name), (BACK, grip.name)):
                 found[key] = self.shared[key].room if key in self.shared else found[key]
         pushes = [(key, value) for key, value in self.reactions.items() if self.rows[key].push]
-        return found | {(f"push {kind}", owner): value for (owner, kind), value in pushes}
+        return found | {(f"{PUSHES}{kind}", owner): value for (owner, kind), value in pushes}
 
     @property
     def lifted(self) -> list[tuple[str, str]]:
@@ -127,6 +128,15 @@ class Dynamics(Struct, frozen=True, dict=True):
         size = max([abs(value) for value in self.reactions.values()], default=0.0)
         pushes = {key: value for key, value in self.reactions.items() if self.rows[key].push} | self.pressing
         return [key for key, value in pushes.items() if value < -1e-9 * size]
+
+    @property
+    def unheld(self) -> list[str]:
+        """By its element what pushes or pulls only, and would have to do the opposite however all that nothing tells is shared out."""
+        size = max([abs(value) for value in self.reactions.values()], default=0.0)
+        shared = [
+            owner for (way, owner), item in self.shared.items() if way.startswith(PUSHES) and item.room < -1e-9 * size
+        ]
+        return [owner for owner, kind in self.lifted if (owner, kind) not in self.open_reactions] + shared
 
     @property
     def pressing(self) -> dict[tuple[str, str], float]:

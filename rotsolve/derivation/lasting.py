@@ -19,6 +19,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.on_the_way import Running, least_values, told
 from rotsolve.language.problem import TimeValue
+from rotsolve.motion.rubs import rubs_at
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.functions_of_time import Beside
@@ -69,7 +70,9 @@ def least_of_swing(margin: Formula) -> list[Formula]:
 
 
 def endings_told(search: Search, letters: Letters) -> Iterator[tuple[str, Words]]:
-    """The time at which a string goes slack or a body lifts off, up to which functions of time hold, or that it isn't told."""
+    """The time at which a string goes slack or a body lifts off, up to which functions of time hold, or that it isn't told; that it isn't
+    told whether something that rubs comes to rest."""
+    yield from untold_rests(search)
     beside = Beside(search.apart().settled, search.signs)
     for interval, need, margin in margins_in_time(search, beside, ended=False):
         begun = told(search.scene.instant(interval.start).time(), beside)
@@ -87,6 +90,21 @@ def endings_told(search: Search, letters: Letters) -> Iterator[tuple[str, Words]
                 letters.printed(simplify(first, positive=search.solver.positive)),
             )
             yield need.owner, (need.otherwise, " at ", *time, ": what is told of any time holds up to then")
+
+
+def untold_rests(search: Search) -> Iterator[tuple[str, Words]]:
+    """What slides or turns against friction in the last phase, whose forces vary in time so that nothing tells whether it comes to rest."""
+    from rotsolve.search.endings import Endings
+
+    endings = Endings(search)
+    for interval in endings.configuration.timeline.intervals[-1:]:
+        for rub in rubs_at(endings.configuration, interval.start) if interval.end == OPEN else ():
+            sense, pace = endings.sense(rub), endings.configuration.pace(rub.body, rub.state)
+            if sense and pace == TIME and endings.stops_ever(interval, rub, sense) is None:
+                yield (
+                    rub.owner,
+                    (f"whether {spoken(rub.body)} comes to rest at some time after {spoken(interval.start)}",),
+                )
 
 
 def first_fall(margin: Formula, begun: Formula, beside: Beside) -> Formula | None:

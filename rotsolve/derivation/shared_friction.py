@@ -46,8 +46,8 @@ def sufficing(place: str, needs: Sequence[Requirement], search: Search) -> Itera
 
 
 def hanging_on_shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[str]:
-    """What may go slack, lift or tip over among what several frictions hold still, where the laws do not tell the force on which that
-    hangs, in words."""
+    """What may go slack, lift or tip over among what friction holds still, where the laws do not tell the force on which that hangs, in
+    words: several frictions share it, or in balance one and what is taut or presses itself."""
     configuration = search.scene.configuration
     told = bodies_used(search)
     still = [group for group in held_together(place, search) if search.scene.instant(place).in_balance or group & told]
@@ -62,14 +62,15 @@ def hanging_on_shares(place: str, needs: Sequence[Requirement], search: Search) 
 
 
 def held_together(place: str, search: Search) -> list[frozenset[str]]:
-    """The bodies that are tied to each other and of which two or more frictions hold some still at a state, as large as nothing tells."""
+    """The bodies that are tied to each other and of which friction holds some still at a state, as large as nothing tells: two or more; in
+    balance one, which may share with a string or a surface."""
     configuration, modes = search.scene.configuration, search.scene.modes
     groups: dict[frozenset[str], list[Rub]] = {}
     for rub in rubs_at(configuration, configuration.phase_start(place)):
         if modes.get(rub.key, STICKS if rub.item is not None else "") == rub.mode(0):
             groups.setdefault(configuration.component(rub.body, place), []).append(rub)
-    verges = verges_sought(search)
-    return [group for group, held in groups.items() if len(held) > 1 and not all_at_limit(held, verges)]
+    verges, least = verges_sought(search), 1 if search.scene.instant(place).in_balance else 2
+    return [group for group, held in groups.items() if len(held) >= least and not all_at_limit(held, verges)]
 
 
 def all_at_limit(held: Sequence[Rub], verges: set[str]) -> bool:

@@ -327,7 +327,7 @@ class Endings(Struct, dict=True):
         """Whether something would go backwards before a phase ends."""
         pace = self.configuration.pace(rub.body, rub.state)
         if pace not in (TIME, RATE) or interval.end == OPEN:
-            return False
+            return pace == TIME and bool(self.stops_ever(interval, rub, sense))
         start, end = (self.settled(rub.rate(self.scene.instant(at))) for at in (interval.start, interval.end))
         sides = [None if rate is None else self.side(rate) for rate in (start, end)]
         if sides[0] in (0, sense) and sides[1] == -sense:
@@ -337,6 +337,14 @@ class Endings(Struct, dict=True):
             return course is not None and course.comes_back(rub, sense, start)
         except NotYet as error:
             raise self.not_told(interval, f"whether {spoken(rub.body)} comes to rest", error) from None
+
+    def stops_ever(self, interval: Interval, rub: Rub, sense: int) -> bool | None:
+        """Whether something comes to rest at some time of a phase that no state ends; None where that is not told."""
+        course = self.course(interval)
+        with suppress(NotYet):
+            begun = self.settled(rub.rate(self.scene.instant(interval.start)))
+            return course is not None and course.stops_ever(rub, sense, begun)
+        return None
 
     def not_told(self, interval: Interval, what: str, error: NotYet) -> Unsolvable:
         """What is not solved of a phase, at its place in the file."""

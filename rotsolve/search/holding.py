@@ -16,11 +16,12 @@ from msgspec import Struct
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.integral import antiderivative
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.core.facts import signed
 from rotsolve.core.symbols import TIME
+from rotsolve.core.writing import spoken
 from rotsolve.motion.rubs import Rub, against_most
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.functions_of_time import Beside, is_linear_in_time
@@ -122,6 +123,24 @@ class InTime(Struct, frozen=True):
         if self.beside.side(later.substitute({TIME: self.end})) == -sense:
             return True
         return any(self.beside.side(later.substitute({TIME: mark})) == -sense for mark in self.marks(gain, self.start))
+
+    def stops_ever(self, rub: Rub, sense: int, speed: Formula | None) -> bool:
+        """Whether what slips or turns along a sense comes to rest at some time, where nothing tells how long the phase lasts.
+
+        Told of a speed v₀ + a₀ t + ½ j t²: where j is against it, or a₀ is and j does not make up for that. NotYet of any other.
+        """
+        later, gain = self.speed_later(rub, speed)
+        if later is None or gain is None or degree(gain, TIME) not in (0, 1):
+            raise NotYet(f"when {spoken(rub.body)} comes to rest has no closed form")
+        begun, first, second = (
+            part.substitute({TIME: self.start}) for part in (later, gain, differentiate(gain, TIME))
+        )
+        sides = [sense * self.beside.side(part) for part in (begun, first, second)]
+        if sides[2] == -1:
+            return sides[:2] in ([1, 1], [1, 0], [1, -1], [0, 1])
+        if sides[:2] != [1, -1]:
+            return False
+        return sides[2] == 0 or self.beside.side(first * first - 2 * second * begun) == 1
 
     def rests_at(self, rub: Rub, speed: Formula | None) -> Formula | None:
         """When on the clock it comes to rest first, as a number where that has no closed form."""

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.node import Budget, Node
+from rotsolve.confirm.course.node import Astray, Budget, Node
 from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
@@ -210,6 +210,9 @@ class Course:
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
         from rotsolve.confirm.course.blows import Blow
 
+        if before.model.acting.state.balance:
+            for owner in before.moment.unheld:
+                raise Astray(f"`{owner}` lets go at `{before.model.acting.state.name}`: there is no balance")
         blow = Blow(before, event, model)
         self._blows[state.name] = blow
         check_lines(state, blow.after, before)

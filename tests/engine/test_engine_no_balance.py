@@ -1,0 +1,79 @@
+"""A state in balance that can be none, as a string would have to push or a prop to pull by more than friction takes, is seen, though
+nothing is asked of it: what comes after it is withheld in numbers and not confirmed in letters."""
+
+from __future__ import annotations
+
+import pytest
+
+import rotsolve
+from rotsolve import Unsolvable
+
+CRATE = """
+title: A crate that a tie holds, and friction with it
+given: {m: MASS, mu: NUMBER, F: FORCE}
+surfaces: {floor: level, side: {wall: BACK}}
+bodies: {crate: {mass: m, moves: WAY}}
+connections: {c: {contact: [crate, floor], friction: mu}, tie: {string: [side, crate]}}
+actions: {push: {force: F, on: crate, direction: PUSHED}}
+states: {rest: {balance: true}, free: {}}
+events: {snip: {cuts: tie, from: rest, to: free}}
+find: {a: crate.acceleration at free}
+"""
+BEAM = """
+title: A beam on a stiff hinge, and what holds its end
+given: {M: 6 kg, L: 2 m, F: FORCE, tau: 5 N m}
+surfaces: {floor: level}
+bodies: {beam: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: beam.start, friction_torque: tau}, hold: {HOLD}}
+actions: {push: {force: F, on: beam.end, direction: up}}
+states: {rest: {beam.angle: 0, balance: true}, free: {}}
+events: {off: {removes: hold, from: rest, to: free}}
+find: {al: beam.angular_acceleration at free}
+"""
+WHEEL = """
+title: Two loads over a wheel that rubs, one of them held by a cord
+given: {m: 5 kg, p: OTHER, R: 20 cm, tau: 1 N m, I: 0.1 kg m^2, m_wheel: 3 kg}
+bodies: {A: {mass: p, moves: down}, B: {mass: m, moves: down}, wheel: {mass: m_wheel, inertia: I, radius: R}}
+connections: {x: {axle: wheel, friction_torque: tau}, rope: {string: [A, wheel, B]}, hold: {string: [ceiling, A]}}
+states: {rest: {balance: true}, free: {}}
+events: {snip: {cuts: hold, from: rest, to: free}}
+find: {a: B.acceleration at free}
+"""
+SIDES = {"right": "left", "left": "right"}
+
+
+def crate(way: str, mass: str, number: str, force: str, *, pulled: bool) -> str:
+    text = CRATE.replace("MASS", mass).replace("NUMBER", number).replace("FORCE", force)
+    return text.replace("PUSHED", way if pulled else SIDES[way]).replace("WAY", way).replace("BACK", SIDES[way])
+
+
+@pytest.mark.parametrize("way", SIDES)
+def test_a_tie_does_not_push(way: str) -> None:
+    """Against the wall 20 N are more than μ m g = 5.88 N; away from it the tie holds them, and 5 N friction alone."""
+    with pytest.raises(Unsolvable, match="`tie` lets go at `rest`"):
+        rotsolve.solve(crate(way, "3 kg", "0.2", "20 N", pulled=False))
+    pulled = rotsolve.solve(crate(way, "3 kg", "0.2", "20 N", pulled=True))
+    assert pulled.answers["a"].float == pytest.approx(20 / 3 - 0.2 * 9.8)
+    assert all(item.holds for item in pulled.derivation.confirmed)
+    assert rotsolve.solve(crate(way, "3 kg", "0.2", "5 N", pulled=False)).answers["a"].float == 0.0
+    letters = rotsolve.solve(crate(way, "kg", "number", "N", pulled=False))
+    assert [item.holds for item in letters.derivation.confirmed] == [None]
+
+
+@pytest.mark.parametrize("hold", ["string: [ceiling, beam.end]", "contact: [beam.end, floor]"], ids=["cord", "prop"])
+def test_what_holds_up_does_not_hold_down(hold: str) -> None:
+    """F L − ½ M g L = 101 N m upwards against 5 N m of friction; with 10 N it is held up."""
+    with pytest.raises(Unsolvable, match="`hold` lets go at `rest`"):
+        rotsolve.solve(BEAM.replace("HOLD", hold).replace("FORCE", "80 N"))
+    held = rotsolve.solve(BEAM.replace("HOLD", hold).replace("FORCE", "10 N"))
+    assert held.answers["al"].float == pytest.approx((10 * 2 - 6 * 9.8 + 5) / (6 * 4 / 3))
+    assert all(item.holds for item in held.derivation.confirmed)
+
+
+def test_a_cord_does_not_hold_down_what_a_heavier_load_lifts() -> None:
+    """m g R − p g R = 5.88 N m against τ = 1 N m; with p = 7 kg the cord holds p up."""
+    with pytest.raises(Unsolvable, match="`hold` lets go at `rest`"):
+        rotsolve.solve(WHEEL.replace("OTHER", "2 kg"))
+    held = rotsolve.solve(WHEEL.replace("OTHER", "7 kg"))
+    assert held.answers["a"].float == pytest.approx(-(2 * 9.8 * 0.2 - 1) * 0.2 / (0.1 + 12 * 0.04))
+    assert all(item.holds for item in held.derivation.confirmed)
