@@ -248,7 +248,7 @@ QUANTITIES: dict[str, QuantityKind] = {
             "number",
             "e",
             (BODY,),
-            "direction of the axis of a principal moment that no other equals",
+            "direction of the axis of the one principal moment that differs from two equal ones",
             space=True,
         ),
         kind(

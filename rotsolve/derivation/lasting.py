@@ -94,17 +94,19 @@ def endings_told(search: Search, letters: Letters) -> Iterator[tuple[str, Words]
 
 def untold_rests(search: Search) -> Iterator[tuple[str, Words]]:
     """What slides or turns against friction in the last phase, whose forces vary in time so that nothing tells whether it comes to rest."""
-    from rotsolve.search.endings import Endings
+    configuration = search.scene.configuration
+    interval = next(iter(configuration.timeline.intervals[-1:]), None)
+    if interval is None or interval.end != OPEN:
+        return
+    for rub in rubs_at(configuration, interval.start):
+        if configuration.pace(rub.body, rub.state) != TIME:
+            continue
+        from rotsolve.search.endings import Endings
 
-    endings = Endings(search)
-    for interval in endings.configuration.timeline.intervals[-1:]:
-        for rub in rubs_at(endings.configuration, interval.start) if interval.end == OPEN else ():
-            sense, pace = endings.sense(rub), endings.configuration.pace(rub.body, rub.state)
-            if sense and pace == TIME and endings.stops_ever(interval, rub, sense) is None:
-                yield (
-                    rub.owner,
-                    (f"whether {spoken(rub.body)} comes to rest at some time after {spoken(interval.start)}",),
-                )
+        endings = Endings(search)
+        sense = endings.sense(rub)
+        if sense and endings.stops_ever(interval, rub, sense) is None:
+            yield rub.owner, (f"whether {spoken(rub.body)} comes to rest at some time after {spoken(interval.start)}",)
 
 
 def first_fall(margin: Formula, begun: Formula, beside: Beside) -> Formula | None:

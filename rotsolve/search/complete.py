@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import islice
+from typing import TYPE_CHECKING
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
@@ -22,10 +23,15 @@ from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.complete import configured
 from rotsolve.paths.meaning import NotYet
 
+if TYPE_CHECKING:
+    from rotsolve.confirm.space.inquiry import Inquiry
+
 COMPLETE = "nothing is missing in the scene, and nothing in it contradicts the rest: an assembly of all bodies' equations has an answer"
+IN_SPACE = "nothing is missing in the scene for that: an assembly of all bodies' equations tells it"
 TOLD = "nothing is missing in the scene: it tells how all bodies stand and move at first, and the laws how they go on"
 PARTED = "what comes after that is another motion: ask of what is before it, or end the phase there"
 INSTANTS = 2000  # of one body, that a set of numbers may cost
+OTHER_SHARE = 0.83  # of the moment about an axis, for what is across it where the scene does not say
 STIR = 0.1  # radians, or rates, of what nothing tells
 VARYING = "the accelerations vary"
 
@@ -54,23 +60,40 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
 
 
 def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
-    """The same of a scene in space: what its assembly tells of one of the questions, though letters have numbers that are drawn."""
-    from rotsolve.confirm.space.inquiry import Inquiry
+    """The same of a scene in space: what its assembly tells of one of the questions, whatever is drawn for what the scene does not say."""
     from rotsolve.confirm.space.worlds import Unfit
     from rotsolve.space.complete import configured_in_space
 
     try:
         ready = configured_in_space(problem).problem
-        inquiry = Inquiry(ready, next(sets_of_numbers(ready)), {})
+        inquiries = inquiries_in_space(ready)
     except (NotConfirmed, NotYet, Unsolvable):
         return None
     for find in (find for find in ready.finds if find.name in names and find.where is None):
         try:
-            if inquiry.tells(find):
-                return Fault(f"`{find.name}` is not solved by these laws", find.span, COMPLETE, UNSOLVED)
+            if all(inquiry.tells(find) for inquiry in inquiries) and told_alike(find, inquiries):
+                return Fault(f"`{find.name}` is not solved by these laws", find.span, IN_SPACE, UNSOLVED)
         except (NotConfirmed, Unfit, ArithmeticError, ValueError):
             continue
     return None
+
+
+def inquiries_in_space(problem: Problem) -> tuple[Inquiry, ...]:
+    """The scene looked at with numbers that are drawn for its letters; once more with others for what it leaves open, as the inertia of a
+    body of which only the mass is said."""
+    from rotsolve.confirm.space.inquiry import Inquiry
+    from rotsolve.confirm.space.masses import MADE_UP
+
+    sets = list(islice(sets_of_numbers(problem), 2))
+    left_open = [given.name for given in problem.givens if given.automatic and given.value is None]
+    others = {name: numbers[name] for numbers in sets[1:] for name in left_open if name in numbers}
+    return tuple(Inquiry(problem, numbers, {}) for numbers in (sets[0], {**sets[0], **others, MADE_UP: OTHER_SHARE}))
+
+
+def told_alike(find: Find, inquiries: Sequence[Inquiry]) -> bool:
+    """Whether all that is asked is the same each time."""
+    one, two = (inquiry.parts(find) for inquiry in inquiries)
+    return all(abs(a - b) <= SAME * max(1.0, abs(a)) for a, b in zip(one, two, strict=True))
 
 
 def released_before(course: Course, find: Find) -> str:

@@ -38,7 +38,7 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
         if line.rest:
             message = f"the data contradict each other: `at rest: {line.owner}` can not hold at `{equation.section}`"
         return clash(problem, message, line.span or fallback, CHECK_DATA)
-    broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
+    broken = f"“{equation.label}” can not hold; {CHECK_DATA}" if equation.label else CHECK_DATA
     interval = timeline.interval(equation.section)
     if interval is None:
         state = next((state for state in timeline.states if state.name and state.name == equation.section), None)

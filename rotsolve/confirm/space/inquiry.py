@@ -289,10 +289,11 @@ class Inquiry:
 
     def tells(self, find: Find) -> bool:
         """Whether there is one number for a question, or one for each component of a vector."""
-        vector = len(find.terms) == 1 and find.terms[0].path.quantity in DIRECTED and not find.terms[0].modifier
-        return all(
-            len(self.numbers(find, part)) == 1 for part in (AXES if vector and find.formula == Symbol("#0") else ("",))
-        )
+        return all(len(self.numbers(find, part)) == 1 for part in components_asked(find))
+
+    def parts(self, find: Find) -> list[float]:
+        """The number of a question, or those of the components of a vector, where there is one."""
+        return [only_one(self.numbers(find, part)) for part in components_asked(find)]
 
     def one(self, find: Find) -> float:
         """What a question is, where all ways give the same."""
@@ -502,3 +503,9 @@ def way_by_way(terms: Sequence[Sequence[float]]) -> list[list[float]]:
     if any(len(values) not in (1, count) for values in terms):
         raise NotConfirmed(SEVERAL)
     return [[values[number if len(values) > 1 else 0] for values in terms] for number in range(count)]
+
+
+def components_asked(find: Find) -> Sequence[str]:
+    """The components of a question that is a vector; itself of another one."""
+    vector = len(find.terms) == 1 and find.terms[0].path.quantity in DIRECTED and not find.terms[0].modifier
+    return AXES if vector and find.formula == Symbol("#0") else ("",)

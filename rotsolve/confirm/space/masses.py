@@ -10,7 +10,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ONE, Formula
+from rotsolve.algebra.formula import ONE, Formula, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Value, share_cut_out
 from rotsolve.confirm.space.arrows import (
@@ -34,9 +34,8 @@ from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, Part, Turn
 
-ACROSS = (
-    0.6180339887  # of the moment about the axis, where a scene tells no more than that: what hangs on it has no number
-)
+MADE_UP = "share across its axis"  # of the moment about it, where a scene tells no more than that: what hangs on it has no number
+ACROSS = 0.6180339887  # this share, unless numbers say another one
 
 
 class Matter(Struct, frozen=True):
@@ -155,9 +154,17 @@ def of_one_moment(body: Body, mass: float, value: Value) -> Turned:
     about = told_about(body, value)
     off = less(about, scaled(sum(a * b for a, b in zip(about, axis, strict=True)), axis))
     axial -= mass * sum(part * part for part in off)
-    across = ACROSS * axial
+    across = axial * share_across(value)
     rows = [sum_of(scaled(across, ALONG[k]), scaled((axial - across) * axis[k], axis)) for k in range(3)]
     return (rows[0], rows[1], rows[2])
+
+
+def share_across(value: Value) -> float:
+    """What is made up for the moment across an axis, as a share of that about it."""
+    try:
+        return value(Symbol(MADE_UP))
+    except NotConfirmed:
+        return ACROSS
 
 
 def axis_told(body: Body, value: Value) -> Arrow | None:
