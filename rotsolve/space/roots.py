@@ -119,10 +119,14 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
         return None
     moments = [scene.dynamics[name].moment for name in (before.start, state)]  # type: ignore[attr-defined]
     first, last = moments[0].stood(owner, word), moments[1].told(owner, word)
-    if first is None or last is None:
+    line = moments[0].line(owner, word)
+    from_end = (
+        {"largest": -1, "smallest": 1}.get(line.word or "", 0) if line is not None else 0
+    )  # it comes back from there
+    if last is None or (first is None and not from_end):
         return None
     problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span
-    side = numbers.side(add(last, negate(first)))
+    side = from_end or (numbers.side(add(last, negate(first))) if first is not None else None)
     if not side:
         words = "its letters do not tell" if side is None else f"nothing tells: its {word} is that from which it comes"
         message, help = (

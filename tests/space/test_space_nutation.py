@@ -195,3 +195,31 @@ def test_what_is_no_nutation_from_end_to_end_is_refused_by_name(name: str) -> No
     with pytest.raises(Unsolvable) as caught:
         solve(f"title: T\nup: z\n{scene}")
     assert said in str(caught.value)
+
+
+COMES_BACK = """
+title: A top on its way back
+up: z
+given: {M: 0.3 kg, l: 6 cm, A: 1.5e-3 kg m^2, C: 3e-4 kg m^2, w: 250 rad/s}
+bodies: {top: {mass: M, inertia: {about: tip, principal: [A, A, C]}, axis: z, points: {tip: [0, 0, -l]}}}
+connections: {floor: {ball: top.tip}}
+states:
+  start: {top.tilt: 30 deg, top.axial_rate: w, top.precession: FIRST rad/s, top.nutation: 0 rad/s}
+  end: {top.tilt: WORD}
+  back: {top.tilt: THERE deg}
+find: {n: top.nutation at back}
+"""
+
+
+@pytest.mark.parametrize(("first", "word", "there", "way"), [(0.0, "largest", 31.0, -1), (4.0, "smallest", 29.5, 1)])
+def test_from_the_end_of_its_nutation_it_comes_back(first: float, word: str, there: float, way: int) -> None:
+    """½ A (θ̇² + φ̇² sin² θ) + M g l cos θ and A φ̇ sin² θ + C w cos θ stay; from the largest tilt θ̇ is negative, from the smallest positive."""
+    lift, across, own = 0.3 * 9.8 * 0.06, 1.5e-3, 3e-4 * 250
+    u, v = math.radians(30), math.radians(there)
+    momentum = across * first * math.sin(u) ** 2 + own * math.cos(u)
+    rate = (momentum - own * math.cos(v)) / (across * math.sin(v) ** 2)
+    square = first**2 * math.sin(u) ** 2 - rate**2 * math.sin(v) ** 2 + 2 * lift * (math.cos(u) - math.cos(v)) / across
+    text = COMES_BACK.replace("FIRST", str(first)).replace("WORD", word).replace("THERE", str(there))
+    solution = solve(text)
+    assert solution.answers["n"].float == pytest.approx(way * math.sqrt(square))
+    assert all(item.holds for item in solution.derivation.confirmed)
