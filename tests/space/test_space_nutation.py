@@ -213,7 +213,7 @@ find: {n: top.nutation at back}
 
 @pytest.mark.parametrize(("first", "word", "there", "way"), [(0.0, "largest", 31.0, -1), (4.0, "smallest", 29.5, 1)])
 def test_from_the_end_of_its_nutation_it_comes_back(first: float, word: str, there: float, way: int) -> None:
-    """½ A (θ̇² + φ̇² sin² θ) + M g l cos θ and A φ̇ sin² θ + C w cos θ stay; from the largest tilt θ̇ is negative, from the smallest positive."""
+    """½ A (θ̇² + φ̇² sin² θ) + M g l cos θ and A φ̇ sin² θ + C w cos θ stay; θ̇ < 0 from the largest tilt on, > 0 from the smallest."""
     lift, across, own = 0.3 * 9.8 * 0.06, 1.5e-3, 3e-4 * 250
     u, v = math.radians(30), math.radians(there)
     momentum = across * first * math.sin(u) ** 2 + own * math.cos(u)
