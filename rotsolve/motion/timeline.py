@@ -125,12 +125,15 @@ def absent(problem: Problem, timeline: Timeline) -> dict[str, frozenset[str]]:
 
 
 def left_at(interval: Interval, problem: Problem, timeline: Timeline, gone: frozenset[str]) -> tuple[Connection, ...]:
-    """The contacts that bodies leave in an event, of those that are not `gone` before it."""
+    """The contacts that bodies leave in an event, of those that are not `gone` before it: as they go round with what they are joined to, or
+    about a point that is suddenly held."""
     if interval.event is None:
         return ()
     earlier = timeline.intervals[: timeline.order[interval.start]]
     present = [item for item in problem.connections if item.name not in gone]
-    return lifted(interval.event, present, [item.event for item in earlier if item.event is not None])
+    held = interval.event.ends(present) if interval.event.adds() or interval.event.begins() else ()
+    about_it = [item for item in present if item.name in held and item.lying()]
+    return (*lifted(interval.event, present, [item.event for item in earlier if item.event is not None]), *about_it)
 
 
 def begun(problem: Problem) -> tuple[Connection, ...]:

@@ -1,5 +1,8 @@
-"""A state in balance that can be none, as a string would have to push or a prop to pull by more than friction takes, is seen, though
-nothing is asked of it: what comes after it is withheld in numbers and not confirmed in letters."""
+"""What can not be before or after an event is seen, though nothing is asked of it.
+
+A balance in which a string would have to push or a prop to pull by more than friction takes: what comes after it is withheld in numbers
+and not confirmed in letters. A body that is caught and would turn into what it lies on: refused by name.
+"""
 
 from __future__ import annotations
 
@@ -77,3 +80,48 @@ def test_a_cord_does_not_hold_down_what_a_heavier_load_lifts() -> None:
     held = rotsolve.solve(WHEEL.replace("OTHER", "7 kg"))
     assert held.answers["a"].float == pytest.approx(-(2 * 9.8 * 0.2 - 1) * 0.2 / (0.1 + 12 * 0.04))
     assert all(item.holds for item in held.derivation.confirmed)
+
+
+CAUGHT = """
+title: A body on a floor of which one point is suddenly held
+given: {m: kg, a: m, b: m, u: m/s}
+surfaces: {floor: level}
+bodies: {it: {BODY, mass: m, moves: WAY}}
+connections: {c: {HOLD: [it, floor]}}
+states: {before: {it.velocity: u}, after: {}}
+events: {catch: {fixes: it.POINT, from: before, to: after}}
+find: {w: it.angular_velocity at after}
+"""
+POINTS = {  # a point of a body, the way in which it slides or rolls when it is held, and whether that turns it off the floor
+    ("shape: rectangle, sides: [a, b]", "contact", "corner2", "right"): True,
+    ("shape: rectangle, sides: [a, b]", "contact", "corner1", "right"): False,
+    ("shape: rectangle, sides: [a, b]", "contact", "corner1", "left"): True,
+    ("shape: rectangle, sides: [a, b]", "contact", "corner2", "left"): False,
+    ("shape: disc, radius: a", "rolls", "rim", "right"): True,  # its rim lies on the right
+    ("shape: disc, radius: a", "rolls", "rim", "left"): False,
+}
+
+
+@pytest.mark.parametrize(("body", "hold", "point", "way"), POINTS)
+def test_what_is_caught_does_not_turn_into_the_floor(body: str, hold: str, point: str, way: str) -> None:
+    text = CAUGHT.replace("BODY", body).replace("HOLD", hold).replace("POINT", point).replace("WAY", way)
+    if POINTS[body, hold, point, way]:
+        assert all(item.holds for item in rotsolve.solve(text).derivation.confirmed)
+    else:
+        with pytest.raises(Unsolvable, match="it is pressed into what it lies on at `after`"):
+            rotsolve.solve(text)
+
+
+def test_a_ladder_that_is_caught_does_not_turn_into_its_wall() -> None:
+    text = """
+title: Ladder that slides down is caught
+given: {m: 3 kg, L: 2 m, u: 0.5 m/s}
+surfaces: {floor: level, side: {wall: left}}
+bodies: {lad: {shape: rod, mass: m, length: L}}
+connections: {foot: {contact: [lad.end, floor]}, head: {contact: [lad.start, side]}}
+states: {before: {lad.angle: -60 deg, lad.end.velocity.x: u}, after: {}}
+events: {catch: {fixes: lad.center, from: before, to: after}}
+find: {w: lad.angular_velocity at after}
+"""
+    with pytest.raises(Unsolvable, match="lad is pressed into what it lies on"):
+        rotsolve.solve(text)
