@@ -93,9 +93,7 @@ def case_at(point: Point, space: LetterSpace, solve: Solving[Found], put: Mappin
         needs = tuple(needs_noted(needed, conditions, space, point))
     except ZeroDivisionError:  # with these letters put in, what was supposed has no value: nothing is known there
         return Case(point, (), fault=unsolvable(space.problem, "what it hangs on has no value there", None))
-    except (
-        Unsolvable
-    ) as error:  # too long to print: nothing is known on that edge, and what is beside it is told without
+    except Unsolvable as error:  # too long to print: on an edge nothing is known then
         if not put:
             raise
         return Case(point, (), fault=error)

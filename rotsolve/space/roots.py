@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 SMALL = 1e-12
 TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with how far the body is turned by it
+COMES_BACK = {"largest": -1, "smallest": 1}  # the sense in which a body turns from where it has turned farthest
 SEVERAL = "two steady motions are possible, and nothing tells which is meant"
 HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `top.precession: smallest`"
 
@@ -120,9 +121,7 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
     moments = [scene.dynamics[name].moment for name in (before.start, state)]  # type: ignore[attr-defined]
     first, last = moments[0].stood(owner, word), moments[1].told(owner, word)
     line = moments[0].line(owner, word)
-    from_end = (
-        {"largest": -1, "smallest": 1}.get(line.word or "", 0) if line is not None else 0
-    )  # it comes back from there
+    from_end = 0 if line is None else COMES_BACK.get(line.word or "", 0)
     if last is None or (first is None and not from_end):
         return None
     problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span

@@ -18,9 +18,7 @@ def moments_and_axes(tensor: Turned) -> list[tuple[float, Arrow]]:
         for axis, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
             if abs(tensor[i][j]) > NOTHING * size:
                 angle = 0.5 * math.atan2(2.0 * tensor[i][j], tensor[i][i] - tensor[j][j])
-                if (
-                    abs(angle) > 0.25 * math.pi
-                ):  # of both turns the smaller one: with the other they need not come to an end
+                if abs(angle) > 0.25 * math.pi:  # of both turns the smaller: with the other they may never end
                     angle -= math.copysign(0.5 * math.pi, angle)
                 step = rotation_about(ALONG[axis], -angle)
                 tensor, turn = seen_from(step, tensor), product_of(step, turn)
