@@ -15,6 +15,7 @@ from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import ActingElement, Action, Connection
 from rotsolve.language.problem import Problem
+from rotsolve.motion.bases import refuse_untold
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rigid import centre_of_mass, locate, pieces, rim_centre, tidy
 
@@ -37,6 +38,8 @@ def check(problem: Problem) -> None:
         check_rooms(connection, scene)
     for event in problem.events:
         event.check(scene)
+        for ref in (ref for item in event.adds() for ref in item.fixed_points()):
+            refuse_untold(ref, event.from_ or "", scene)
 
 
 def check_rooms(item: Connection, scene: Configuration) -> None:

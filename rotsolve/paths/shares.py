@@ -13,6 +13,7 @@ from rotsolve.algebra.formula import HALF, ZERO, Formula, total
 from rotsolve.core.facts import BodyFacts, Motion, square
 from rotsolve.core.vectors.heading import NOWHERE, Vector, unit
 from rotsolve.language.problem import PointRef
+from rotsolve.motion.bases import refuse_untold
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.paths.meaning import NotYet
 
@@ -109,6 +110,7 @@ def place_about(about: PointRef, name: str, instant: Instant) -> Vector:
     points = support.touches() if support is not None else (about,)
     named = [ref for ref in points if ref.owner in configuration.bodies]
     for ref in named:
+        refuse_untold(ref, instant.state, configuration)
         if instant.host(ref.owner) == host:
             return instant.point(ref)
     for ref in named:

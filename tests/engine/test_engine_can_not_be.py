@@ -125,3 +125,36 @@ find: {w: lad.angular_velocity at after}
 """
     with pytest.raises(Unsolvable, match="lad is pressed into what it lies on"):
         rotsolve.solve(text)
+
+
+ON_A_SLOPE = """
+title: A crate on a slope, caught at a corner
+given: {m: 3 kg, a: 0.5 m, b: 0.4 m, beta: 20 deg, u: 2 m/s}
+surfaces: {ramp: {slope: beta, down: WAY}}
+bodies: {crate: {shape: rectangle, mass: m, sides: [a, b], moves: down}}
+connections: {c: {contact: [crate, ramp]}}
+states: {before: {SAID}, after: {}}
+EVENTS
+find: {ASKED}
+"""
+CATCH = "events: {catch: {fixes: crate.CORNER, from: before, to: after}}"
+ASKED = {
+    "blow": "w: crate.angular_velocity at after",
+    "moment": "L: crate.angular_momentum about crate.CORNER at before",
+}
+
+
+@pytest.mark.parametrize("asked", ASKED)
+@pytest.mark.parametrize(("way", "corner", "lies"), [("right", "corner2", "-beta"), ("left", "corner1", "beta")])
+def test_how_a_crate_stands_on_a_slope_is_asked_for_where_it_matters(
+    asked: str, way: str, corner: str, lies: str
+) -> None:
+    """ω = 3 u b/(2 (a² + b²)) about the lower corner, L = ½ m u b; drawn upright they would hang on the slope."""
+    text = ON_A_SLOPE.replace("WAY", way).replace("ASKED", ASKED[asked])
+    text = text.replace("EVENTS", CATCH if asked == "blow" else "").replace("CORNER", corner)
+    text = text if asked == "blow" else text.replace(", after: {}", "")
+    with pytest.raises(Unsolvable, match="how `crate` stands on its slope nothing tells"):
+        rotsolve.solve(text.replace("SAID", "crate.velocity: u"))
+    (answer,) = rotsolve.solve(text.replace("SAID", f"crate.velocity: u, crate.angle: {lies}")).answers.values()
+    true = {"blow": 3 * 2 * 0.4 / (2 * (0.25 + 0.16)), "moment": 0.5 * 3 * 2 * 0.4}
+    assert abs(answer.float or 0.0) == pytest.approx(true[asked])
