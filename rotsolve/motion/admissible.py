@@ -15,8 +15,8 @@ from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import ActingElement, Action, Connection
 from rotsolve.language.problem import Problem
-from rotsolve.motion.bases import refuse_untold
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.corners import refuse_untold
 from rotsolve.motion.rigid import centre_of_mass, locate, pieces, rim_centre, tidy
 
 TURNS = ("angular_velocity", "angular_acceleration", "angular_momentum", "rotation", "turns", "torque")

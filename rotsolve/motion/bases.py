@@ -7,22 +7,14 @@ The assembly that confirms answers has a way of its own (confirm/course/tipping)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import STANDS, BodyFacts, Force, Requirement
-from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.shapes import shape_of
-from rotsolve.language.problem import Body
+from rotsolve.motion.corners import corners_of
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import part_frame, place
-
-if TYPE_CHECKING:
-    from rotsolve.language.bodies import PointRef
-    from rotsolve.motion.configuration import Configuration
 
 
 def standings(body: BodyFacts, instant: Instant) -> Iterator[Requirement]:
@@ -63,13 +55,6 @@ def only_foot(body: BodyFacts, instant: Instant) -> Force | None:
     return pushes[0] if pushes[0].owner in lying else None
 
 
-def corners_of(body: Body) -> tuple[Vector, ...]:
-    """The corners and ends of a body and of its parts, in its own axes."""
-    own = tuple(place(spot) for spot in shape_of(body).outline())
-    frames = ((part_frame(part), part.body) for part in body.parts)
-    return (*own, *(spot.rotated(way) + origin for (way, origin), part in frames for spot in corners_of(part)))
-
-
 def seen_from_centre(name: str, corners: tuple[Vector, ...], instant: Instant, *, level: bool) -> list[Vector]:
     """The corners from the centre of mass: as the body stands on what is level; along a slope its own x axis is that."""
     frame = instant.frame(name)
@@ -96,22 +81,3 @@ def ends_of_base(spots: list[tuple[Formula, Formula]], instant: Instant) -> tupl
         back = along if sign(simplify(along - back)) == -1 else back
         front = along if sign(simplify(along - front)) == 1 else front
     return (back, front, low[1]) if len(base) > 1 else None
-
-
-def untold_on_a_slope(name: str, state: str, configuration: Configuration) -> bool:
-    """Whether a body with corners travels along a slope, and no state says its angle: where its points are nothing tells."""
-    body, line = configuration.bodies[name], configuration.line(name, state)
-    if line is None or ZERO in (line[0].sin(), line[0].cos()) or len(corners_of(body)) < 2:
-        return False
-    states = configuration.timeline.states
-    return not any(configuration.mentions.says(item.name, name, "angle") for item in states)
-
-
-def refuse_untold(ref: PointRef, state: str, configuration: Configuration) -> None:
-    """Refuse a point of a body that lies on a slope where it matters how it stands there, and nothing tells."""
-    middle = ref.point in (None, "center", "cm")
-    if ref.owner in configuration.bodies and not middle and untold_on_a_slope(ref.owner, state, configuration):
-        message = f"how `{ref.owner}` stands on its slope nothing tells, and so where `{ref.owner}.{ref.point}` is"
-        help = f"tell `{ref.owner}.angle` in a state: minus the angle of a slope that falls to the right where it lies flat on it"
-        problem = configuration.problem
-        raise Unsolvable(message, span=ref.span, help=help, lines=problem.lines, file=problem.file)

@@ -13,7 +13,7 @@ from rotsolve.algebra.formula import HALF, ZERO, Formula, total
 from rotsolve.core.facts import BodyFacts, Motion, square
 from rotsolve.core.vectors.heading import NOWHERE, Vector, unit
 from rotsolve.language.problem import PointRef
-from rotsolve.motion.bases import refuse_untold
+from rotsolve.motion.corners import refuse_untold
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.paths.meaning import NotYet
 
