@@ -281,10 +281,12 @@ def objection(need: Requirement, state: str, search: Search, letters: Letters) -
 
 
 def demanded(need: Requirement, state: str, search: Search) -> bool:
-    """Whether the scene itself asks for the verge: `touch: leaves` at that state, `x where touch.normal_force = 0`."""
+    """Whether the scene itself asks for the verge: `touch: leaves` at that state, `x where touch.normal_force = 0`; of what sticks or rolls
+    that of its friction."""
     configuration = search.scene.configuration
     lines = [line for line in configuration.timeline.state(state).conditions if line.word]
     lines += [find.where for find in configuration.problem.finds if find.where is not None]
+    lines = [line for line in lines if need.kind.grips or line.word not in ("sticks", "rolls")]
     paths = [line.path for line in lines]
     paths += [term.path for line in lines if line.phrase is not None for term in line.phrase.terms]
     return need.left - need.right == ZERO or any(path is not None and path.owner == need.owner for path in paths)

@@ -87,3 +87,22 @@ def test_where_it_slips_it_is_not_held_by_another_place(way: str) -> None:
     assert solution.answers["x"].float == pytest.approx((5 * G - 1 / 0.1 - 0.2 * 2 * G) / 100)
     assert [item.holds for item in solution.derivation.confirmed] == [True]
     assert [item.holds for item in rotsolve.solve(letters).derivation.confirmed] == [True]
+
+
+LIFTED = """
+title: Smallest friction for a crate that a slanted pull just lifts
+given: {m: 50/49 kg, phi: 30 deg, mu: unknown}
+surfaces: {floor: level}
+bodies: {crate: {mass: m, moves: right}}
+connections: {c: {contact: [crate, floor], friction: mu}}
+actions: {p: {force: 20 N, on: crate, direction: phi}}
+states: {q: {at rest: all}}
+find: {mu0: smallest mu where c sticks, N: c.normal_force at q}
+"""
+
+
+def test_that_nothing_presses_at_a_verge_of_friction_is_said() -> None:
+    """N = m g − ½ F is nothing: the verge that is asked for is one of friction, not of lifting."""
+    solution = rotsolve.solve(LIFTED)
+    assert solution.answers["mu0"].value is None
+    assert any("N = 0 for c" in "".join(map(str, check.words)) for check in solution.checks if check.holds is None)
