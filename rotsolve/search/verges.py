@@ -94,6 +94,10 @@ def verge_meant(find: Find, search: Search) -> Verge:
     for other in ends[1:]:
         ahead = search.numbers.side(other.value - verge.value)
         verge = other if ahead == (1 if word == "largest" else -1) else verge
+    way = 1 if word == "largest" else -1
+    if any(other.side == -way and search.numbers.side(other.value - verge.value) == way for other in verges):
+        side = "larger" if word == "largest" else "smaller"
+        raise NotYet(f"`{contact}` slips beyond a value, and sticks again where the quantity is {side} still")
     return verge
 
 

@@ -127,6 +127,15 @@ find: {w: lad.angular_velocity at after}
         rotsolve.solve(text)
 
 
+LUMP_ON_A_SLOPE = """
+title: Angular momentum about a lump that is welded to a crate on a slope
+given: {m: 3 kg, q: 1 kg, a: 0.5 m, b: 0.4 m, beta: 20 deg, u: 2 m/s}
+surfaces: {ramp: {slope: beta, down: right}}
+bodies: {lump: {mass: q}, crate: {shape: rectangle, mass: m, sides: [a, b], moves: down}}
+connections: {c: {contact: [crate, ramp]}, glue: {weld: [crate.corner3, lump]}}
+states: {now: {SAID}}
+find: {L: crate.angular_momentum about lump at now}
+"""
 ON_A_SLOPE = """
 title: A crate on a slope, caught at a corner
 given: {m: 3 kg, a: 0.5 m, b: 0.4 m, beta: 20 deg, u: 2 m/s}
@@ -158,3 +167,11 @@ def test_how_a_crate_stands_on_a_slope_is_asked_for_where_it_matters(
     (answer,) = rotsolve.solve(text.replace("SAID", f"crate.velocity: u, crate.angle: {lies}")).answers.values()
     true = {"blow": 3 * 2 * 0.4 / (2 * (0.25 + 0.16)), "moment": 0.5 * 3 * 2 * 0.4}
     assert abs(answer.float or 0.0) == pytest.approx(true[asked])
+
+
+def test_a_body_that_is_welded_to_the_crate_stands_with_it() -> None:
+    """L = ½ m u b about an upper corner, the way round the crate passes below it; where the lump is hangs on how the crate stands."""
+    with pytest.raises(Unsolvable, match="how `crate` stands on its slope nothing tells, and so where `lump` is"):
+        rotsolve.solve(LUMP_ON_A_SLOPE.replace("SAID", "crate.velocity: u"))
+    told = rotsolve.solve(LUMP_ON_A_SLOPE.replace("SAID", "crate.velocity: u, crate.angle: -beta"))
+    assert abs(told.answers["L"].float or 0.0) == pytest.approx(0.5 * 3 * 2 * 0.4)

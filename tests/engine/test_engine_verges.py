@@ -269,3 +269,9 @@ def test_of_two_roots_at_a_verge_the_one_that_can_be_is_told(force: float) -> No
     true = math.atan(0.35) + math.acos(0.35 * 98 / (force * math.sqrt(1 + 0.35**2)))
     assert answer.float == pytest.approx(true)
     assert [item.holds for item in solve(PULLED_AT).derivation.confirmed] == [True]
+
+
+def test_where_it_sticks_again_beyond_there_is_no_end() -> None:
+    """33 N are less than μ M g = 34.3 N: it sticks at 0° too, and slips between 11° and 27° alone."""
+    with pytest.raises(Unsolvable, match="sticks again where the quantity is smaller still"):
+        solve(PULLED_AT.replace("40 N", "33 N"))
