@@ -105,23 +105,22 @@ class Closing:
 
     def parted(self, answer: Answer, own: Sequence[Solved]) -> list[Solved]:
         """Cases with the same answer, kept apart where on the edge between them another option holds, or a formula has no value."""
-        below = [part for form in forms_of(answer) for part in denominators(form) if part.symbols()]
-        if not answer.word and not below:
+        if not answer.word and not any(below_lines(answer)):
             return list(own)
         apart: list[Proviso] = []
         for case, other in combinations(own, 2):
             for one in case.bars:
                 against = next((item for item in other.bars if is_zero(item.gap + one.gap)), None)
                 edge = None if against is None else self.edges.edge(one, (*case.bars, *other.bars), [case.point])
-                if edge is not None and against is not None and self.breaks(answer, below, edge):
+                if edge is not None and against is not None and self.breaks(answer, edge):
                     self.looked_at += [] if edge in self.looked_at else [edge]
                     apart += [one, against]
         return [replace(case, conditions=tuple(self.strictly(apart, case.conditions))) for case in own]
 
-    def breaks(self, answer: Answer, below: Sequence[Formula], edge: Edge) -> bool:
-        """Whether an option does not hold on an edge between cases, or what is below a line of a formula vanishes there."""
+    def breaks(self, answer: Answer, edge: Edge) -> bool:
+        """Whether an option does not hold on an edge between cases, or a formula has no value there."""
         if not answer.word:
-            return any(is_zero_or_undefined(edge.put(part)) for part in below)
+            return singular(answer, edge)
         found = self.found_at(edge)
         return bool(found) and not self.agree((answer,), found, edge)
 
@@ -135,13 +134,15 @@ class Closing:
         return not self.edges.fails(edge, rest)
 
     def found_at(self, edge: Edge) -> tuple[Answer, ...]:
-        """The answers on an edge; none where there are none that hold, nor, where it starts from rest and nothing pushes or another check
-        is in doubt, those that are not confirmed."""
+        """The answers on an edge; none where there are none that hold. Where it starts from rest and nothing pushes or another check is
+        in doubt, none that is not confirmed, nor any beside one without a value, on which it may hang: μ = f/N where N = 0."""
         case = self.edges.case(edge)
         if case is None or unanswered_in(case):
             return ()
         assert case.found is not None
         doubtful = any(check.holds is None for check in case.found.checks)
+        if doubtful and any(singular(answer, edge) for answer in case.found.answers):
+            return ()
         own = (answer for answer in case.found.answers if self.name in ("", answer.name))
         return tuple(answer for answer in own if not doubtful or self.edges.confirmed(edge, answer.name))
 
@@ -176,6 +177,16 @@ class Closing:
             return evaluate(form, values)
         except (Undefined, ValueError, ZeroDivisionError):
             return None
+
+
+def singular(answer: Answer, edge: Edge) -> bool:
+    """Whether what is below a line of an answer vanishes on an edge."""
+    return any(is_zero_or_undefined(edge.put(part)) for part in below_lines(answer))
+
+
+def below_lines(answer: Answer) -> Iterator[Formula]:
+    """What is below the lines of an answer and has letters."""
+    return (part for form in forms_of(answer) for part in denominators(form) if part.symbols())
 
 
 def is_zero_or_undefined(value: Formula) -> bool:

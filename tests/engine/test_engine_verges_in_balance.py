@@ -109,3 +109,38 @@ def test_that_nothing_presses_at_a_verge_of_friction_is_said() -> None:
         for check in solution.checks
         if check.holds is None
     )
+
+
+PULLED_UP = {
+    "a spool by its thread": """
+title: Spool pulled at an angle
+given: {m: kg, k: m, R: m, F: N, phi: deg, mu: unknown}
+surfaces: {floor: level}
+bodies: {spool: {mass: m, gyration: k, radii: {rim: R}, points: {hub: [0, 0]}}}
+connections: {touch: {contact: [spool.rim, floor], friction: mu}}
+actions: {pull: {force: F, on: spool.hub, direction: AT}}
+states: {start: {at rest: all}}
+find: {mu: smallest mu where touch sticks, a: spool.acceleration at start, f: touch.friction_force at start}
+""",
+    "a crate": """
+title: Crate pulled at an angle
+given: {m: kg, F: 20 N, phi: 30 deg, mu: unknown}
+surfaces: {floor: level}
+bodies: {crate: {mass: m, moves: WAY}}
+connections: {touch: {contact: [crate, floor], friction: mu}}
+actions: {pull: {force: F, on: crate, direction: AT}}
+states: {start: {at rest: all}}
+find: {mu: smallest mu where touch sticks, N: touch.normal_force at start, f: touch.friction_force at start}
+""",
+}
+
+
+@pytest.mark.parametrize("way", SIDES)
+@pytest.mark.parametrize("text", PULLED_UP.values(), ids=PULLED_UP)
+def test_where_nothing_presses_no_other_answer_holds_either(text: str, way: str) -> None:
+    """μ = f/N has no value at N = 0, and what no μ holds does not stick there: no answer of sticking has that edge."""
+    text = to_the(way, text).replace("AT", "phi" if way == "right" else "180 deg - phi")
+    answers = rotsolve.solve(text).answers
+    for answer in answers.values():
+        assert len(answer.conditions) == 1
+        assert not {"≤", "≥"} & set(answer.conditions[0])
