@@ -37,12 +37,13 @@ def told_numbers(answer: dict[str, Any]) -> Iterator[tuple[str, str]]:
 
 
 def test_the_key_has_the_numbers_of_the_solutions_in_every_format(tmp_path: Path) -> None:
-    request = KeyRequest((str(ROOT / "problems" / "space"),), str(tmp_path), (*PRINTED, "json", "csv"), solutions=True)
+    some = FILES[::3]
+    request = KeyRequest(tuple(map(str, some)), str(tmp_path), (*PRINTED, "json", "csv"), solutions=True)
     assert run_key(request) == 0
     (sheet,) = json.loads((tmp_path / "key.json").read_text("utf-8"))["sheets"]
-    assert [item["problem"] for item in sheet["problems"]] == [file.stem for file in FILES]
+    assert [item["problem"] for item in sheet["problems"]] == [file.stem for file in some]
     rows = list(csv.DictReader(io.StringIO((tmp_path / "key.csv").read_text("utf-8"), newline="")))
-    for file, item in zip(FILES, sheet["problems"], strict=True):
+    for file, item in zip(some, sheet["problems"], strict=True):
         answers = {name: one for name, one in single_answers(solved(file).derivation.answers) if one.value is not None}
         expected = {name: machine_number(certified_digits(one.value, 4)[0]) for name, one in answers.items()}
         told = dict(entry for answer in item["answers"] if not answer["word"] for entry in told_numbers(answer))
@@ -51,7 +52,7 @@ def test_the_key_has_the_numbers_of_the_solutions_in_every_format(tmp_path: Path
         assert {name: listed[name] for name in expected} == expected, file.stem
     for format in PRINTED:
         for page in ("sheet", "key", "solutions"):
-            assert (tmp_path / f"{page}.{SUFFIXES[format]}").stat().st_size > 10_000
+            assert (tmp_path / f"{page}.{SUFFIXES[format]}").stat().st_size > 5_000
 
 
 def test_six_problems_in_space_or_more_vary() -> None:

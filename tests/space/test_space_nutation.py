@@ -49,7 +49,7 @@ def half_by_steps(spin: float, tilt: float, rate: float, lift: float, across: fl
         turn = (vertical - spin * math.cos(now[0])) / math.sin(now[0]) ** 2
         return [now[1], math.sin(now[0]) * (turn * (turn * math.cos(now[0]) - spin) + lift / across), turn]
 
-    step, now, time = 2e-5, [tilt, 0.0, 0.0], 0.0
+    step, now, time = 1e-4, [tilt, 0.0, 0.0], 0.0
     while True:
         a = slope(now)
         b = slope([x + step / 2 * k for x, k in zip(now, a, strict=True)])

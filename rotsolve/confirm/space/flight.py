@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.space.alone import gains_alone
 from rotsolve.confirm.space.arrows import (
     STILL,
     Arrow,
@@ -32,7 +33,6 @@ from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import NODAL, Lines, Rig
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
-from rotsolve.confirm.space.unheld import gains_unheld
 from rotsolve.confirm.space.worlds import Moving, Unfit, World
 from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import EXTREMES, Condition, State, Term
@@ -74,8 +74,8 @@ class Flight:
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
         self.origins = {name: self.start_angle(name) for name in rig.bodies}
         self.turns = 0  # how often the motion went the other way
-        self.unheld = gains_unheld(rig)
-        self.limit = LOOKS if self.unheld is None else WRITTEN_OUT * LOOKS
+        self.alone = gains_alone(rig)
+        self.limit = LOOKS if self.alone is None else WRITTEN_OUT * LOOKS
         self.clock = 0.0  # the time up to the arrival
         self.counted = ""  # a body whose axis is counted on its way round the vertical
         self.gone = 0.0  # how far that has gone
@@ -149,12 +149,12 @@ class Flight:
 
     def motions(self, numbers: Numbers) -> Iterator[tuple[str, tuple[Turned, Arrow, Arrow, Arrow, Arrow]]]:
         """Of each body its rotation, ω, the velocity of its centre of mass, α and the acceleration."""
-        if self.unheld is not None:
+        if self.alone is not None:
             self.look()
             for number, name in enumerate(self.rig.bodies):
                 own = numbers[EACH * number : EACH * number + EACH]
                 rows, omega = self.rows(number, name, numbers), as_arrow(own[8:11])
-                yield name, (rows, omega, as_arrow(own[11:14]), *self.unheld(name, rows, omega))
+                yield name, (rows, omega, as_arrow(own[11:14]), *self.alone(name, rows, omega))
             return
         moving = self.moving(numbers)
         now = moving.rates([0.0] * len(moving.moving.free))
