@@ -323,6 +323,7 @@ def solved_by_cases(
         own = at_point(configuration.problem, trial)
         solutions.append(each_where_answered(own, partial(solved_of_case, own, problem, law, digits, at)))
         derivation = solutions[-1].derivation
+        refuse_no_verge(solutions[-1], whole, trial)
         return derivation, any(check.holds is False for check in derivation.checks)
 
     def confirming(found: Derivation, numbers: Mapping[str, float]) -> Collection[str]:
@@ -348,6 +349,19 @@ def solved_by_cases(
     with at_most(None):  # what has been found is told
         derivation = with_cases(cases, Edges(space, solve, confirming), more=more)
     return replace(solutions[0], problem=problem, derivation=derivation, trace=trace)
+
+
+def refuse_no_verge(solution: Solution, problem: Problem, trial: Mapping[str, Formula]) -> None:
+    """Refuse a case of letters in which what is sought as a verge is none: it sticks beyond it too; not on edges, where rounding tells."""
+    if problem.space or not any(find.verge for find in problem.finds):
+        return
+    numbers = {name: float(size.value) for name, size in trial.items() if isinstance(size, Number)}
+    if len(numbers) == len(trial):
+        from rotsolve.confirm.course.verdict import no_verge_at
+
+        why = no_verge_at(solution.derivation.answers, problem, solution.trace.letter, numbers)
+        if why:
+            raise unsolvable(problem, why, None)
 
 
 def solved_of_case(

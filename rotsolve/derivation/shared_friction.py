@@ -80,6 +80,5 @@ def all_at_limit(held: Sequence[Rub], verges: set[str]) -> bool:
 
 def verges_sought(search: Search) -> set[str]:
     """The contacts of which a question seeks where they are on the point of slipping: `largest F where touch sticks`."""
-    wheres = (find.where for find in search.scene.configuration.problem.finds)
-    verges = (where for where in wheres if where is not None and where.word in ("sticks", "rolls"))
-    return {where.path.owner for where in verges if where.path is not None}
+    wheres = (find.where for find in search.scene.configuration.problem.finds if find.verge)
+    return {where.path.owner for where in wheres if where is not None and where.path is not None}

@@ -165,6 +165,11 @@ class Find(Struct, frozen=True):
         )
 
     @property
+    def verge(self) -> bool:
+        """Whether it asks with what value of a letter something is on the point of slipping: `largest F where touch sticks`."""
+        return self.where is not None and self.where.word in ("sticks", "rolls")
+
+    @property
     def extreme(self) -> str:
         """`largest` or `smallest` in front of a question without a condition, of the whole or of its only quantity."""
         words = [self.modifier, *(term.modifier for term in self.terms if len(self.terms) == 1)]

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from fractions import Fraction
+
 import pytest
 
 import rotsolve
 from margins import G, answered_just_where
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.formula import Number
 from rotsolve.confirm.course.samples import holding
 
 PLANK = """
@@ -144,3 +149,33 @@ def test_where_nothing_presses_no_other_answer_holds_either(text: str, way: str)
     for answer in answers.values():
         assert len(answer.conditions) == 1
         assert not {"≤", "≥"} & set(answer.conditions[0])
+
+
+ROOF = """
+title: Two crates on the slopes of a roof, by a cord over its ridge
+given: {m: kg, M: unknown, mu: number}
+surfaces: {near: {slope: 25 deg, down: WAY}, far: {slope: 40 deg, down: BACK}}
+bodies: {crate: {mass: m, moves: up}, box: {mass: M, moves: down}, wheel: {shape: disc, mass: 0, radius: 10 cm}}
+connections:
+  bed: {contact: [crate, near], friction: mu}
+  seat: {contact: [box, far], friction: mu}
+  axle: {axle: wheel}
+  cord: {string: [crate, wheel, box]}
+states: {hold: {balance: true}}
+find: {M: largest M where bed sticks}
+"""
+
+
+@pytest.mark.parametrize("way", SIDES)
+def test_a_case_in_which_it_sticks_beyond_is_left_out_and_no_other(way: str) -> None:
+    """M = m (sin 25° + μ cos 25°)/(sin 40° − μ cos 40°), from which on both slip; where μ > tan 40° no box pulls the crate up."""
+    solution = rotsolve.solve(to_the(way, ROOF))
+    answer = solution.answers["M"]
+    near, far = math.radians(25), math.radians(40)
+    held = 3.0 * (math.sin(near) + 0.3 * math.cos(near)) / (math.sin(far) - 0.3 * math.cos(far))
+    assert answer.formula is not None
+    numbers = {"m": Number(3), "mu": Number(Fraction(3, 10)), **solution.problem.values}
+    assert evaluate(answer.formula, numbers).float == pytest.approx(held)
+    assert answer.conditions == ("μ < tan θ_far",)
+    assert not answer.otherwise
+    assert any("`bed` sticks beyond it" in "".join(map(str, check.words)) for check in solution.checks)

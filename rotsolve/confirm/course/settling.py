@@ -11,6 +11,10 @@ from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.instant import placed
 
 TRIES, FIRST, MOST = 200, 0.1, 0.3  # steps; the size of the first one, and of the largest (rad, m)
+ALIKE, SAME = (
+    8,
+    1e-12,
+)  # steps over which accelerations change by no more than this share of themselves: they always stay so
 STILL, DONE = 1e-5, 1e-10  # accelerations that are none, as shares of g: at first, and where a step may end
 
 
@@ -26,7 +30,7 @@ def settled(at: Node) -> Node:
     size = max(at.model.gravity, 1.0)
     if largest(push) < STILL * size:
         return at
-    step = FIRST / largest(push)
+    step, alike = FIRST / largest(push), 0
     for _ in range(TRIES):
         step = min(step, MOST / largest(push))
         moved = replace(at.placed, q=[place + step * rate for place, rate in zip(at.placed.q, push, strict=True)])
@@ -37,6 +41,9 @@ def settled(at: Node) -> Node:
         if largest(push) < DONE * size:
             at.settled = True
             return at
+        alike = alike + 1 if largest(change) <= SAME * largest(push) else 0
+        if alike == ALIKE:
+            break
         back = -sum(a * b for a, b in zip(way, change, strict=True))
         step = sum(part * part for part in way) / back if back > 0 else 2 * step
     raise NotConfirmed(f"nothing tells where it is in balance at `{at.model.acting.state.name}`")

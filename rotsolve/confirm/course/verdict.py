@@ -186,6 +186,14 @@ def confirmed_in_plane_at(
     return tuple(item.name for item in at_numbers(answers, problem, known, solved, Budget(BUDGET)) if item.holds)
 
 
+def no_verge_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> str:
+    """Why what a question seeks as a verge, `largest F where touch sticks`, is none at one set of numbers; "" where it may be."""
+    seeking = {find.group for find in problem.finds if find.verge}
+    sought = [answer for answer in answers if answer.name in seeking]
+    verdicts = at_numbers(sought, problem, with_givens(problem, numbers), solved, Budget(BUDGET)) if sought else ()
+    return next((item.why for item in verdicts if item.holds is False), "")
+
+
 def on_edge(verdict: AnswerConfirmation, numbers: Numbers, problem: Problem) -> AnswerConfirmation:
     """What is said of numbers on an edge, where rounding may put the assembly beside it: what it contradicts is not confirmed."""
     if verdict.holds:
