@@ -105,7 +105,7 @@ def told_by(course: Course, numbers: Mapping[str, float]) -> float:
 @pytest.mark.parametrize(("name", "sought", "way"), CASES)
 def test_the_sought_value_brings_about_what_is_told(name: str, sought: str, way: str) -> None:
     course, rng = COURSES[name], random.Random(f"{name} {sought}")
-    answer = rotsolve.solve(course.text(sought, way)).answers["x"].answer
+    answer = rotsolve.solve(course.text(sought, way), confirm=False).answers["x"].answer
     held = 0
     for _ in range(SETS):
         numbers = drawn(course.letters, rng)
@@ -180,7 +180,7 @@ VALUES = [
 @pytest.mark.parametrize(("text", "numbers", "true"), VALUES)
 def test_the_value_by_hand(text: str, numbers: Mapping[str, float], true: float) -> None:
     known = {**NUMBERS, **numbers}
-    case = holding(rotsolve.solve(text).answers["x"].answer, known)
+    case = holding(rotsolve.solve(text, confirm=False).answers["x"].answer, known)
     assert case is not None
     assert value_of(case.closed or case.formula, known) == pytest.approx(true)
 
@@ -212,7 +212,7 @@ connections: {{base: {{contact: [box, floor], friction: mu}}, coil: {{spring: [{
 states: {{start: {{coil.elongation: 0, box.velocity: u}}, turn: {{box.velocity: 0}}}}
 find: {{u: u where box.displacement from start to turn = d, f: size of base.friction_force at turn}}
 """
-    answers = rotsolve.solve(text).answers
+    answers = rotsolve.solve(text, confirm=False).answers
     rng, seen = random.Random(way), set()
     for _ in range(20):
         x = {
