@@ -87,7 +87,7 @@ IN_TURN = [(name, tuple(TURNS)[place % len(TURNS)]) for place, name in enumerate
 @pytest.mark.parametrize(("name", "turns"), IN_TURN)
 def test_letters_leave_the_edge_out(name: str, turns: str) -> None:
     letters, *_, right = SCENES[name]
-    (answer,) = solve(scene(name, turns, f"rod.angle: {TURNS[turns][0]}")).answers.values()
+    (answer,) = solve(scene(name, turns, f"rod.angle: {TURNS[turns][0]}"), confirm=False).answers.values()
     edge = {one: number for one, (number, _) in letters.items()}
     for g, there in ((0.97, None), (1.0, None), (1.03, right), (2.0, right)):
         numbers = {**edge, "g": g * edge["g"]}
@@ -129,7 +129,7 @@ def test_it_does_not_come_to_rest_up_there(name: str, turns: str) -> None:
     ask = ("v: rod.angular_velocity at back", "th: rod.rotation from start to top")
     with pytest.raises(NeverReached, match="is never reached"):
         solve(scene(name, turns, "rod.angular_velocity: 0", **edge).replace(*ask))
-    (answer,) = solve(scene(name, turns, "rod.angular_velocity: 0").replace(*ask)).answers.values()
+    (answer,) = solve(scene(name, turns, "rod.angular_velocity: 0").replace(*ask), confirm=False).answers.values()
     for g, there in ((0.97, False), (1.0, False), (1.03, True), (2.0, True)):
         case = holding(answer.answer, {**edge, "g": g * edge["g"]})
         assert (case is not None) == there, f"{answer} at {g} of the edge"
