@@ -127,7 +127,7 @@ find: {FIND}
 def test_the_state_that_is_not_reached_is_the_one_that_is_named(size: float, side: str) -> None:
     """A block on a spring with friction stops at k x = √(k m u² + (μ m g)²) − μ m g, and comes back by k x ≥ 4 μ m g/2 alone."""
     text = SPRING.replace("U", str(size)).replace("moves: left", f"moves: {side}")
-    found = solve(text.replace("FIND", "x: coil.elongation at far, v: block.velocity at back"))
+    found = solve(text.replace("FIND", "x: coil.elongation at far, v: block.velocity at back"), confirm=False)
     far = (math.sqrt(20 * size**2 + 4) - 2) / 20
     assert abs(found.answers["x"].float) == pytest.approx(far)
     if far > 2 * 2 / 20:
@@ -141,7 +141,7 @@ def test_the_state_that_is_not_reached_is_the_one_that_is_named(size: float, sid
 
 def test_letters_answer_what_comes_before() -> None:
     text = SPRING.replace("1 kg, g: 10 m/s^2, k: 20 N/m, mu: 0.2, u: U", "kg, k: N/m, mu: number, u:")
-    found = solve(text.replace("FIND", "x: coil.elongation at far, v: block.velocity at back"))
+    found = solve(text.replace("FIND", "x: coil.elongation at far, v: block.velocity at back"), confirm=False)
     assert {case.exact for case in found.answers["x"].branches} == {"(μ m g − √(m (k u² + μ² m g²)))/k"}
     assert "far` is never reached" not in str(found)
     assert "there is no answer for v: `back` is never reached from `far`" in str(found).replace("\n  ", " ")
@@ -197,7 +197,7 @@ def test_a_speed_that_is_needed_as_its_square_alone_has_a_way_too(asked: tuple[s
     assert all(answer.float == pytest.approx(told[name]) for name, answer in stopped.answers.items())
     with pytest.raises(Unsolvable, match="`end` is never reached from `mid`"):
         solve(text.replace("PRESS", "100 N"))
-    letters = solve(text.replace("PRESS", "N").replace("10 kg", "kg").replace("0.5, g", "number, g"))
+    letters = solve(text.replace("PRESS", "N").replace("10 kg", "kg").replace("0.5, g", "number, g"), confirm=False)
     for answer in letters.answers.values():
         assert len(answer.branches) == 1 and answer.answer.conditions
 
@@ -223,6 +223,6 @@ events: {hit: {joins: [puck, crate], from: before, to: after}}
 phases: {slide: {from: after, to: edge}}
 find: {v: crate.velocity at after, w: crate.velocity at edge}
 """
-    answers = solve(scene).answers
+    answers = solve(scene, confirm=False).answers
     assert [case.conditions for case in answers["v"].branches] == [()]
     assert answers["w"].conditions
