@@ -65,7 +65,7 @@ def followed(m: float, M: float, F: float, mu: float, c: float, T: float) -> flo
 @pytest.mark.parametrize("later", LATER)
 def test_a_grip_that_gives_way_before_a_state_is_not_held_up_to_it(later: str) -> None:
     """What is answered of numbers is what following the motion gives, wherever an answer is."""
-    found = solve(SLEDGE.format(later=later))
+    found = solve(SLEDGE.format(later=later), confirm=False)
     (answer,), random, told = found.derivation.answers, Random(7), 0
     for _ in range(60):
         of = {name: random.uniform(0.5, 3.0) for name in ("m", "M", "F", "c", "T", "S")}
@@ -82,7 +82,7 @@ def test_a_grip_that_gives_way_before_a_state_is_not_held_up_to_it(later: str) -
 
 @pytest.mark.parametrize("text", [ROLLER, WATER])
 def test_what_may_stop_slipping_is_said(text: str) -> None:
-    assert "stops slipping on the way from start to mid" in left_open(solve(text))
+    assert "stops slipping on the way from start to mid" in left_open(solve(text, confirm=False))
 
 
 LIFTED = """
@@ -114,7 +114,7 @@ find: {v: sled.acceleration at end}
 @pytest.mark.parametrize(("body", "base"), [SLIDES, ROLLS])
 def test_what_presses_by_the_speed_does_so_between_two_speeds(body: str, base: str) -> None:
     """N = m g − a v + b v² is least at v = a/(2 b); a hoop's friction, which may pull it up, has no limit here."""
-    found = solve(LIFTED.format(body=body, base=base))
+    found = solve(LIFTED.format(body=body, base=base), confirm=False)
     (answer,), random, told = found.derivation.answers, Random(5), set[bool]()
     for _ in range(300):
         of = {name: random.uniform(0.5, 4.0) for name in ("m", "c", "b", "u", "w")} | {"g": 9.8, "R": 0.5}
@@ -130,7 +130,7 @@ def test_what_presses_by_the_speed_does_so_between_two_speeds(body: str, base: s
 
 def test_a_speed_is_reached_only_with_forces_that_lead_to_it_all_the_way() -> None:
     """From u to w the net force a v − p v² − μ m g points from one to the other throughout."""
-    (answer,), random, told = solve(FAN).derivation.answers, Random(5), 0
+    (answer,), random, told = solve(FAN, confirm=False).derivation.answers, Random(5), 0
     for _ in range(300):
         of = {name: random.uniform(0.3, 6.0) for name in ("m", "p", "u", "w")} | {"g": 9.8}
         of |= {"a": random.uniform(0.5, 20.0), "mu": random.uniform(0.05, 0.6)}
@@ -145,7 +145,8 @@ def test_a_speed_is_reached_only_with_forces_that_lead_to_it_all_the_way() -> No
 
 def test_a_speed_that_no_case_tells_leaves_open_what_is_between() -> None:
     """A motor of given power lifts a cage against a weight: in the case in which it has no largest speed nothing tells one on the way."""
-    found = solve("""
+    found = solve(
+        """
 given: {P: W, M: kg, m: kg, p: kg, R: m, r: m, u: m/s}
 bodies:
   drum: {shape: disc, mass: M, radius: R, radii: {big: R, small: r}, turns: clockwise}
@@ -155,5 +156,7 @@ connections: {axle: {axle: drum}, rope: {string: [cage, drum.big]}, tail: {strin
 actions: {motor: {power: P, on: drum}}
 states: {start: {cage.velocity: u}, end: {cage.velocity: largest}}
 find: {v: cage.velocity at end}
-""")
+""",
+        confirm=False,
+    )
     assert {case.exact for case in found.answers["v"].branches} == {"P R/(g (m R − p r))"}
