@@ -81,14 +81,14 @@ TOLD = {  # the number of conditions that each answer has, one number a case
 @pytest.mark.parametrize("kind", TOLD)
 def test_as_few_conditions_as_say_the_same(kind: str) -> None:
     text, expected = TOLD[kind]
-    answers = solve(text).derivation.answers
+    answers = solve(text, confirm=False).derivation.answers
     found = {one.name: sorted(len(case.conditions) for case in (one, *one.otherwise)) for one in answers}
     assert found == expected
 
 
 def test_where_a_formula_has_no_value_that_is_said() -> None:
     """t = (v - u)/a has none where the loads are the same, though it is h/u there."""
-    assert any(check.words[0] == "if M = m no answer is given for " for check in solve(LOADS).checks)
+    assert any(check.words[0] == "if M = m no answer is given for " for check in solve(LOADS, confirm=False).checks)
 
 
 def reaches(w: dict[str, float]) -> bool:
@@ -129,7 +129,8 @@ def test_what_is_left_says_where_an_answer_holds(kind: str) -> None:
 
 def test_a_time_that_is_an_integral_of_a_root_passes_where_its_ends_are_in_order() -> None:
     """A couple Q (1 − φ/b) against the friction τ: fastest at φ = b (Q − τ)/Q, which tells all, and at rest again at twice that."""
-    found = solve("""title: Couple that fades with the turn, against a brake
+    found = solve(
+        """title: Couple that fades with the turn, against a brake
 given: {I: kg m^2, Q: N m, b: rad, tau: N m}
 gravity: none
 bodies: {wheel: {inertia: I, turns: clockwise}}
@@ -137,7 +138,9 @@ connections: {axle: {axle: wheel, friction_torque: tau}}
 actions: {motor: {couple: "Q*(1 - wheel.rotation/b)", on: wheel}}
 states: {start: at rest, fast: {wheel.angular_velocity: largest}, far: {wheel.angular_velocity: 0}}
 find: {w: wheel.angular_velocity at fast, t1: time from start to fast, theta: wheel.rotation from start to far}
-""")
+""",
+        confirm=False,
+    )
     assert found.answers["t1"].conditions == ("Q > τ",)
     for name in ("w", "theta"):
         assert [branch.conditions for branch in found.answers[name].branches] == [("Q > τ",), ("Q ≤ τ",)]
