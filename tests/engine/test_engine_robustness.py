@@ -23,7 +23,7 @@ from solutions import solved
 
 HERE = Path(__file__).resolve().parent
 FILES = sorted([*(HERE / "scenes").glob("*.yaml"), *(HERE.parent.parent / "problems").rglob("*.yaml")])
-MUTANTS, BATCHES = int(os.environ.get("ROTSOLVE_MUTANTS", "300")), 10
+MUTANTS, BATCHES = int(os.environ.get("ROTSOLVE_MUTANTS", "150")), 10
 SECONDS = 5.0
 INTERNAL = re.compile(
     rf"\b(?:{'|'.join(kind.word for kind in QUANTITIES.values())}|asked)\|[^ ]|~|\^[a-z]|[(\[]'|None\b"
