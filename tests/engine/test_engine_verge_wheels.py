@@ -32,11 +32,17 @@ def sledge(way: str, turns: str, rubbing: str, find: str, state: str = "at rest"
     return text
 
 
-@pytest.mark.parametrize("find", [LEAST, MOST, f"{LEAST}, {MOST}", f"{MOST}, {LEAST}"])
-@pytest.mark.parametrize("way", ["right", "left"])
-@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
-@pytest.mark.parametrize("rubbing", RUBBING)
-@pytest.mark.parametrize("state", ["at rest", "{balance: true}"])
+FINDS = [LEAST, MOST, f"{LEAST}, {MOST}", f"{MOST}, {LEAST}"]
+SENSES = [(way, turns) for way in ("right", "left") for turns in ("clockwise", "counterclockwise")]
+KINDS = [(rubbing, state) for rubbing in RUBBING for state in ("at rest", "{balance: true}")]
+IN_TURN = [  # each question with each kind, and with each of the senses once; each kind with each of the senses once
+    (*SENSES[(number + place) % len(SENSES)], rubbing, find, state)
+    for number, find in enumerate(FINDS)
+    for place, (rubbing, state) in enumerate(KINDS)
+]
+
+
+@pytest.mark.parametrize(("way", "turns", "rubbing", "find", "state"), IN_TURN)
 def test_a_wheel_that_rubs_holds_against_both_ways_of_slipping(
     way: str, turns: str, rubbing: str, find: str, state: str
 ) -> None:
