@@ -109,7 +109,7 @@ CASES = {
 @pytest.mark.parametrize(("moved", "action", "work"), CASES.values(), ids=CASES)
 def test_work_is_that_of_the_point(moved: str, action: str, work: float) -> None:
     text = f"{moved}actions: {{pull: {{{action}}}}}\nfind: {{W: pull.work from a to b}}\n"
-    found = solve(text)
+    found = solve(text, confirm=False)
     assert found.answers["W"].float == pytest.approx(work, rel=1e-6)
 
 
@@ -117,7 +117,7 @@ def test_work_is_that_of_the_point(moved: str, action: str, work: float) -> None
 def test_power_is_what_the_work_grows_by(action: str) -> None:
     """W over a small turn at the end of the motion, divided by the time that it takes, P = dW/dt."""
     text = f"{LADDER}actions: {{pull: {{{action}}}}}\nfind: {{W: pull.work from a to b, {ENDS}}}\n"
-    works = [solve(text.replace("50 deg", f"{angle} deg")) for angle in (50.01, 50, 49.99)]
+    works = [solve(text.replace("50 deg", f"{angle} deg"), confirm=False) for angle in (50.01, 50, 49.99)]
     rate = (works[2].answers["W"].float - works[0].answers["W"].float) / radians(0.02) * -works[1].answers["w"].float
     assert works[1].answers["P"].float == pytest.approx(rate, rel=1e-5)
 
@@ -168,7 +168,8 @@ def test_the_energy_of_an_element_is_its_own(
     """½ k x² of the spring or wire that is named, beside weights, and its work the opposite; of all together the sum."""
     way, sides = {"counterclockwise": ("1", "[load, drum]"), "clockwise": ("-1", "[drum, load]")}[turns]
     text = DRUM.replace("TIED", tied).replace("STRETCHED", stretched).replace("WAY", way)
-    answers = solve(text.replace("turns: counterclockwise", f"turns: {turns}").replace("[load, drum]", sides)).answers
+    told = text.replace("turns: counterclockwise", f"turns: {turns}").replace("[load, drum]", sides)
+    answers = solve(told, confirm=False).answers
     own = stiffness / 2 * (ends[1] ** 2 - ends[0] ** 2)
     assert answers["U"].float == pytest.approx(own, abs=1e-9)
     assert answers["W"].float == answers["L"].float == pytest.approx(-own, abs=1e-9)
