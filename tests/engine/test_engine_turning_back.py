@@ -45,9 +45,16 @@ find: {th: wheel.angle at end, w: wheel.angular_velocity at end}
 """
 
 
-@pytest.mark.parametrize("turns", ["", ", turns: clockwise"])
 @pytest.mark.parametrize(
-    ("angle", "until"), [(2.2, 0.7), (2.2, 1.3), (-2.2, 1.3), (-1.0, 1.2), (2.2, 10.0), (0.2, 3.0)]
+    ("angle", "until", "turns"),
+    [
+        (2.2, 0.7, ", turns: clockwise"),
+        (2.2, 1.3, ""),
+        (-2.2, 1.3, ", turns: clockwise"),
+        (-1.0, 1.2, ""),
+        (2.2, 10.0, ", turns: clockwise"),
+        (0.2, 3.0, ""),
+    ],
 )
 def test_a_wheel_on_a_torsion_wire_with_friction_in_its_axle(angle: float, until: float, turns: str) -> None:
     found = values(WHEEL % (turns, angle, until))
@@ -66,8 +73,10 @@ find: {x: coil.elongation at end, v: block.velocity at end}
 """
 
 
-@pytest.mark.parametrize("moves", ["right", "left"])
-@pytest.mark.parametrize(("stretch", "speed", "until"), [(30, 0, 0.7), (30, 0, 2.0), (0, 3, 0.4), (0, 3, 0.1)])
+@pytest.mark.parametrize(
+    ("stretch", "speed", "until", "moves"),
+    [(30, 0, 0.7, "right"), (30, 0, 2.0, "left"), (0, 3, 0.4, "left"), (0, 3, 0.1, "right")],
+)
 def test_a_block_on_a_spring_on_a_rough_floor(stretch: float, speed: float, until: float, moves: str) -> None:
     sign = 1 if moves == "right" else -1
     found = values(BLOCK % (moves, stretch, sign * speed, until))
