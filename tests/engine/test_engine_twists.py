@@ -65,10 +65,16 @@ TOLD = {  # how the two stand at first, by which twist
 }
 
 
-@pytest.mark.parametrize("rest", [0.0, -0.2])
-@pytest.mark.parametrize("bodies", ["one, two", "two, one"])
-@pytest.mark.parametrize("order", ["one, two", "two, one"])
-@pytest.mark.parametrize("kind", TOLD)
+ORDERS = ("one, two", "two, one")
+TWISTED = [  # of each kind half of all: each two values of different axes together
+    (kind, order, bodies, (0.0, -0.2)[(one + other) % 2])
+    for kind in TOLD
+    for one, order in enumerate(ORDERS)
+    for other, bodies in enumerate(ORDERS)
+]
+
+
+@pytest.mark.parametrize(("kind", "order", "bodies", "rest"), TWISTED)
 def test_the_angle_of_a_wire_between_two_is_how_far_it_is_twisted(
     kind: str, order: str, bodies: str, rest: float
 ) -> None:
