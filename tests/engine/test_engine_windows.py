@@ -77,14 +77,14 @@ STEPS = 24
 
 @pytest.mark.parametrize(("text", "unit", "ends"), SCENES.values(), ids=SCENES)
 def test_no_case_is_missing_and_none_says_too_much(text: str, unit: str, ends: tuple[float, float]) -> None:
-    lettered = solve_problem(read_text(text.replace("LETTER", unit))).derivation
+    lettered = solve_problem(read_text(text.replace("LETTER", unit)), confirm=False).derivation
     told = {answer.name: answer for answer in lettered.answers}
     assert all(len(answer.otherwise) > 1 for answer in told.values())
     for step in range(STEPS):
         size = ends[0] + (ends[1] - ends[0]) * (step + 0.37) / STEPS
         problem = read_text(text.replace("LETTER", f"{size:.6g} {unit}"))
         try:
-            numbered = solve_problem(problem).derivation
+            numbered = solve_problem(problem, confirm=False).derivation
         except (Unsolvable, SceneError) as error:
             pytest.fail(f"{size} {unit}: {error}")
         for answer in numbered.answers:
