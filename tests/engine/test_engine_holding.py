@@ -251,11 +251,14 @@ DRIVEN = {  # what is driven, its greatest friction R, and the mass or inertia t
 BRAKE = ", block: {press: R, on: it.rim, friction: 0.5}"
 
 
-@pytest.mark.parametrize("kind", DRIVEN)
+STATES = {1: "mid: {time: 0.5*T}, more: {time: 0.5*T}", 2: "mid: {time: T}"}
+
+
 @pytest.mark.parametrize(
-    ("power", "states"), [(1, "mid: {time: 0.5*T}, more: {time: 0.5*T}"), (2, "mid: {time: T}")], ids=["1", "2"]
+    ("kind", "power"),
+    [*zip(DRIVEN, (1, 2, 1, 2, 1), strict=True), ("a contact", 2)],  # a force and a couple with each power
 )
-def test_what_friction_holds_up_to_a_time_is_held_from_then_on(kind: str, power: int, states: str) -> None:
+def test_what_friction_holds_up_to_a_time_is_held_from_then_on(kind: str, power: int) -> None:
     """v → ((Q − R)/c)^(1/n) where Q > R, by as much at T as M v̇ = Q − R − c vⁿ gives; else nothing moves at all."""
     bodies, word = DRIVEN[kind]
     speed = "velocity" if word == "force" else "angular_velocity"
@@ -263,6 +266,7 @@ def test_what_friction_holds_up_to_a_time_is_held_from_then_on(kind: str, power:
     unit = ("N" if word == "force" else "N m", ("m" if word == "force" else "rad"))
     along = ", direction: right" if word == "force" else ""
     brake = BRAKE if kind == "a brake" else ""
+    states = STATES[power]
     last = states.split(":")[-3].split()[-1] if "more" in states else "mid"
     solution = solve(f"""
 title: {kind}

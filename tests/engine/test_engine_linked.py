@@ -61,12 +61,19 @@ find:
     )
 
 
-@pytest.mark.parametrize("hangs", [True, False], ids=["hanging", "on ice"])
-@pytest.mark.parametrize("how", HOW)
-@pytest.mark.parametrize("count", [2, 3, 4, 6, 10])
+@pytest.mark.parametrize(
+    ("count", "how", "hangs"),
+    [  # two and three rods in every way; of longer chains each either hangs or lies on ice, the next one the other way round
+        (count, how, hangs)
+        for place, count in enumerate((2, 3, 4, 6, 10))
+        for at, how in enumerate(HOW)
+        for hangs in (True, False)
+        if count < 4 or hangs == ((place + at) % 2 == 0)
+    ],
+)
 def test_accelerations_and_all_joint_forces(count: int, how: str, hangs: bool) -> None:
     scene, truth = chain(10 * count + HOW.index(how), count, how, hangs=hangs)
-    answers = solve(scene).answers
+    answers = solve(scene, confirm=False).answers
     assert {name: answers[name].float for name in truth} == pytest.approx(truth, rel=1e-9, abs=1e-9)
 
 
