@@ -133,7 +133,7 @@ def questions(problem: Problem) -> list[Problem]:
 
 def answers(problem: Problem) -> list[str]:
     try:
-        return [str(answer) for answer in pipeline.solve_problem(problem).answers.values()]
+        return [str(answer) for answer in pipeline.solve_problem(problem, confirm=False).answers.values()]
     except (Unsolvable, SceneError) as error:
         return [str(error)]
 

@@ -216,7 +216,7 @@ def test_many_values_are_those_of_solving_again_or_marked() -> None:
         for name, number in re.findall(r"(\w+): *(\d+(?:\.\d+)?) deg(?=\s*[,}\n#])", text.partition("bodies:")[0]):
             other = 180 - Decimal(number)
             try:
-                many = solve(text).evaluate_many({name: math.radians(other)})
+                many = solve(text, confirm=False).evaluate_many({name: math.radians(other)})
             except NotForMany:
                 continue
             told = {key: float(value) for key, value in many.items() if "." not in key and not math.isnan(value)}
@@ -227,10 +227,11 @@ def test_many_values_are_those_of_solving_again_or_marked() -> None:
 @pytest.mark.parametrize(("template", "side", "angles"), OWN)
 def test_a_letter_is_its_value_in_all_quadrants(template: str, side: str, angles: tuple[int, ...]) -> None:
     lettered = {
-        angle: solve(template.format(side=side, value="theta", given=f", theta: {angle} deg")) for angle in angles
+        angle: solve(template.format(side=side, value="theta", given=f", theta: {angle} deg"), confirm=False)
+        for angle in angles
     }
     for angle, solution in lettered.items():
-        literal = solve(template.format(side=side, value=f"{angle} deg", given=""))
+        literal = solve(template.format(side=side, value=f"{angle} deg", given=""), confirm=False)
         assert alike(numbers_of(solution), numbers_of(literal)), angle
     first = lettered[angles[1]]
     try:

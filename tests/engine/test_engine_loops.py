@@ -58,7 +58,7 @@ def test_what_passes_the_highest_place_presses_there(kind: str, way: str, low: i
 @pytest.mark.parametrize("way", ["right", "left"])
 def test_in_letters_that_is_a_condition(kind: str, way: str) -> None:
     low, far = (-90, 200) if way == "right" else (270, -20)
-    found = solve(scene(kind, way, low, far, "{R: m, u: m/s}"))
+    found = solve(scene(kind, way, low, far, "{R: m, u: m/s}"), confirm=False)
     _, _, share, size = BODIES[kind]
     limit = math.sqrt((1 + 4 / share) * G * (1 - size))
     (one,) = [case for case in (found.derivation.answers[0], *found.derivation.answers[0].otherwise) if case.conditions]

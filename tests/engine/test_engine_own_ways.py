@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Mapping
+from functools import cache
 
 import pytest
 
@@ -95,7 +96,7 @@ SETS = 40
 @pytest.mark.parametrize("name", SCENES)
 def test_each_sticks_or_slips_for_itself(name: str) -> None:
     text, plain = SCENES[name]
-    answers = {key: view.answer for key, view in rotsolve.solve(text).answers.items()}
+    answers = {key: view.answer for key, view in rotsolve.solve(text, confirm=False).answers.items()}
     given = [part.split(":")[0].strip() for part in text.split("given: {")[1].split("}")[0].split(",")]
     rng, moving = random.Random(name), set()
     for _ in range(SETS):
@@ -198,23 +199,24 @@ find: {x: a.rotation from start to end, y: b.rotation from start to end, t: time
 }
 
 
+@cache
+def all_at_rest(name: str) -> Mapping[str, rotsolve.AnswerView]:
+    turning = ["kg m^2", "kg m^2", "rad/s", "rad/s", "N m", "N m"]
+    units = turning if "wheels" in name else ["kg", "kg", "m/s", "m/s", "number", "number"]
+    givens = ", ".join(
+        f"{letter}: {unit}" for letter, unit in zip(("m", "M", "u", "v", "mu", "nu"), units, strict=True)
+    )
+    return rotsolve.solve(f"title: t\ngiven: {{{givens}}}{ALL_AT_REST[name]}", confirm=False).answers
+
+
 @pytest.mark.parametrize("numbers", [(1.0, 3.0), (3.0, 1.0), (2.0, 2.5)])
 @pytest.mark.parametrize("name", ALL_AT_REST)
 def test_all_rest_when_the_last_does(name: str, numbers: tuple[float, float]) -> None:
     """x = u²/(2 a), y = v²/(2 b), t the later of u/a and v/b, whichever is named first."""
-    turns = "wheels" in name
-    units = (
-        ["kg m^2", "kg m^2", "rad/s", "rad/s", "N m", "N m"]
-        if turns
-        else ["kg", "kg", "m/s", "m/s", "number", "number"]
-    )
-    givens = ", ".join(
-        f"{letter}: {unit}" for letter, unit in zip(("m", "M", "u", "v", "mu", "nu"), units, strict=True)
-    )
-    answers = rotsolve.solve(f"title: t\ngiven: {{{givens}}}{ALL_AT_REST[name]}").answers
+    answers = all_at_rest(name)
     u, v = numbers
     known = {"m": 1.3, "M": 0.7, "u": u, "v": v, "mu": 0.4, "nu": 0.3, "g": G}
-    a, b = (0.4 / 1.3, 0.3 / 0.7) if turns else (0.4 * G, 0.3 * G)
+    a, b = (0.4 / 1.3, 0.3 / 0.7) if "wheels" in name else (0.4 * G, 0.3 * G)
     for key, true in {"x": u**2 / (2 * a), "y": v**2 / (2 * b), "t": max(u / a, v / b)}.items():
         case = holding(answers[key].answer, known)
         assert case is not None
@@ -256,7 +258,8 @@ def test_a_bar_on_two_supports_in_either_order(held: tuple[str, str, str]) -> No
     """A (d − c) = M g (d − L/2) + m g (d − x), where that and the other one are positive: with c < d or c > d."""
     first, second, force = held
     answer = (
-        rotsolve.solve(f"""
+        rotsolve.solve(
+            f"""
 title: A level bar with a load
 given: {{M: kg, L: m, c: m, d: m, m: kg, x: m}}
 surfaces: {{floor: level}}
@@ -267,7 +270,9 @@ connections:
 actions: {{load: {{force: m*g, on: bar.at(x), direction: down}}}}
 states: {{now: {{bar.angle: 0, balance: true}}}}
 find: {{A: {force}}}
-""")
+""",
+            confirm=False,
+        )
         .answers["A"]
         .answer
     )
@@ -320,7 +325,7 @@ def least(x: Numbers) -> tuple[float, float]:
 
 def test_axle_and_brake_of_one_wheel_are_overcome_together() -> None:
     """Each alone would be held by the other; not all of the many cases are worked out."""
-    answers = {key: view.answer for key, view in rotsolve.solve(SHARED_SHAFT).answers.items()}
+    answers = {key: view.answer for key, view in rotsolve.solve(SHARED_SHAFT, confirm=False).answers.items()}
     rng, seen = random.Random(7), set()
     for _ in range(400):
         numbers = {name: rng.uniform(0.1, 3) for name in ("I", "J", "R", "C", "tau", "kap", "P", "mu")}
@@ -354,7 +359,7 @@ def test_of_a_product_that_vanishes_neither_factor_is_taken_to() -> None:
 
     From then on 7 I + 4 m r² goes with (m g r + C) / r: T = m (7 I g − 4 C r)/(7 I + 4 m r²).
     """
-    answers = rotsolve.solve(LIFTED).answers
+    answers = rotsolve.solve(LIFTED, confirm=False).answers
     rng = random.Random(5)
     for _ in range(30):
         x = {name: rng.uniform(0.2, 1) for name in ("I", "m", "r", "w", "C")} | {"g": G}
