@@ -217,7 +217,7 @@ def text_of(scene: str, given: dict[str, str]) -> str:
 def told(scene: str, units: dict[str, str]) -> list[tuple[Formula, str]]:
     """What a page in letters says of them: left − right, and how it compares with 0."""
     found = []
-    for words, *_ in solve(text_of(scene, units)).derivation.conventions:
+    for words, *_ in solve(text_of(scene, units), confirm=False).derivation.conventions:
         parts = re.fullmatch(r"(.+) ([<>≤≥]) (.+)", words) if isinstance(words, str) else None
         if parts and "," not in words and not words.startswith("0 <"):
             found.append((parse(parts[1], units) - parse(parts[3], units), parts[2]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -259,6 +260,7 @@ def given_with(text: str) -> str:
     return (GIVEN.replace("}", ", k: N/m, T: s}") if ": k" in text else GIVEN) + text
 
 
+@cache
 def refused(text: str) -> str:
     """Why a scene has no answer, or in letters why one of its cases has none."""
     try:

@@ -31,7 +31,7 @@ def pressed(m: float, x: float, theta: float, at: float) -> float:
 
 @pytest.fixture(scope="module")
 def answer() -> Answer:
-    return rotsolve.solve(ROD).answers["w"].answer
+    return rotsolve.solve(ROD, confirm=False).answers["w"].answer
 
 
 @pytest.mark.parametrize("x", [0.4, 0.7, 1.0])
@@ -66,14 +66,14 @@ def test_some_rods_lift_only_on_the_way() -> None:
 def test_what_letters_do_not_tell_of_the_way_is_said() -> None:
     scene = """
 title: Rod let go upright on a rough floor
-given: {m: kg, L: m, theta: deg, phi: deg, mu: number}
+given: {m: 2 kg, L: 1 m, theta: deg, phi: deg, mu: number}
 surfaces: {floor: level}
 bodies: {rod: {shape: rod, mass: m, length: L, turns: clockwise}}
 connections: {foot: {contact: [rod.start, floor], friction: mu}}
 states: {up: {rod.angle: theta, at rest: all}, there: {rod.angle: phi}}
 find: {w: rod.angular_velocity at there}
 """
-    checks = [str(check.words) for check in rotsolve.solve(scene).checks if check.holds is None]
+    checks = [str(check.words) for check in rotsolve.solve(scene, confirm=False).checks if check.holds is None]
     assert any("whether foot slips on the way from up to there" in words for words in checks)
 
 
@@ -88,7 +88,7 @@ actions: {motor: {couple: Q - c*time, on: drum}}
 states: {start: {at rest: all}, end: {time: T1}}
 find: {v: load.velocity at end}
 """
-    answer = rotsolve.solve(scene).answers["v"].answer
+    answer = rotsolve.solve(scene, confirm=False).answers["v"].answer
     numbers = {"R": 1.0, "m": 1.0, "tau": 5.0, "T1": 1.0, "g": 9.8}
     assert holding(answer, {**numbers, "I": 0.01, "Q": 30.0, "c": 33.0}) is None
     assert holding(answer, {**numbers, "I": 2.0, "Q": 30.0, "c": 33.0}) is not None
