@@ -108,11 +108,12 @@ class Curve(Struct, frozen=True):
     smooth: Formula  # the curve or its square
 
     def value(self, at: Formula, search: Search) -> Formula | None:
-        """The quantity at a place, None where it has no value there."""
+        """The quantity at a place, None where it has no value there, or none that is real, as the root of a negative square."""
         try:
-            return search.solver.simplify(self.curve.substitute({self.letter: at}))
+            value = search.solver.simplify(self.curve.substitute({self.letter: at}))
         except (ZeroDivisionError, ValueError):
             return None
+        return value if is_real(value, search) else None
 
 
 def best_place(course: Curve, word: str, search: Search, *, only: bool) -> tuple[Formula, Words]:
@@ -174,7 +175,7 @@ def angles(course: Curve, search: Search) -> list[Formula]:
 
 def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> bool:
     """Whether a root lies in the domain, ends included; one that is not real does not."""
-    if search.signs.trials.keys() >= set(search.signs.lacking(root)) and search.number(root) is None:
+    if not is_real(root, search):
         return False
     gaps = [root - domain.low] if domain.low is not None else []
     gaps += [domain.high - root] if domain.high is not None else []
@@ -182,6 +183,11 @@ def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> b
     if None in signs and -1 not in signs:
         raise NotYet(f"whether a root for `{course.letter}` lies in its range depends on the givens: give them numbers")
     return -1 not in signs
+
+
+def is_real(value: Formula, search: Search) -> bool:
+    """Whether a formula has a number, as far as letters without one do not leave that open."""
+    return search.number(value) is not None or not search.signs.trials.keys() >= set(search.signs.lacking(value))
 
 
 def check_smooth(course: Curve, domain: Domain, search: Search) -> None:
@@ -212,9 +218,11 @@ def rootless(part: Formula, letter: str, search: Search) -> bool:
 def check_open_ends(
     course: Curve, domain: Domain, inside: list[Formula], valued: list[Formula], side: int, search: Search
 ) -> None:
-    """Where the domain has no end, the quantity must fall (or rise, for a smallest) beyond the last root."""
-    open_low = domain.low is None or domain.low not in valued
-    open_high = domain.high is None or domain.high not in valued
+    """Where the domain has no end, the quantity must fall (or rise, for a smallest) beyond the last root, or not be real beyond it."""
+    sizes = {at: size for at in inside if (size := search.number(at)) is not None}
+    lowest, highest = (pick(sizes, key=sizes.__getitem__, default=None) for pick in (min, max))
+    open_low = (domain.low is None or domain.low not in valued) and not ceases(course, lowest, domain.low, search)
+    open_high = (domain.high is None or domain.high not in valued) and not ceases(course, highest, domain.high, search)
     for open_, towards in ((open_low, -1), (open_high, 1)):
         if not open_:
             continue
@@ -222,6 +230,13 @@ def check_open_ends(
         signs = [search.signs.taken(course.slope.substitute({course.letter: at})) for at in beyond]
         if len(inside) != 1 or signs[0] is None or signs[0] * towards * side >= 0:
             raise NotYet(f"no {'largest' if side > 0 else 'smallest'} value was found: `{course.letter}` has no bounds")
+
+
+def ceases(course: Curve, root: Formula | None, end: Formula | None, search: Search) -> bool:
+    """Whether a quantity vanishes at the last root and is not real at the end beyond it: there it ceases."""
+    if root is None or end is None or course.value(root, search) != ZERO:
+        return False
+    return course.value(end, search) is None
 
 
 def probe(root: Formula, towards: int, domain: Domain) -> Formula:

@@ -115,14 +115,29 @@ class Solver(Isolation, kw_only=True):
         return found[plan.asked]
 
     def with_found(self, value: Formula) -> Formula:
-        """Answers put in, and what was eliminated on the way to them."""
+        """Answers put in, and what was eliminated on the way to them; not what leads back to itself, as x by ω(x) once x is sought."""
+        put = set[str]()
         for _ in range(ROUNDS):
             value = self.with_answers(value)
-            used = {name: self.told[name] for name in value.symbols() if name in self.told}
+            names = [name for name in value.symbols() if name in self.told]
+            used = {name: self.told[name] for name in names if name not in put or not self._leads_back(name)}
             if not used:
                 break
+            put.update(used)
             value = value.substitute(used)
         return value
+
+    def _leads_back(self, name: str) -> bool:
+        """Whether what tells a letter speaks of it again, by way of answers and of what was eliminated."""
+        seen, todo = set[str](), [name]
+        while todo:
+            one = todo.pop()
+            answer = self.solved.get(one)
+            telling = self.told.get(one) if answer is None or answer.formula is None else answer.formula
+            new = telling.symbols() - seen if telling is not None else ()
+            seen.update(new)
+            todo += new
+        return name in seen
 
     def _solve(self, plan: Plan) -> Found:
         """Eliminate one unknown after the other, until the last equation holds the asked one alone."""

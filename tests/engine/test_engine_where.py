@@ -164,3 +164,26 @@ find: {{x: x where r.angular_velocity is largest at s1, w: {word} r.angular_velo
     (why,) = (str(refused) for refused in solution.refused.values())
     assert f"no time passes in which `angular_velocity` could be {word}" in why
     assert list(solve(scene.replace(f"w: {word} ", "w: ")).answers) == ["x", "w"]
+
+
+PIVOTED = """
+title: Rod that swings down, with a lump at its start, about a pin that may be anywhere
+given: {{M: {M}, m: {m}, L: {L}, x: {x}}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}, lump: {{mass: m}}}}
+connections: {{pin: {{hinge: rod.at(x)}}, joint: {{weld: [rod.start, lump]}}}}
+states: {{begin: {{rod.angle: 0, at rest: all}}, low: {{rod.angle: 90 deg}}}}
+find: {{y: x where rod.angular_velocity is largest at low}}
+"""
+
+
+@pytest.mark.parametrize("x", ["m", "unknown"])
+@pytest.mark.parametrize("letters", [NUMBERS, LETTERS])
+def test_what_is_not_real_beyond_a_place_ceases_there(letters: dict[str, str], x: str) -> None:
+    """ω² is negative up to the centre of mass, x = M L/(2 (M + m)), where the rod does not come up: as good an end as that of the rod.
+
+    ω² = 2 g ((M + m) x − ½ M L)/(M (L²/12 + (x − L/2)²) + m x²); a sought x told by ω(x) is not put into itself.
+    """
+    text = PIVOTED.format(x=x, **letters)
+    solution = solve(text.replace("y: x", "x: x") if x == "unknown" else text)
+    assert same(solution, "x" if x == "unknown" else "y", "L*(3*M + sqrt(3*M*(M + 4*m)))/(6*(M + m))")
+    assert "ω = 0 at x = " in solution.to("text", width=400)
