@@ -99,7 +99,7 @@ QUANTITIES: dict[str, QuantityKind] = {
             "force on the last-named body",
             (*MOTION, "net", "gravity"),
         ),
-        kind("tension", "force", "T", (LINK,), "pull of a string or belt, at one of its ends where a pulley is heavy"),
+        kind("tension", "force", "T", (LINK,), "pull of a string, at one of its ends where a pulley is heavy"),
         kind("normal_force", "force", "N", (LINK,), "push of a surface across itself"),
         kind(
             "friction_force",

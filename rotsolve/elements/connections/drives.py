@@ -23,7 +23,7 @@ from rotsolve.language.keys import amount, key
 class Belt(Connection, frozen=True):
     word = "belt"
     about = "a belt or chain round two wheels: they turn the same way, or opposite ways when it is crossed"
-    quantities = ("tension", "force", "power", "work", "impulse")
+    quantities = ("force", "power", "work", "impulse")
     bodily = rimmed = True
     belt: tuple[PointRef, ...] = key(
         "points", "the wheels or rims", count=(2, 10), required=True, example="[motor, drum.big]"
