@@ -212,7 +212,8 @@ def reversed_parts(
     first, middle = scene.instant(interval.start), scene.instant(interval.start, generic=True)
     times = [beside.settled(scene.instant(state).time(), "time") for state in (interval.start, interval.end)]
     if beside.side(times[1] - times[0]) != 1:
-        raise NotYet(f"how long `{interval.name}` lasts is not told by these laws", help="give numbers to the letters")
+        help = "give numbers to the letters" if beside.signs.trials else ""
+        raise NotYet(f"how long `{interval.name}` lasts is not told by these laws", help=help)
     speed = beside.settled(rate_along(word, name, middle), RATE[word])
     change = (
         rotation(name, interval, first) if word == "rotation" else way(replace(path, owner=name), name, interval, first)
