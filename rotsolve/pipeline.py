@@ -206,7 +206,7 @@ def refused_by(error: Unsolvable, problem: Problem) -> Mapping[str, Unsolvable]:
 
 def taken_along(refused: Mapping[str, Unsolvable], problem: Problem) -> dict[str, Unsolvable]:
     """What else has no answer where the data leave none for an unknown that a state tells: what is asked of that state or later."""
-    asked = {given.name for given in problem.givens if given.asked}
+    asked = problem.sought
     found: dict[str, Unsolvable] = {}
     for name, error in refused.items():
         error = error.refused.get(name, error) if isinstance(error, Unanswered) else error

@@ -218,7 +218,7 @@ class CaseTeller(Struct, frozen=True):
         """What is said where there is none: of a letter that is sought only those values are known to which the ways tried lead, and
         that something is not solved is no reason why there should be none."""
         problem = self.space.problem
-        sought = any(given.asked for given in problem.givens) or any(find.seeks for find in problem.finds)
+        sought = problem.sought or any(find.seeks for find in problem.finds)
         return "no answer is found" if sought or UNSOLVED in kinds else "there is no answer"
 
     def closed_without(self, why: Words, names: Collection[str], region: Region) -> Region:

@@ -133,7 +133,7 @@ def approaches_between(pair: tuple[str, ...], onward: Sequence[Interval], search
 
 def asked_of(state: str, search: Search) -> bool:
     """Whether a question is about a state, or about a letter that what the states tell is to settle."""
-    if any(given.asked for given in search.givens.values()):
+    if search.scene.configuration.problem.sought:
         return True
     last = search.scene.configuration.timeline.states[-1].name
     terms = [term for answered in search.answered for term in answered.asked.find.terms]

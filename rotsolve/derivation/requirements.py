@@ -265,8 +265,7 @@ def asked_after(need: Requirement, event: str, search: Search) -> bool:
     terms = [term for answered in search.answered for term in answered.asked.find.terms]
     later = {term.path.owner for term in terms if timeline.order.get(term.at or term.end or "", -1) >= first}
     taking_part = {meeting.body.name for meeting in search.scene.encounters[event].meetings}
-    sought = any(given.asked for given in search.givens.values())
-    return sought or not later.isdisjoint({"", need.owner, *taking_part})
+    return bool(search.scene.configuration.problem.sought) or not later.isdisjoint({"", need.owner, *taking_part})
 
 
 def objection(need: Requirement, state: str, search: Search, letters: Letters) -> Words:

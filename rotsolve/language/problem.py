@@ -260,6 +260,11 @@ class Problem(Struct, frozen=True):
         return {given.name: given.value for given in self.givens if given.value is not None}
 
     @property
+    def sought(self) -> frozenset[str]:
+        """The letters that are asked for: their values are answers."""
+        return frozenset(given.name for given in self.givens if given.asked)
+
+    @property
     def trials(self) -> dict[str, Formula]:
         """The numbers at which it is looked what the case of the letters without a value is."""
         return {given.name: given.trial for given in self.givens if given.trial is not None}

@@ -75,8 +75,9 @@ def refused_alone(find: Find, search: Search) -> Refused:
 
 def needed_for(find: Find, problem: Problem) -> Iterator[tuple[Find, ...]]:
     """What a question needs, the least first: those that it names, then those too that settle an unknown letter by a condition."""
-    asked = {given.name for given in problem.givens if given.asked}
-    settling = {item.name for item in problem.finds if item.where is not None and item.formula.symbols() & asked}
+    settling = {
+        item.name for item in problem.finds if item.where is not None and item.formula.symbols() & problem.sought
+    }
     alone = with_named({find.name}, problem)
     yield alone
     if settling - {item.name for item in alone}:

@@ -127,7 +127,7 @@ def law_that_gives(find: Find, search: Search) -> str:
 def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[SceneQuantity | str]:
     """The unknowns that the scene has words for: quantities of the laws, and letters that it asks for."""
     quantities = scene.registry.quantities
-    asked = {given.name for given in scene.configuration.problem.givens if given.asked}
+    asked = scene.configuration.problem.sought
     return list(dict.fromkeys(quantities.get(name, name) for name in names if name in quantities or name in asked))
 
 

@@ -8,26 +8,25 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Witness, pass_on, witnessed_apart
-from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.formula import ZERO, Formula, call, negate
+from rotsolve.algebra.formula import ZERO, Formula, call
 from rotsolve.core.derivation import Trial, Words
-from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
-from rotsolve.core.facts import Force, Requirement, signed
+from rotsolve.core.equation import NEWTON
+from rotsolve.core.facts import signed
 from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import POSITION, has_quantities, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import with_hereafter
 from rotsolve.motion.positive import limits_of
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, against_most, rubs, rubs_at
 from rotsolve.plan import PATIENCE
-from rotsolve.questions.find import Asked
-from rotsolve.search.answers import Answered, NoAnswer, unsolvable
+from rotsolve.search.answers import Answered, unsolvable
 from rotsolve.search.explain import unreachable
+from rotsolve.search.gripping import greatest_friction, own_needs, smooth, sticking
 from rotsolve.search.openings import tell_ends
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
@@ -312,7 +311,7 @@ class Trials:
         """Unsolvable where nothing tells whether what rubs begins to move, and no question may tell it."""
         problem = self.configuration.problem
         named = [spoken(rub.body) for rub in group]
-        sought = any(given.asked for given in problem.givens) or any(find.where is not None for find in problem.finds)
+        sought = problem.sought or any(find.where is not None for find in problem.finds)
         if not sought:
             state = f" from `{group[0].state}` on" if group[0].state else ""
             raise unsolvable(
@@ -342,7 +341,7 @@ class Trials:
         if ways and can_be:
             return trial
         problem = self.configuration.problem
-        if any(given.asked for given in problem.givens):
+        if problem.sought:
             return {}
         names = ", ".join(f"`{rub.name}`" for rub in group)
         raise unsolvable(problem, f"which of {names} slip is not told by the laws of motion", kind=UNSOLVED)
@@ -409,63 +408,6 @@ def without_asked(group: Sequence[Rub], problem: Problem) -> Problem | None:
         return None
     free = [replace(item, value=ZERO, asked=False) if item.name in letters else item for item in problem.givens]
     return replace(problem, givens=tuple(free))
-
-
-def sticking(search: Search, rub: Rub, contact: Connection) -> tuple[Answered, Answered] | None:
-    """The friction and the normal force of a contact that is taken to stick; None where Newton's laws do not tell them."""
-    scene = search.scene
-    body = scene.facts(rub.state).body(scene.instant(rub.state).host(contact.lying()))
-    rubbing, pressing = contact_forces(contact.name, body.forces if body else ())
-    if rubbing is None or pressing is None:
-        return None
-    try:
-        friction = search.answer(question(rubbing.size, f"f_{contact.name}"))
-        return friction, search.answer(question(pressing.size, f"N_{contact.name}"))
-    except NoAnswer:
-        return None
-
-
-def greatest_friction(contact: Connection, normal: Answered) -> Formula | None:
-    """The greatest friction that the contact can give, μₛ N."""
-    static = contact.static()
-    return None if static is None or normal.found.formula is None else static * normal.found.formula
-
-
-def smooth(rub: Rub, signs: SignOracle) -> bool:
-    """Whether a contact's coefficient is 0, so that it gives no friction even at rest."""
-    static = rub.contact.static() if rub.contact is not None else None
-    return static is not None and signs.by_numbers(static) == 0
-
-
-def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equation, Formula]]:
-    """|f| = μₛ N of a contact on the point of slipping, for either direction, each with the normal force that must not be negative."""
-    item, bodies = scene.configuration.connection(contact, state), scene.facts(state).bodies
-    static = item.static() if item is not None else None
-    rubbing, pressing = contact_forces(contact, [force for body in bodies for force in body.forces])
-    if static is None or rubbing is None or pressing is None:
-        return []
-    most, section = static * pressing.size, scene.section(state)
-    limits = [POINT_OF_SLIPPING.equation(rubbing.size, side, section) for side in (most, negate(most))]
-    return [(limit, pressing.size) for limit in limits]
-
-
-def contact_forces(contact: str, forces: Iterable[Force]) -> tuple[Force | None, Force | None]:
-    """Friction and normal force of a contact, the last of each."""
-    own = [force for force in forces if force.owner == contact]
-    rubbing, pressing = [item for item in own if item.role.rubs], [item for item in own if item.role.presses]
-    return rubbing[-1] if rubbing else None, pressing[-1] if pressing else None
-
-
-def question(size: Formula, name: str) -> Asked:
-    """A force as a question, to be answered aside."""
-    letter = next(iter(size.symbols())) if size.symbols() else name
-    return Asked(Find(name, size, ()), size, letter, None)
-
-
-def own_needs(rub: Rub, scene: SceneEquations) -> list[Requirement]:
-    """What friction of a contact that sticks has to suffice for."""
-    needs = scene.facts(rub.state).requirements if rub.contact is not None else ()
-    return [need for need in needs if need.owner == rub.owner and need.kind.grips]
 
 
 def check_goes_on(configuration: Configuration) -> None:

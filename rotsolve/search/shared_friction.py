@@ -24,7 +24,7 @@ from rotsolve.search.friction import Trials
 def suffices_together(configuration: Configuration, state: str) -> bool | None:
     """Whether all that rubs holds at a first state that is in balance; None where the laws do not tell how it would begin to move."""
     problem = configuration.problem
-    if state != problem.states[0].name or any(given.asked for given in problem.givens):
+    if state != problem.states[0].name or problem.sought:
         return None
     trials = Trials(Configuration(released(configuration, problem.states[0]), configuration.alteration))
     rubbing = list(rubs_at(trials.configuration, state))

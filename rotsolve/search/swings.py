@@ -176,8 +176,7 @@ def observe(swing: Swing, search: Stepping) -> None:
     if swing.harmonic in search.swung:
         return
     search.swung.add(swing.harmonic)
-    unknowns = frozenset(given.name for given in search.givens.values() if given.asked)
-    slope, told = slope_in(unknowns, swing, search)
+    slope, told = slope_in(search.scene.configuration.problem.sought, swing, search)
     way: Words = (swing.acceleration, " = ", negate(swing.omega**2 * swing.coordinate), " and ", *told)
     search.planner.extend(HARMONIC.equation(swing.omega**2, negate(slope), swing.harmonic, (), way))
     for equation in periods(swing.omega, swing.letters, swing.harmonic, "period"):

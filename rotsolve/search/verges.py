@@ -24,7 +24,8 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import Answered, NoAnswer
 from rotsolve.search.extrema import add_step, remember_answer
-from rotsolve.search.friction import TRIALS, Trials, limiting
+from rotsolve.search.friction import TRIALS, Trials
+from rotsolve.search.gripping import limiting
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found
 

@@ -24,7 +24,8 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answering import answer
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.consistency import contradiction, untimely
-from rotsolve.search.friction import TRIALS, Trials, decide, own_needs, smooth
+from rotsolve.search.friction import TRIALS, Trials, decide
+from rotsolve.search.gripping import own_needs, smooth
 from rotsolve.search.search import Search
 from rotsolve.search.verges import modifier_of, verge_meant
 from rotsolve.search.within import out_of_bounds

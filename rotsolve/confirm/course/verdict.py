@@ -252,7 +252,7 @@ def numbers_known(answers: Sequence[Answer], problem: Problem, numbers: Numbers,
 def rivals_of(answers: Sequence[Answer], problem: Problem, limits: Callable[[], Iterable[Limit]]) -> Rivals | None:
     """What looks for other values of the letters that answers tell, or hang on; None where there are none."""
     letters = {Symbol(given.name) for given in problem.givens}
-    if not any(given.asked for given in problem.givens) and not any(find.formula in letters for find in problem.finds):
+    if not problem.sought and not any(find.formula in letters for find in problem.finds):
         return None
     from rotsolve.confirm.course.rivals import Rivals
 

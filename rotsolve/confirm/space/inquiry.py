@@ -413,7 +413,7 @@ class Inquiry:
         how much it has that rate at another angle the first time."""
         from rotsolve.confirm.space.flight import Flight
 
-        asked = {given.name for given in self.problem.givens if given.asked}
+        asked = self.problem.sought
         lines = [line for line in state.conditions if line.path is not None and line.value is not None]
         for line in (line for line in lines if line.path is not None and line.path.quantity == "angle"):
             paced = Lines(self.rig, state, {}).line(line.path.owner, "angular_velocity")  # type: ignore[union-attr]

@@ -118,7 +118,7 @@ def judged_in_space(
 
 def letters_by_cases(problem: Problem, answers: Sequence[Answer], said: Mapping[str, Said]) -> dict[str, float]:
     """The letters that are asked for and whose answers have cases, by the one that holds."""
-    asked = {given.name for given in problem.givens if given.asked}
+    asked = problem.sought
     told = {answer.name: said.get(answer.name, {}).get("") for answer in answers if answer.otherwise}
     return {
         find.formula.name: size
