@@ -77,6 +77,12 @@ def verge_meant(find: Find, search: Search) -> Verge:
     configuration, word = search.scene.configuration, modifier_of(find)
     question, contact, state = verge_asked(find, search)
     verges = verges_of(contact, state, question, search)
+    item = configuration.connection(contact, state)
+    if not verges and item is not None and "torque" in item.quantities and not limiting(search.scene, contact, state):
+        raise NotYet(
+            f"with what value `{contact}` is on the point of slipping is not solved yet: it is solved of what presses on a surface",
+            help=f"ask for `{contact}.torque`, which says up to what it sticks",
+        )
     if not verges:
         alone = not configuration.timeline.state(state).balance and len(rubs(configuration)) > 1
         raise NotYet(

@@ -31,6 +31,12 @@ BELT = (
     "connections: {mount: {axle: wheel}, stud: {axle: other}, strap: {belt: [wheel, other]}}\n"
     "actions: {drive: {couple: tau, on: wheel}}\nstates: {now: {at rest: all}}\n"
 )
+CLUTCHED = (
+    "given: {s: unknown, r: 0.1 m, P: 100 N}\n"
+    "bodies: {load: {mass: s, moves: down}, drum: {inertia: 1 kg m^2, radius: r}, disc: {inertia: 2 kg m^2, radius: 3*r}}\n"
+    "connections:\n  pivot: {axle: [drum, disc]}\n  grip: {clutch: [drum, disc], friction_torque: 5 N m}\n  rope: {string: [load, drum]}\n"
+    "actions: {shoe: {press: P, on: disc.rim, friction: 0.5}}\nstates: {rest: {balance: true}}\n"
+)
 LINKS = "bodies: {a: {shape: rod, mass: M, length: L}, b: {shape: rod, mass: m, length: L}}\n"
 STEADY = "states: {now: {rod.angle: -60 deg, at rest: all}}\n"
 REST = "states: {now: {at rest: all}}\n"
@@ -234,6 +240,10 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         + (NODS % "0 rad/s").replace("largest", "26 deg")
         + "find: {x: change of top.precession_angle from start to low}\n",
         TOP + NODS % "0 rad/s" + "find: {x: change of top.precession_angle from start to low}\n",
+    ),
+    "verge of a clutch": (
+        CLUTCHED + "find: {x: largest s where grip sticks}\n",
+        CLUTCHED.replace("s: unknown", "s: 4 kg") + "find: {x: grip.torque at rest}\n",
     ),
     "pendulum after a time": (
         "given: {m: 2 kg, T: 1 s, l: 1 m}\nup: z\n"
