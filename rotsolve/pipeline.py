@@ -21,6 +21,7 @@ from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import (
     CONTRADICTORY,
     INCOMPLETE,
+    UNSOLVED,
     Contradicted,
     Fault,
     Impossible,
@@ -118,11 +119,25 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
 
 def too_long(problem: Problem) -> Unsolvable:
     """That a scene takes more work than is done for one."""
-    open_ = [given.name for given in problem.givens if given.value is None and not (given.asked or given.automatic)]
-    if not open_:
+    wanted = numbers_wanted(problem)
+    if not wanted:
         return unsolvable(problem, "it takes too long to work out", None, "ask for less, or follow it by `simulate`")
-    numbers = ", ".join(f"`{name}`" for name in open_[:FEW_LETTERS])
-    return unsolvable(problem, "it takes too long to work out in letters", None, f"give numbers to {numbers}")
+    return unsolvable(problem, "it takes too long to work out in letters", None, wanted)
+
+
+def numbers_wanted(problem: Problem) -> str:
+    """The help that letters want numbers; "" where none is open."""
+    open_ = [given.name for given in problem.givens if given.value is None and not (given.asked or given.automatic)]
+    return f"give numbers to {', '.join(f'`{name}`' for name in open_[:FEW_LETTERS])}" if open_ else ""
+
+
+def as_tried(error: Exception, problem: Problem) -> Exception:
+    """Why there is no verge, which was seen at some numbers for the letters alone."""
+    if not isinstance(error, Unsolvable) or error.fault.help or not any(find.verge for find in problem.finds):
+        return error
+    fault = error.fault
+    help = f"it may be otherwise for other letters: {numbers_wanted(problem)}"
+    return unsolvable(problem, fault.message, fault.span, help, kind=fault.kind)
 
 
 def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str | None) -> Fault:
@@ -321,9 +336,10 @@ def solved_by_cases(
 
     def solve(trial: Mapping[str, Formula]) -> tuple[Derivation, bool]:
         own = at_point(configuration.problem, trial)
-        solutions.append(each_where_answered(own, partial(solved_of_case, own, problem, law, digits, at)))
-        derivation = solutions[-1].derivation
-        refuse_no_verge(solutions[-1], whole, trial)
+        solution = each_where_answered(own, partial(solved_of_case, own, problem, law, digits, at))
+        refuse_no_verge(solution, whole, trial)
+        solutions.append(solution)
+        derivation = solution.derivation
         return derivation, any(check.holds is False for check in derivation.checks)
 
     def confirming(found: Derivation, numbers: Mapping[str, float]) -> Collection[str]:
@@ -336,7 +352,7 @@ def solved_by_cases(
         raise Exhausted
     if not solutions:
         assert cases[0].fault is not None
-        raise cases[0].fault
+        raise as_tried(cases[0].fault, problem)
     refuse_idle(solutions, problem)
     if len(cases) == 1 and not (cases[0].conditions or cases[0].needs or space.assumed or space.limited):
         return replace(solutions[0], problem=problem)
@@ -361,7 +377,8 @@ def refuse_no_verge(solution: Solution, problem: Problem, trial: Mapping[str, Fo
 
         why = no_verge_at(solution.derivation.answers, problem, solution.trace.letter, numbers)
         if why:
-            raise unsolvable(problem, why, None)
+            span = next(find.span for find in problem.finds if find.verge)
+            raise unsolvable(problem, f"no such value is found: {why}", span, kind=UNSOLVED)
 
 
 def solved_of_case(

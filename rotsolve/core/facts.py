@@ -215,12 +215,14 @@ APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
+LIES = Need("lies", placed=True, closed=True)  # a ladder in front of its wall, and not in it
 STANDS = Need("stands", placed=True, closed=True)  # a crate on its base
 ON_THE_WAY = Need("on the way", placed=True, closed=True)  # what is least within a phase
 
 
 class Requirement(Struct, frozen=True):
-    """An inequality that the answer must obey: left ≥ right. `kept` says what holds then, `otherwise` what really happens else."""
+    """An inequality that the answer must obey: left ≥ right. `kept` says what holds then, "" where that is not worth a
+    word, `otherwise` what really happens else."""
 
     owner: str
     kind: Need

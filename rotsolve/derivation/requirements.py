@@ -325,7 +325,7 @@ def holding_words(need: Requirement, search: Search, letters: Letters, settled: 
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {stays}",)
     names = {name for name in need.left.symbols() if is_key(name)}
     if need.kind.placed:
-        return (need.kept,)
+        return (need.kept,) if need.kept else ()
     return (letters.printed(need.left), " > 0: ", need.kept) if names <= set(letters.names) else (need.kept,)
 
 

@@ -61,7 +61,7 @@ class RootChoice(Struct, frozen=True):
         later = self._first_moment(name, numbered, period)
         if later is not None:
             return later
-        if len(real) > 1 and len(front := [entry for entry in real if self._in_front(name, roots[entry[0]])]) < len(
+        if len(real) > 1 and len(front := [entry for entry in real if self.in_front(name, roots[entry[0]])]) < len(
             real
         ):
             real = front or real
@@ -80,7 +80,7 @@ class RootChoice(Struct, frozen=True):
             return PickedRoot(index, dropped, fits=not opposed)
         return self._of_several(name, real, numbered, roots, period)
 
-    def _in_front(self, name: str, root: Formula) -> bool:
+    def in_front(self, name: str, root: Formula) -> bool:
         """Whether with a root for its angle a body in balance lies in front of all surfaces that it touches, and not in them."""
         if not any(state.balance for state in self.scene.configuration.timeline.states):
             return True

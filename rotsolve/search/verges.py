@@ -26,6 +26,7 @@ from rotsolve.search.answers import Answered, NoAnswer
 from rotsolve.search.extrema import add_step, remember_answer
 from rotsolve.search.friction import TRIALS, Trials
 from rotsolve.search.gripping import limiting
+from rotsolve.search.roots import RootChoice
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found
 
@@ -177,7 +178,7 @@ def at_once(own: list[Limit], others: list[list[Limit]]) -> Iterator[tuple[Limit
 
 def verges_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Iterator[Verge]:
     """The values at which friction has its limits, one for each root of these: none at which a surface would have to pull, nor one that the
-    letter can not be."""
+    letter can not be, as an angle at which the body lies in what it touches."""
     trial = search.another(search.families, spare=search.spare)
     try:
         value = trial.answer(question, *(limit for limit, _ in limits)).found.formula
@@ -186,9 +187,12 @@ def verges_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Ite
         return
     if value is None:
         return
+    choice = RootChoice(search.scene, search.givens, trial.numbers, search.definitions.formula)
     rivals = [trial.solver.with_found(root) for root in trial.rivals.get(question.letter, ())]
     for root in (value, *rivals):
         if not is_place(question.letter, search) and trial.numbers.side(root) in (0, -1):
+            continue
+        if not choice.in_front(question.letter, root):
             continue
         pressed = pushes if root == value else pushes_at(search, question, root, limits)
         if not any(push is not None and trial.numbers.side(push) == -1 for push in pressed):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 
 import pytest
 
@@ -137,3 +138,46 @@ states: {rest: {rod.angle: phi, balance: true}}
 find: {phi: phi}
 """)
     assert found.answers["phi"].float == pytest.approx(math.atan((1 / math.tan(math.pi / 3) - 1) / 2))
+
+
+FLATTEST = """
+title: Flattest ladder
+given: {{M: kg, L: m, p: {p}, q: {q}, theta: unknown}}
+surfaces: {{yard: level, side: {{wall: {wall}}}}}
+bodies: {{ladder: {{shape: rod, mass: M, length: L}}}}
+connections: {{foot: {{contact: [ladder.start, yard], friction: p}}, head: {{contact: [ladder.end, side], friction: q}}}}
+states: {{now: {{ladder.angle: {angle}, balance: true}}}}
+find: {{theta: smallest theta where head sticks}}
+"""
+SIDES = {"right": "theta", "left": "180 deg - theta"}
+
+
+@pytest.mark.parametrize("wall", SIDES)
+def test_a_ladder_does_not_lie_in_the_floor(wall: str) -> None:
+    """tan θ = (1 − p q)/(2 p): with p q > 1 it stands at every angle above the floor, and none is the smallest."""
+    steep = solve(FLATTEST.format(p="0.4", q="0.5", wall=wall, angle=SIDES[wall]))
+    assert steep.answers["theta"].float == pytest.approx(math.atan(1))
+    assert all(check.holds is not False for check in steep.checks)
+    with suppress(Unsolvable):  # or it is answered with the objection
+        jammed = solve(FLATTEST.format(p="2", q="1", wall=wall, angle=SIDES[wall]))
+        (against,) = [check for check in jammed.checks if check.holds is False]
+        assert "ladder lies in yard" in "".join(map(str, against.words))
+    letters = solve(FLATTEST.format(p="number", q="number", wall=wall, angle=SIDES[wall])).answers["theta"]
+    assert {"p < 1/q", "p ≤ 1/q"} & set(letters.conditions)
+    assert not letters.otherwise
+
+
+@pytest.mark.parametrize(("end", "angle"), [("start", "-20 deg"), ("start", "200 deg"), ("end", "30 deg")])
+def test_what_is_let_go_in_a_surface_is_told(end: str, angle: str) -> None:
+    solution = solve(f"""
+title: Rod let go with an end on a floor, and the rest below it
+given: {{M: 2 kg, L: 1 m}}
+surfaces: {{yard: level}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{foot: {{contact: [rod.{end}, yard]}}}}
+states: {{now: {{rod.angle: {angle}, at rest: all}}}}
+find: {{N: foot.normal_force at now}}
+""")
+    assert any(
+        "rod lies in yard" in "".join(map(str, check.words)) for check in solution.checks if check.holds is False
+    )

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import FRICTION, NORMAL, TOUCHES, Force, Requirement, Rule, enough, square
+from rotsolve.core.facts import FRICTION, LIES, NORMAL, TOUCHES, Force, Requirement, Rule, enough, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import has_quantities
@@ -286,12 +286,24 @@ class Touch(Connection, frozen=True):
         yield from self.both(force, instant, "push", surface.into, ref.owner)
         kept, otherwise = f"{spoken(self.name)} keeps contact", f"{spoken(ref.owner)} leaves the surface"
         yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
+        if not surface.curved:
+            yield from self.lies_in_front(facing, instant)
         if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
             body = instant.body(ref.owner)
             point = arm if rim_radius(body, ref.point) is None else instant.hub(ref)
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def lies_in_front(self, facing: Heading, instant: Moment) -> Iterator[Requirement]:
+        """The body's centre of mass lies on the free side of a flat surface: (r_cm − r_touch) · n ≥ 0, else all that touches with an end or
+        a corner would lie in it; nothing of what is sure, as of a wheel on its rim."""
+        own, place = self.pair()[:2]
+        if instant.is_round(own.owner) or instant.body(own.owner).shape is None:
+            return
+        ahead = simplify((instant.point(PointRef(own.owner, "cm")) - contact_arm(own, facing, instant)).along(facing))
+        if instant.configuration.signs.sign(ahead) not in (0, 1):
+            yield Requirement(self.name, LIES, ahead, ZERO, "", f"{spoken(own.owner)} lies in {spoken(place.owner)}")
 
     def check_abreast(self, surface: Surface, instant: Moment) -> None:
         """All corners with which a body stands on a flat surface lie on it: a crate on a slope stands along that, not level."""
