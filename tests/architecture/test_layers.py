@@ -36,6 +36,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("scene",),
     ("solving",),
     ("seeking",),
+    ("apart",),
     ("pipeline",),
     ("run",),
     ("keys",),
