@@ -12,7 +12,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol
 from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import POINT_OF_SLIPPING, Equation
 from rotsolve.core.symbols import asked_symbol, rub_key
@@ -30,6 +30,7 @@ from rotsolve.search.roots import RootChoice
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found
 
+LEFT = "#left"  # the share of a friction that is left
 Limit = tuple[Equation, Formula]  # |f| = μ N one way, and the normal force
 
 
@@ -195,9 +196,15 @@ def verges_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Ite
         if not choice.in_front(question.letter, root):
             continue
         pressed = pushes if root == value else pushes_at(search, question, root, limits)
-        if not any(push is not None and trial.numbers.side(push) == -1 for push in pressed):
-            side = slipping_side(search, question, limits[0][0], root) if len(limits) == 1 else 0
-            yield Verge(root, tuple(limit for limit, _ in limits), side, meant=root == value)
+        if any(push is not None and trial.numbers.side(push) == -1 for push in pressed):
+            continue
+        equations = tuple(limit for limit, _ in limits)
+        alone = len(limits) == 1
+        side = (
+            slipping_side(search, question, equations[0], root) if alone else side_together(search, question, equations)
+        )
+        if side is not None:
+            yield Verge(root, equations, side, meant=root == value)
 
 
 def pushes_at(search: Search, question: Asked, value: Formula, limits: tuple[Limit, ...]) -> list[Formula | None]:
@@ -212,6 +219,26 @@ def is_place(letter: str, search: Search) -> bool:
     """Whether a letter says where something is at a state, on one side or the other."""
     states = search.scene.configuration.timeline.states
     return any(line.path is not None and line.value == Symbol(letter) for state in states for line in state.conditions)
+
+
+def side_together(search: Search, question: Asked, limits: tuple[Equation, ...]) -> int | None:
+    """On which side of a verge at which several frictions have their limits they can not hold: with a share of any of these left, |f| =
+    (1 − ε) μ N, the quantity is smaller (+1) or larger (−1); None where it is one with some and the other with others, so that they hold
+    on both sides, as what is jammed does; 0 where nothing tells."""
+    sides = set[int]()
+    for number, limit in enumerate(limits):
+        eased = replace(limit, right=limit.right * (ONE - Symbol(LEFT)))
+        other = search.another(search.families, spare=search.spare)
+        other.known.add(LEFT)
+        try:
+            value = other.answer(question, *limits[:number], eased, *limits[number + 1 :]).found.formula
+        except NoAnswer:
+            return 0
+        if value is None:
+            return 0
+        slope = differentiate(value, LEFT).substitute({LEFT: ZERO})
+        sides.add(-(search.numbers.side(slope) or 0))
+    return None if {1, -1} <= sides else next((side for side in sides if side), 0)
 
 
 def slipping_side(search: Search, question: Asked, limit: Equation, value: Formula) -> int:

@@ -178,4 +178,37 @@ def test_a_case_in_which_it_sticks_beyond_is_left_out_and_no_other(way: str) -> 
     assert evaluate(answer.formula, numbers).float == pytest.approx(held)
     assert answer.conditions == ("μ < tan θ_far",)
     assert not answer.otherwise
-    assert any("`bed` sticks beyond it" in "".join(map(str, check.words)) for check in solution.checks)
+    assert any("no answer is found: no value is found" in "".join(map(str, check.words)) for check in solution.checks)
+
+
+CORNER = """
+title: Drum in the corner of a floor and a wall, turned by a couple
+given: {m: 2 kg, R: 50 cm, mu: number, nu: number, Q: unknown}
+surfaces: {floor: level, side: {wall: WAY}}
+bodies: {drum: {shape: cylinder, mass: m, radius: R, turns: SENSE}}
+connections: {low: {contact: [drum, floor], friction: mu}, high: {contact: [drum, side], friction: nu}}
+actions: {motor: {couple: Q, on: drum}}
+states: {hold: {balance: true}}
+find: {Q: largest Q where low sticks}
+"""
+
+
+@pytest.mark.parametrize(("way", "sense"), [("right", "clockwise"), ("left", "counterclockwise")])
+def test_what_is_jammed_has_no_verge(way: str, sense: str) -> None:
+    """Q = μ m g R (1 + ν)/(1 + μ ν) up to μ = 1, from there to μ ν = 1 with −ν; beyond that any couple wedges the drum in.
+
+    The forces lie between |f| ≤ μ N of both contacts: with N₂ = f₁, N₁ + f₂ = m g and Q = (f₁ + f₂) R that is a linear programme.
+    """
+    answer = rotsolve.solve(CORNER.replace("WAY", way).replace("SENSE", sense), confirm=False).derivation.answers[0]
+    for mu, nu in ((0.3, 0.5), (0.7, 2.5), (0.95, 0.2), (1.4, 0.5), (3.0, 0.2)):
+        case = holding(answer, {"m": 2.0, "R": 0.5, "g": G, "mu": mu, "nu": nu})
+        sign = 1 if mu < 1 else -1
+        assert case is not None and case.closed is not None
+        found = evaluate(case.closed, {"m": Number(2), "R": Number(Fraction(1, 2)), **sized(g=G, mu=mu, nu=nu)}).float
+        assert found == pytest.approx(mu * 2.0 * G * 0.5 * (1 + sign * nu) / (1 + sign * mu * nu))
+    for mu, nu in ((1.2, 1.5), (2.0, 0.6)):
+        assert holding(answer, {"m": 2.0, "R": 0.5, "g": G, "mu": mu, "nu": nu}) is None
+
+
+def sized(**sizes: float) -> dict[str, Number]:
+    return {name: Number(Fraction(str(size))) for name, size in sizes.items()}
