@@ -12,7 +12,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import POINT_OF_SLIPPING, Equation
 from rotsolve.core.symbols import asked_symbol, rub_key
@@ -30,7 +30,6 @@ from rotsolve.search.roots import RootChoice
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found
 
-LEFT = "#left"  # the share of a friction that is left
 Limit = tuple[Equation, Formula]  # |f| = μ N one way, and the normal force
 
 
@@ -199,10 +198,7 @@ def verges_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Ite
         if any(push is not None and trial.numbers.side(push) == -1 for push in pressed):
             continue
         equations = tuple(limit for limit, _ in limits)
-        alone = len(limits) == 1
-        side = (
-            slipping_side(search, question, equations[0], root) if alone else side_together(search, question, equations)
-        )
+        side = side_together(search, question, equations, root)
         if side is not None:
             yield Verge(root, equations, side, meant=root == value)
 
@@ -221,32 +217,23 @@ def is_place(letter: str, search: Search) -> bool:
     return any(line.path is not None and line.value == Symbol(letter) for state in states for line in state.conditions)
 
 
-def side_together(search: Search, question: Asked, limits: tuple[Equation, ...]) -> int | None:
-    """On which side of a verge at which several frictions have their limits they can not hold: with a share of any of these left, |f| =
-    (1 − ε) μ N, the quantity is smaller (+1) or larger (−1); None where it is one with some and the other with others, so that they hold
-    on both sides, as what is jammed does; 0 where nothing tells."""
-    sides = set[int]()
-    for number, limit in enumerate(limits):
-        eased = replace(limit, right=limit.right * (ONE - Symbol(LEFT)))
-        other = search.another(search.families, spare=search.spare)
-        other.known.add(LEFT)
-        try:
-            value = other.answer(question, *limits[:number], eased, *limits[number + 1 :]).found.formula
-        except NoAnswer:
-            return 0
-        if value is None:
-            return 0
-        slope = differentiate(value, LEFT).substitute({LEFT: ZERO})
-        sides.add(-(search.numbers.side(slope) or 0))
+def side_together(search: Search, question: Asked, limits: tuple[Equation, ...], value: Formula) -> int | None:
+    """On which side of a verge at which frictions have their limits they can not hold, +1 where it slips beyond it; None where one of them
+    has friction left on one side and another on the other, so that they hold on both, as what is jammed does; 0 where nothing tells."""
+    sides = {slipping_side(search, question, limits, number, value) for number in range(len(limits))}
     return None if {1, -1} <= sides else next((side for side in sides if side), 0)
 
 
-def slipping_side(search: Search, question: Asked, limit: Equation, value: Formula) -> int:
-    """On which side of a verge |f| > μ N, by the rate at which μ N − |f| grows with the quantity there; 0 where nothing tells."""
+def slipping_side(search: Search, question: Asked, limits: tuple[Equation, ...], number: int, value: Formula) -> int:
+    """On which side of a verge one of several frictions would have to be larger than its limit while the others keep theirs, by the rate at
+    which μ N − |f| grows with the quantity there; 0 where nothing tells."""
     other = search.another(search.families, spare=search.spare)
-    letter = question.letter
+    letter, limit = question.letter, limits[number]
+    for held in (*limits[:number], *limits[number + 1 :]):
+        other.planner.extend(held)
     try:
-        other.planned(question, set())
+        if len(limits) == 1:
+            other.planned(question, set())
         other.known.add(letter)
         friction, most = other.settled(limit.left), other.settled(limit.right)
     except NoAnswer:

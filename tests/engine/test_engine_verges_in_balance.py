@@ -212,3 +212,24 @@ def test_what_is_jammed_has_no_verge(way: str, sense: str) -> None:
 
 def sized(**sizes: float) -> dict[str, Number]:
     return {name: Number(Fraction(str(size))) for name, size in sizes.items()}
+
+
+ALIKE = """
+title: Ladder that is as rough at both ends
+given: {M: kg, L: m, theta: 50 deg, mu: unknown}
+surfaces: {yard: level, house: {wall: WAY}}
+bodies: {ladder: {shape: rod, mass: M, length: L}}
+connections: {foot: {contact: [ladder.start, yard], friction: mu}, head: {contact: [ladder.end, house], friction: mu}}
+states: {hold: {ladder.angle: AT, balance: true}}
+find: {mu: smallest mu where foot sticks}
+"""
+
+
+@pytest.mark.parametrize(("way", "angle"), [("right", "theta"), ("left", "180 deg - theta")])
+@pytest.mark.parametrize("numbers", ["M: kg, L: m", "M: 3 kg, L: 2 m"])
+def test_one_coefficient_of_two_contacts_has_the_root_at_which_both_hold(way: str, angle: str, numbers: str) -> None:
+    """μ = (1 − sin θ)/cos θ: both frictions hold the ladder; with that of the head the other way round there are two more roots."""
+    text = ALIKE.replace("WAY", way).replace("AT", angle).replace("M: kg, L: m", numbers)
+    solution = rotsolve.solve(text)
+    assert solution.answers["mu"].float == pytest.approx((1 - math.sin(math.radians(50))) / math.cos(math.radians(50)))
+    assert all(verdict.holds for verdict in solution.derivation.confirmed)
