@@ -261,8 +261,7 @@ def solved_by_cases(
         solution = each_where_answered(own, partial(solved_of_case, own, problem, law, digits, at))
         refuse_no_verge(solution, whole, trial)
         solutions.append(solution)
-        derivation = solution.derivation
-        return derivation, any(check.holds is False for check in derivation.checks)
+        return solution.derivation, any(check.holds is False for check in solution.derivation.checks)
 
     def confirming(found: Derivation, numbers: Mapping[str, float]) -> Collection[str]:
         from rotsolve.confirm.verdicts import confirmed_at

@@ -135,6 +135,8 @@ def best_place(course: Curve, word: str, search: Search, *, only: bool) -> tuple
         if ahead is None:
             raise NotYet(f"where `{course.letter}` makes it {word} depends on the givens: give them numbers")
         best = other if ahead * side > 0 else best
+    if any(ceases(course, best[0], end, search) for end in (domain.low, domain.high)):
+        raise NotYet(f"it is {word} where it vanishes and ceases to be real: what is asked does not come about there")
     level = [at for at, value in valued if only and at != best[0] and not turning and is_zero(value - best[1])]
     if level:
         places = " and ".join(to_text(at) for at in (best[0], *level))

@@ -6,6 +6,7 @@ import pytest
 
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.notation.parse import parse
+from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
@@ -187,3 +188,10 @@ def test_what_is_not_real_beyond_a_place_ceases_there(letters: dict[str, str], x
     solution = solve(text.replace("y: x", "x: x") if x == "unknown" else text)
     assert same(solution, "x" if x == "unknown" else "y", "L*(3*M + sqrt(3*M*(M + 4*m)))/(6*(M + m))")
     assert "ω = 0 at x = " in solution.to("text", width=400)
+
+
+@pytest.mark.parametrize("letters", [NUMBERS, LETTERS])
+def test_what_vanishes_where_it_ceases_has_no_smallest_value(letters: dict[str, str]) -> None:
+    """About its centre of mass the rod does not swing down at all."""
+    with pytest.raises(Unsolvable, match="where it vanishes and ceases to be real"):
+        solve(PIVOTED.format(x="m", **letters).replace("largest", "smallest"))
