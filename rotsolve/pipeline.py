@@ -362,7 +362,7 @@ def refuse_idle(solutions: Sequence[Solution], problem: Problem) -> None:
 
 def asked_part(problem: Problem) -> Configuration:
     """The part of the problem that is asked for, made ready for the laws, once all of it has been checked."""
-    return block_of(configured(problem))
+    return made_ready(problem)[1] if problem.space else block_of(configured(problem))
 
 
 def block_of(configuration: Configuration) -> Configuration:

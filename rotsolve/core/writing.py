@@ -104,6 +104,13 @@ def spoken(name: str) -> str:
     return name.replace("_", " ").strip()
 
 
+def in_direction(words: str, component: str, in_space: bool) -> str:
+    """A component in words: "horizontal velocity of ball", in space "velocity of ball along x"."""
+    if in_space:
+        return f"{words} along {component}" if component in ("x", "y", "z") else words
+    return {"x": "horizontal ", "y": "vertical "}.get(component, "") + words
+
+
 def and_joined(words: Sequence[str]) -> str:
     """a, b and c."""
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

@@ -23,6 +23,7 @@ class Level(Surface, frozen=True):
 
 class Slope(Surface, frozen=True):
     word = "slope"
+    spatial = True
     slanted = True
     away = "perpendicular to the slope"
     about = "a plane at an angle to the level, falling towards `down`"

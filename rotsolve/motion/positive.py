@@ -46,12 +46,14 @@ def limited_values(problem: Problem) -> Iterator[tuple[str, Formula, str]]:
 
 
 def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:
-    """What is positive of a body: its mass, unless it is light, its radii, the sizes of its shape."""
+    """What is positive of a body: its mass, unless it is light, its radii, the sizes of its shape, and these of its parts and holes."""
     sizes = (body.mass, body.inertia, body.density, body.gyration, body.radius)
     yield from ((size, "positive") for size in sizes if size != ZERO)
     yield from ((radius, "positive") for _, radius in body.radii)
     if body.shape is not None:
         yield from limits_of(body.shape)
+    for part in (*body.parts, *body.holes):
+        yield from body_sizes(part.body)
 
 
 def limits_of(element: Element) -> Iterator[tuple[Formula | None, str]]:

@@ -10,14 +10,15 @@ from rotsolve.algebra.formula import PI, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Equality
-from rotsolve.core.equation import CONDITION
+from rotsolve.core.equation import CONDITION, Equation
 from rotsolve.core.symbols import asked_symbol
+from rotsolve.core.writing import in_direction
 from rotsolve.equations.scene_equations import term_of
 from rotsolve.language.problem import EXTREMES, Find
 from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet, label_of
 from rotsolve.questions.find import Asked, question_for
-from rotsolve.search.answers import NoAnswer
+from rotsolve.search.answers import Answered, NoAnswer
 from rotsolve.search.extrema import (
     Conclusion,
     as_function_of,
@@ -66,12 +67,15 @@ def with_equation(search: Search, find: Find) -> None:
     assert condition is not None and condition.phrase is not None and condition.value is not None
     letter = find.formula.name if isinstance(find.formula, Symbol) else ""
     free = letter in search.givens and letter not in search.values and letter not in search.solver.solved
-    if free and (letter in search.known or (find.modifier in EXTREMES and has_values(search, find, letter))):
+    several = free and bool(seekers(search, find, letter))
+    if free and (
+        letter in search.known or ((several or find.modifier in EXTREMES) and has_values(search, find, letter))
+    ):
         over_letter(search, find, letter, condition.phrase, condition.value)
         return
     question = question_for(replace(find, where=None), search.scene, search.letters())
-    said = question_for(condition.phrase, search.scene, search.letters())
-    limit = CONDITION.equation(said.formula, condition.value, said.section, words=condition_label(condition.phrase))
+    limit = condition_equation(search, condition.phrase, condition.value)
+    search.seeking = find
     try:
         answered = search.answer(question, limit)
     except NoAnswer:
@@ -80,6 +84,8 @@ def with_equation(search: Search, find: Find) -> None:
         # all equations at once may hide the letter in a factor that two of them share; as a function of it the quantity shows
         over_letter(search, find, letter, condition.phrase, condition.value)
         return
+    finally:
+        search.seeking = None
     if not any(search.planner.pool[index] is limit for index in answered.used):
         search.take_back(answered)
         raise NotYet(
@@ -87,6 +93,35 @@ def with_equation(search: Search, find: Find) -> None:
             help="leave the condition out"
             + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
         )
+    set_free(search, answered, letter, limit)
+
+
+def condition_equation(search: Search, phrase: Find, value: Formula) -> Equation:
+    """quantity = value."""
+    said, in_space = question_for(phrase, search.scene, search.letters()), search.scene.configuration.problem.space
+    return CONDITION.equation(said.formula, value, said.section, words=condition_label(phrase, in_space))
+
+
+def seekers(search: Search, find: Find, letter: str) -> list[Find]:
+    """The other questions that seek a letter which the scene has as an unknown."""
+    finds = search.scene.configuration.problem.finds if search.givens[letter].asked else ()
+    return [other for other in finds if other.seeks == letter and other.name != find.name]
+
+
+def set_free(search: Search, answered: Answered, letter: str, limit: Equation) -> None:
+    """Let the next question seek an unknown letter anew: each has an equation of its own, and its answer a symbol of its own."""
+    find = answered.find
+    if letter not in search.givens or not seekers(search, find, letter):
+        return
+    own = asked_symbol(find.name)
+    search.solver.solved[own] = search.solver.solved.pop(letter)
+    search.rivals[own] = search.rivals.pop(letter, ())
+    search.known.discard(letter)
+    search.known.add(own)
+    if find.name != letter:  # what it is called would else stand for the answer
+        search.answered.remove(answered)
+        search.answered.append(replace(answered, asked=replace(answered.asked, letter=own)))
+    search.retired |= {index for index, item in enumerate(search.planner.pool) if item is limit}
 
 
 def has_values(search: Search, find: Find, letter: str) -> bool:
@@ -106,7 +141,8 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     """The value of a letter at which a quantity, found first as a function of it, has a given value."""
     quantity, curve = as_function_of(search, phrase, letter)
     given = search.givens[letter]
-    own = Symbol(letter if given.asked else asked_symbol(find.name))
+    shared = not given.asked or bool(seekers(search, find, letter))
+    own = Symbol(asked_symbol(find.name) if shared else letter)
     said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"
     equation = Equality(curve.substitute({letter: own}), value)
     order, positive = search.solver.order, search.solver.positive - {letter}
@@ -120,7 +156,8 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
         roots = [nearest_turn(root, search) for root in roots]
     picked = search.choose_root(letter, roots, asked=find) if len(roots) > 1 else PickedRoot(0)
     if not roots or picked is None:
-        raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
+        help = "ask for it in a scene of its own" if seekers(search, find, letter) else ""
+        raise NotYet(f"no value of `{letter}` in closed form fulfils the condition", help=help)
     search.rivals[own.name] = search.rivals.pop(letter, ())
     root = search.solver.simplify(picked.of(roots))
     question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)
@@ -138,13 +175,12 @@ def nearest_turn(root: Formula, search: Search) -> Formula:
     return root + turns * 2 * PI
 
 
-def condition_label(phrase: Find) -> str:
+def condition_label(phrase: Find, in_space: bool) -> str:
     """What a condition is about, in words: ", horizontal impulse of pin"."""
     if len(phrase.terms) != 1:
         return ""
     term = phrase.terms[0]
-    side = {"x": "horizontal ", "y": "vertical "}.get(term.path.component or "", "")
-    return f", {side}{label_of(term.path, term)}"
+    return f", {in_direction(label_of(term.path, term), term.path.component or '', in_space)}"
 
 
 def on_the_verge(search: Search, find: Find) -> None:

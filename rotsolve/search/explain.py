@@ -11,7 +11,7 @@ from rotsolve.core.faults import INCOMPLETE, UNSOLVED, Contradicted, NeverReache
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import in_direction, spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
@@ -142,9 +142,10 @@ def unknowns_listed(missing: Sequence[SceneQuantity | str], scene: SceneEquation
 def told_quantity(quantity: SceneQuantity, scene: SceneEquations) -> str:
     """A quantity of the laws in the scene's words: "tension of cord at held"."""
     at_cut = quantity.kind in INSIDE  # the index is that of the cut, no direction
-    side = "" if at_cut else {"x": "horizontal ", "y": "vertical "}.get(quantity.component, "")
     owner = f" of {spoken(quantity.owner)}" if quantity.owner else ""
-    return f"{side}{spoken(quantity.kind)}{owner}{when_words(quantity.when, scene)}"
+    component = "" if at_cut else quantity.component
+    words = in_direction(f"{spoken(quantity.kind)}{owner}", component, scene.configuration.problem.space)
+    return f"{words}{when_words(quantity.when, scene)}"
 
 
 def when_words(when: str, scene: SceneEquations) -> str:

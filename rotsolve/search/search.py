@@ -22,6 +22,7 @@ from rotsolve.core.symbols import POSITION, RATE, RATES, has_quantities, is_key,
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import EXTREMES, Find
 from rotsolve.matching import Plan
+from rotsolve.motion.positive import is_angle
 from rotsolve.plan import Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
@@ -99,6 +100,7 @@ class Search(Struct, dict=True):
     rivals: dict[str, tuple[Formula, ...]] = field(
         default_factory=dict
     )  # other roots for letters of the scene that answers settle
+    seeking: Find | None = None  # the question with an equation of its own that is at hand
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
     failed: dict[object, NoAnswer] = field(default_factory=dict)  # what has had no answer, by all on which that hangs
@@ -122,6 +124,7 @@ class Search(Struct, dict=True):
             choose=self.choose_root,
             refs=self.refs,
             running=self.running,
+            angles=frozenset(name for name, given in self.givens.items() if given.dimension is None or is_angle(given)),
         )
 
     def another(self, families: tuple[str, ...], *, spare: bool = False, confirming: bool = False) -> Search:
@@ -138,12 +141,12 @@ class Search(Struct, dict=True):
     ) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why; the others of a letter of the scene are remembered.
 
-        A question that seeks the letter, `asked` or the only one, may say that its `largest` or `smallest` value is meant.
+        A question that seeks the letter, `asked`, the one at hand or the only one, may say that its `largest` or `smallest` value is meant.
         """
         picked = self.picked_root(name, roots, period)
         if picked is not None and name in self.givens:
-            seeking = (find for find in self.scene.configuration.problem.finds if find.seeks == name)
-            asked = asked or next(seeking, None)
+            finds = (self.seeking, *self.scene.configuration.problem.finds)
+            asked = asked or next((find for find in finds if find is not None and find.seeks == name), None)
             if asked is not None and asked.modifier in EXTREMES:
                 from rotsolve.search.roots import extreme_root
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.calculus.derivative import period_of
+from rotsolve.algebra.calculus.derivative import same_a_turn_on, period_of
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.linear import solve_linear
@@ -41,6 +41,7 @@ EVERYWHERE: Ranges = (
     (-(10**6), 10**6),
 )  # where roots are looked for, one after the other
 RANGES: dict[str, Ranges] = {"tilt": ((ZERO, PI),)}  # of what has no others
+TURN: Ranges = ((-PI, PI),)  # of an angle that comes round
 
 
 class Isolation(Textbook, kw_only=True):
@@ -48,6 +49,7 @@ class Isolation(Textbook, kw_only=True):
 
     choose: Chooser
     numeric: bool = False  # whether a root may be found numerically where there is no closed form
+    angles: frozenset[str] = frozenset()  # letters of the scene that are angles
 
     def value_in(self, item: Item, name: str, *, alone: bool) -> tuple[Formula, Words] | None:
         """The value of an unknown from one equation: as written where it stands alone, else solved; and why it is this root."""
@@ -127,7 +129,7 @@ class Isolation(Textbook, kw_only=True):
         from rotsolve.algebra.certified.rootfind import is_identity, real_roots
 
         doubtful: tuple[Certified, Words] | None = None
-        for low, high in RANGES.get(key_of(asked).kind, EVERYWHERE):
+        for low, high in self.ranges(gap, asked):
             if is_identity(gap, asked, values, high if isinstance(high, int) else 3):
                 raise Redundant(item.index)
             found = real_roots(gap, asked, values, low, high).roots
@@ -142,6 +144,12 @@ class Isolation(Textbook, kw_only=True):
         if doubtful is not None:
             return doubtful
         raise NoClosedForm("no real value satisfies the equations")
+
+    def ranges(self, gap: Formula, asked: str) -> Ranges:
+        """Where roots are looked for, one after the other; of a letter for an angle once round, where the equation is so a turn on."""
+        if asked in self.angles and same_a_turn_on(gap, asked):
+            return TURN
+        return RANGES.get(key_of(asked).kind, EVERYWHERE)
 
     def function_alone(self, item: Item, name: str, root: Formula) -> list[Equality]:
         """The line before a root of an unknown that stands within functions of one argument: cos φ = 10/17."""

@@ -15,7 +15,7 @@ from rotsolve.core.remembered import remembered
 from rotsolve.core.vectors.tensor import InertiaTensor, displaced
 from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, cross_product, minus, tidied, vector_sum, way_between
 from rotsolve.elements.shapes import rims, shape_of
-from rotsolve.language.bodies import Body, Joint, PointRef
+from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.problem import Problem
 from rotsolve.language.shape import WHEEL
 from rotsolve.motion.rigid import RigidPiece, part_spot, pieces
@@ -76,6 +76,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def supports(self, name: str) -> tuple[Joint, ...]:
         """The joints that hold a point of a body, not those on which it only rolls."""
         return tuple(joint for joint in self.of_body(name) if not (joint.rolls or joint.flat))
+
+    def rolling(self, name: str) -> Joint | None:
+        """The contact on which a body rolls that nothing else holds."""
+        own = self.of_body(name)
+        return own[0] if own and own[0].rolls and not self.supports(name) else None
 
     @remembered
     def main(self, name: str) -> Joint | None:
@@ -144,6 +149,28 @@ class JointedBodies(Struct, frozen=True, dict=True):
             x, y = shape.locate(ref.point or "center", ref.argument)
             return (x, y, shape.rise(ref.point or "center"))
         raise Unsolvable(f"where `{ref.owner}.{ref.point}` is in space nothing tells", span=ref.span)
+
+    def surface(self, name: str) -> Surface | None:
+        """A surface of the scene by its name; None of the ground and of a body."""
+        return next((surface for surface in self.problem.surfaces if surface.name == name), None)
+
+    def face(self, name: str) -> Formula | None:
+        """How high above its centre the flat face of a body is that is square to its own z axis; None where it has none."""
+        shape = shape_of(self.bodies[name])
+        if self.bodies[name].parts or shape.pointlike or shape.slender:
+            return None
+        depth = shape.depth()
+        return ZERO if shape.flat else None if depth is None else depth / 2
+
+    def ball(self, name: str) -> bool:
+        """Whether a body is a sphere, which touches a surface right below its centre however it is turned."""
+        body = self.bodies[name]
+        return shape_of(body).spherical and not (body.parts or body.holes)
+
+    def even_ball(self, name: str) -> bool:
+        """Whether a body is a ball of which the inertia is the same about all directions, so that it is constant in any axes."""
+        even = self.ball(name) and self.whole_tensor(name) is not None
+        return even and self.symmetric(name, X) and self.symmetric(name, Z)
 
     def pieces(self, name: str) -> tuple[RigidPiece, ...]:
         return pieces(self.bodies[name])

@@ -21,7 +21,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet, path_text
-from rotsolve.space.attitude import Axes, MovingBodies
+from rotsolve.space.attitude import IN_SPACE, Axes, MovingBodies
 from rotsolve.space.sliding import moved_in
 
 TWO = 2 * ONE
@@ -39,17 +39,17 @@ class Relative:
         joint = moment.held.main(name)
         self.guide = joint if joint is not None and joint.sliding and joint.carrier.owner == frame else None
         self.place = self._held_place(self.guide) if self.guide is not None else self._place_told()
-        self.slip = (
-            moved_in(self.guide, moment, "velocity") if self.guide is not None else self._told("velocity") or NOTHING
-        )
+        told = moment.vector_told(name, "velocity")
+        rolls, absolute = moment.held.rolling(name) is not None, told is not None and not told[2]
+        self.rolls, self.told_in_space = rolls, rolls or absolute or moment.rests(name)
 
     def _told(self, word: str) -> Triple | None:
         told = self.moment.vector_told(self.name, word)
         return told[0] if told is not None and told[2] == self.frame else None
 
     def _place_told(self) -> Triple:
-        """Where the centre of mass of a body is in the frame, as the state tells; refused by name where it does not."""
-        told = self._told("position")
+        """Where the centre of mass of a body is in the frame; refused by name where nothing tells."""
+        told = self.moment.place_in(self.name, self.frame)
         if told is None:
             help = f"tell `{self.name}.position relative to {self.frame}: [x, y, z]` in the state"
             raise Unsolvable(f"where `{self.name}` is in `{self.frame}` nothing tells", help=help)
@@ -62,13 +62,28 @@ class Relative:
         return vector_sum(held.spot(guide.carrier), own.to(self.axes, off))
 
     @property
+    def slip(self) -> Triple:
+        """The relative velocity: as told, v − v_frame − Ω × r of what rolls or moves as told in space, else none."""
+        if self.guide is not None:
+            return moved_in(self.guide, self.moment, "velocity")
+        told = self._told("velocity")
+        if told is not None:
+            return told
+        if self.told_in_space:
+            seen = IN_SPACE.to(self.axes, self.moment.of_centre(self.name, "velocity"))
+            return way_between(vector_sum(self.origin("velocity"), cross_product(self.omega, self.place)), seen)
+        return NOTHING
+
+    @property
     def faster(self) -> Triple:
-        """The relative acceleration: as told, none in a steady state or where the body rests in the frame, else letters."""
+        """The relative acceleration: as told, of what rolls as its a tells it, none in a steady state, else letters."""
         if self.guide is not None:
             return moved_in(self.guide, self.moment, "acceleration")
         told = self._told("acceleration")
         if told is not None:
             return told
+        if self.rolls:
+            return way_between(self._led(), IN_SPACE.to(self.axes, self.moment.of_centre(self.name, "acceleration")))
         if self.moment.state.steady:
             return NOTHING
         return triple([self.moment.ask("acceleration", self.name, f"{axis} relative") for axis in AXES])
@@ -85,12 +100,15 @@ class Relative:
 
     def acceleration(self) -> Triple:
         """a = a_frame + Ω̇ × r + Ω × (Ω × r) + 2 Ω × v_rel + a_rel."""
+        return vector_sum(self._led(), self.faster)
+
+    def _led(self) -> Triple:
+        """a_frame + Ω̇ × r + Ω × (Ω × r) + 2 Ω × v_rel: the acceleration of what goes on with v_rel in the frame."""
         return vector_sum(
             self.origin("acceleration"),
             cross_product(self.alpha, self.place),
             cross_product(self.omega, cross_product(self.omega, self.place)),
             scaled_by(TWO, cross_product(self.omega, self.slip)),
-            self.faster,
         )
 
     def felt(self, which: str, mass: Formula) -> Triple:

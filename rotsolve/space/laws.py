@@ -25,12 +25,13 @@ from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, scaled_by, vector_sum
 from rotsolve.core.writing import spoken
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.arrangement import RATES
 from rotsolve.space.attitude import AXIAL, NODE, Attitude, Axes
 from rotsolve.space.inertia import CM, Tensors, in_axes, product
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
+from rotsolve.space.rolling import Rolling
 from rotsolve.space.thin import unspun
 
 NODE_NAMES = {"x": "e₁", "y": "e₂", "z": "e₃"}
@@ -59,19 +60,32 @@ class SpaceLaws:
             yield RULE.equation(part, ZERO, self.moment.when, words=words)
 
     def grips(self) -> Iterator[Equation]:
-        """The point of contact of a wheel that something carries is at rest; of one that is free that tells how its centre moves."""
+        """The touching point of what rolls goes with the surface; of what nothing holds that tells how it moves, or how it turns."""
         moment, held = self.moment, self.moment.held
         for joint in held.joints:
             name = joint.body.owner
-            if not joint.rolls or held.main(name) is None or held.bodies[name].moved:
+            if not joint.rolls or held.bodies[name].moved:
                 continue
-            own = moment.attitude(name)
-            velocity = vector_sum(moment.reference_velocity(name), cross_product(own.omega, self.pushes.place(joint)))
-            for part in velocity:
+            try:
+                slipping = self.slip(joint)
+            except Unsolvable as error:
+                self.unwritten[name] = error
+                continue
+            goes = (
+                "is at rest" if joint.carrier.owner not in held.bodies else f"goes with {spoken(joint.carrier.owner)}"
+            )
+            for part in slipping:
                 if part != ZERO:
-                    yield RULE.equation(
-                        part, ZERO, moment.when, (name,), words=f"{spoken(name)} rolls: the touching point is at rest"
-                    )
+                    words = f"{spoken(name)} rolls: the touching point {goes}"
+                    yield RULE.equation(part, ZERO, moment.when, (name,), words=words)
+
+    def slip(self, joint: Joint) -> Triple:
+        """The velocity of the touching point of what rolls against the surface, as far as it is not told by how the body turns."""
+        moment, name = self.moment, joint.body.owner
+        if moment.held.rolling(name) is not None or joint.carrier.owner in moment.held.bodies:
+            return Rolling(joint, moment).slip()
+        turning = cross_product(moment.attitude(name).omega, self.pushes.place(joint))
+        return vector_sum(moment.reference_velocity(name), turning)
 
     def of_body(self, name: str) -> Iterator[Equation]:
         """Newton's second law and the rate of the angular momentum of a body."""
@@ -111,6 +125,9 @@ class SpaceLaws:
     def tensor(self, name: str, point: str) -> InertiaTensor:
         """The tensor of a body about one of its points, in the axes of its attitude."""
         held, own = self.moment.held, self.moment.attitude(name)
+        if self.moment.seen_from_space(name):
+            about_any = self.own_tensor(PointRef(name, point)).xx
+            return InertiaTensor(about_any, about_any, about_any)
         axis = held.axis(name) if own.about is not None else None
         return in_axes(self.own_tensor(PointRef(name, point)), own.own, own.about, axis)
 

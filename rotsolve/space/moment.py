@@ -57,7 +57,7 @@ from rotsolve.space.attitude import (
     permutation,
 )
 from rotsolve.space.frames import Relative, frame_of
-from rotsolve.space.rolling import centre_acceleration, centre_velocity
+from rotsolve.space.rolling import Rolling
 from rotsolve.space.sliding import slid
 from rotsolve.space.telling import TellingMoment
 
@@ -235,7 +235,13 @@ class SpaceMoment(TellingMoment):
             alpha = self.in_own(rows, given, name)
         else:
             alpha = triple([self.ask("angular_acceleration", name, axis) for axis in AXES])
+        if self.seen_from_space(name):
+            return Attitude(IN_SPACE, rows, rotated(rows, omega), rotated(rows, alpha))
         return as_drawn(rows, omega, alpha, lost=self.lost(name))
+
+    def seen_from_space(self, name: str) -> bool:
+        """Whether the vectors of a body are written along the axes of space: of a ball that rolls, whose inertia is constant in them."""
+        return self.held.rolling(name) is not None and self.held.even_ball(name)
 
     def left_open(self, name: str) -> tuple[bool, bool]:
         """Whether nothing tells how a body that no axis holds spins, and how fast that changes."""
@@ -300,7 +306,9 @@ class SpaceMoment(TellingMoment):
         return joint is not None and bool(joint.turning)
 
     def spun_away(self, name: str) -> str:
-        """Why nothing tells where the points of a wheel are that are not on its axle: it has turned since the first state."""
+        """Why nothing tells where the points of a wheel or ball are that go round in its axes: it has turned since the first state."""
+        if self.seen_from_space(name):
+            return self.lost(name)
         joint = self.held.main(name)
         spins = joint is not None and self.held.wheel(name)
         return self.lost(name) if spins and joint is not None and self.hinge_angle(name, joint) is None else ""
@@ -388,7 +396,7 @@ class SpaceMoment(TellingMoment):
     def fixed_in_axes(self, name: str, arm: Triple) -> bool:
         """Whether a point keeps its place in the axes of a body, which spins in them: it lies on its axis."""
         about = self.attitude(name).about
-        return (
+        return arm == NOTHING or (
             about is not None
             and all(part == ZERO or own != ZERO for part, own in zip(arm, about, strict=True))
             and is_axis(about)
@@ -470,20 +478,20 @@ class SpaceMoment(TellingMoment):
                 for _ in range(order.index(word) - back):
                     parts = [differentiate(part, TIME) for part in parts]
                 return triple([self.now(part) for part in parts])
+        joint = self.held.rolling(name)
+        if joint is not None:
+            rolling = Rolling(joint, self)
+            return rolling.velocity() if word == "velocity" else rolling.acceleration()
+        told = self.vector_told(name, word)
+        if word == "velocity" and self.rests(name):
+            return NOTHING
+        if told is not None and not told[2]:
+            vector, seen, _ = told
+            return self.named_axes(seen, name).to(IN_SPACE, vector)
         frame = frame_of(self, name)
         if frame:
             relative = Relative(self, name, frame)
             return relative.axes.to(IN_SPACE, relative.velocity() if word == "velocity" else relative.acceleration())
-        rolling = next((joint for joint in self.held.of_body(name) if joint.rolls), None)
-        if rolling is not None:
-            found = (centre_velocity if word == "velocity" else centre_acceleration)(rolling, self)
-            return self.axes(name).to(IN_SPACE, found)
-        told = self.vector_told(name, word)
-        if word == "velocity" and self.rests(name):
-            return NOTHING
-        if told is not None:
-            vector, seen, _ = told
-            return self.named_axes(seen, name).to(IN_SPACE, vector)
         flown = self.onward.centre_velocity(name) if self.onward is not None and word == "velocity" else None
         if flown is not None:
             self.hangs_on_time()
@@ -493,6 +501,11 @@ class SpaceMoment(TellingMoment):
         if (led and not travels) or (word == "acceleration" and steady):
             return NOTHING  # what is only led round goes nowhere
         return triple([self.ask(word, name, axis) for axis in AXES])
+
+    def place_in(self, name: str, frame: str) -> Triple | None:
+        """Where the centre of mass of a body is in the axes of another one, from the centre of that, as the state tells."""
+        told = self.vector_told(name, "position")
+        return told[0] if told is not None and told[2] == frame else None
 
     def up(self, name: str) -> Triple:
         """The upward vertical in the axes of a body: as the state tells it in the body's own, else as the body stands."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula, multiply, negate
+from rotsolve.core.facts import TOUCHES, Requirement
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import (
     AXES,
@@ -79,6 +80,21 @@ class Pushes:
         for action in self.actions:
             if any(ref.owner == name for ref in action.touches()):
                 yield self.by_action(action)
+
+    def needs(self) -> Iterator[Requirement]:
+        """A surface on which a body rolls pushes it out, and does not pull."""
+        from rotsolve.space.rolling import out_of_surface
+
+        for joint in self.moment.held.joints:
+            if not joint.rolls:
+                continue
+            try:
+                push, out = next(self.by_joint(joint)), out_of_surface(joint, self.moment)
+            except Unsolvable:  # its laws are not written either
+                continue
+            size = dot_product(push.along(IN_SPACE), out)
+            kept, otherwise = f"{spoken(joint.owner)} keeps contact", f"{spoken(joint.body.owner)} leaves the surface"
+            yield Requirement(joint.owner, TOUCHES, size, ZERO, kept, otherwise)
 
     def weight(self, name: str) -> ForceInSpace | None:
         """M g down at the centre of mass."""
@@ -186,8 +202,13 @@ class Pushes:
         """What the body does to what carries it: the opposite, at the same place."""
         carrier, body = joint.carrier.owner, joint.body.owner
         ours, theirs = self.moment.axes(body), self.moment.axes(carrier)
-        shift = way_between(self.moment.arm(joint.body), push.arm)
-        arm = vector_sum(self.moment.arm(joint.carrier), ours.to(theirs, shift))
+        if joint.rolls:
+            from rotsolve.space.rolling import Rolling
+
+            arm = Rolling(joint, self.moment).touched_from_held()
+        else:
+            shift = way_between(self.moment.arm(joint.body), push.arm)
+            arm = vector_sum(self.moment.arm(joint.carrier), ours.to(theirs, shift))
         return ForceInSpace(joint.owner, carrier, minus(push.force), push.axes, arm, theirs, minus(push.couple))
 
     def twisted_about(self, name: str) -> Triple | None:

@@ -1,17 +1,30 @@
-"""Rolling in space: a round rim that touches a level floor at its lowest point, which is at rest for a moment.
+"""Rolling in space: a wheel or ball touches a level floor, a slope or the flat face of a body, and its touching point goes with that.
 
-In node axes the lowest point of a rim of radius R about e₃ is −R e₂ from its centre; v = ω × R e₂ of the centre follows, and its
-acceleration in axes that turn: (rates of the components) + Ω × v. No component may be integrated: the constraint is nonholonomic.
+With p = c + r the touching place, c the centre of mass and V(p) the velocity that the surface has there,
+v = V(p) − ω × r and a = dV(p)/dt − d(ω × r)/dt. Of a ball r = −R n below its centre, n square to the surface, which turns with it; in
+node axes the lowest point of a rim about e₃ is −R e₂. No component may be integrated: the constraint is nonholonomic.
 """
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import Formula, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.triple import Triple, Y, Z, cross_product, dot_product, minus, scaled_by, vector_sum
+from rotsolve.core.vectors.triple import (
+    AXES,
+    NOTHING,
+    Triple,
+    Z,
+    cross_product,
+    dot_product,
+    minus,
+    scaled_by,
+    vector_sum,
+    way_between,
+)
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.attitude import IN_SPACE, NODE, MovingBodies
+from rotsolve.space.frames import Relative
 
 
 def rolling_radius(joint: Joint, moment: MovingBodies) -> Formula:
@@ -22,24 +35,34 @@ def rolling_radius(joint: Joint, moment: MovingBodies) -> Formula:
     return radius
 
 
-def is_ball(name: str, moment: MovingBodies) -> bool:
-    """Whether a body is a sphere, which touches the floor right below its centre however it is turned."""
-    body = moment.held.bodies[name]
-    return shape_of(body).spherical and not (body.parts or body.holes)
+def out_of_surface(joint: Joint, moment: MovingBodies) -> Triple:
+    """The direction out of the surface on which a body rolls, in space: of a body that of its own z axis."""
+    carrier = joint.carrier.owner
+    if carrier in moment.held.bodies:
+        return moment.own_axes(carrier).to(IN_SPACE, Z)
+    surface = moment.held.surface(carrier)
+    if surface is None:
+        return Z
+    way = surface.normal
+    return (way.cos(), ZERO, way.sin())
 
 
 def lowest(joint: Joint, moment: MovingBodies) -> Triple:
-    """Where a body touches the floor, from its reference, in its axes: of a thin wheel its lowest point, however it leans."""
+    """Where a body touches the surface, from its reference, in its axes: of a thin wheel its lowest point, however it leans."""
     name, radius = joint.body.owner, rolling_radius(joint, moment)
     own, hub = moment.attitude(name), moment.arm(PointRef(name, joint.body.point or "center"))
-    if is_ball(name, moment):
-        return vector_sum(hub, IN_SPACE.to(own.axes, scaled_by(negate(radius), Z)))
+    out = out_of_surface(joint, moment)
+    if moment.held.ball(name):
+        return vector_sum(hub, IN_SPACE.to(own.axes, scaled_by(negate(radius), out)))
+    if not all(map(moment.held.vanishes, cross_product(out, Z))):
+        message = f"where `{name}` touches `{joint.carrier.owner}`, which is not level, is solved for balls alone"
+        raise Unsolvable(message, span=joint.body.span, help="on a slope in the plane leave out `up: z`")
     up = IN_SPACE.to(own.axes, Z)
     about = moment.symmetry_axis(name)
     level = about is not None and moment.held.vanishes(dot_product(up, about))
     thin = shape_of(moment.held.bodies[name]).flat
     if own.axes.name == NODE and (thin or level):
-        return vector_sum(hub, scaled_by(negate(radius), Y))
+        return vector_sum(hub, scaled_by(negate(radius), (ZERO, Z[2], ZERO)))
     if not level:
         help = (
             f"tell `{name}.tilt` in the state"
@@ -50,18 +73,148 @@ def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     return vector_sum(hub, scaled_by(negate(radius), up))
 
 
-def centre_velocity(joint: Joint, moment: MovingBodies) -> Triple:
-    """v = −ω × r of the centre, since the point at r is at rest, in the axes of the body."""
-    own = moment.attitude(joint.body.owner)
-    return minus(cross_product(own.omega, lowest(joint, moment)))
+class Rolling:
+    """How the centre of mass moves of a body that rolls and that nothing else holds; all vectors in the axes of space."""
 
+    def __init__(self, joint: Joint, moment: MovingBodies) -> None:
+        self.joint, self.moment, self.name = joint, moment, joint.body.owner
+        if moment.held.rolling(self.name) is None:
+            message = (
+                f"`{self.name}` rolls on `{joint.carrier.owner}` and is held besides: that is not solved in space yet"
+            )
+            raise Unsolvable(message, span=joint.body.span)
+        self.own = moment.attitude(self.name)
+        self.arm = lowest(joint, moment)  # in the axes of the body
+        carrier = joint.carrier.owner
+        self.frame = Relative(moment, self.name, carrier) if carrier in moment.held.bodies else None
+        if self.frame is not None:
+            self.refuse_off_face(self.frame)
 
-def centre_acceleration(joint: Joint, moment: MovingBodies) -> Triple:
-    """The rate of that: r keeps its components in the node axes, and in space below a ball."""
-    name = joint.body.owner
-    own, arm = moment.attitude(name), lowest(joint, moment)
-    if is_ball(name, moment):
-        return minus(cross_product(own.alpha, arm))
-    return vector_sum(
-        minus(cross_product(own.rates, arm)), cross_product(own.axes.rate, centre_velocity(joint, moment))
-    )
+    def refuse_off_face(self, frame: Relative) -> None:
+        """Refuse a place at which a body does not touch the face of another one: its lowest point lies on that."""
+        face = self.moment.held.face(frame.frame)
+        if face is None:
+            help = f"draw `{frame.frame}` as a disc, a rectangle, a cuboid or a cylinder: its face is square to its own z axis"
+            raise Unsolvable(
+                f"`{frame.frame}` has no flat face on which `{self.name}` could roll",
+                span=self.joint.body.span,
+                help=help,
+            )
+        line = self.moment.line(self.name, "position", "z")  # at any other moment it has rolled there
+        if line is not None and not self.moment.held.vanishes(self.touched(frame)[2] - face):
+            message = f"`{self.name}` does not touch `{frame.frame}` at that place"
+            help = f"its z is that of the face and the radius of `{self.name}` together; places count from the centre of `{frame.frame}`"
+            raise Unsolvable(message, span=line.span, help=help)
+
+    def velocity_told(self) -> Triple | None:
+        """The velocity of the centre of mass as the state tells it, in space or relative to the body on which it rolls."""
+        told = self.moment.vector_told(self.name, "velocity")
+        if told is not None and told[2]:
+            if self.frame is None or told[2] != self.frame.frame:
+                line = self.moment.line(self.name, "velocity", "x")
+                message = f"`{self.name}` rolls on `{self.joint.carrier.owner}`: its velocity is told relative to that, or in space"
+                raise Unsolvable(message, span=self.joint.body.span if line is None else line.span)
+            return self.frame.axes.to(IN_SPACE, self.frame.velocity())
+        if told is not None:
+            return self.moment.named_axes(told[1], self.name).to(IN_SPACE, told[0])
+        return NOTHING if self.moment.rests(self.name) else None
+
+    def velocity(self) -> Triple:
+        """v of the centre of mass: as told, else V(p) − ω × r."""
+        told = self.velocity_told()
+        return self.velocity_by_turning() if told is None else told
+
+    def velocity_by_turning(self) -> Triple:
+        """v = V(p) − ω × r."""
+        return vector_sum(self.surface_velocity(), self.own.axes.to(IN_SPACE, self.swept(minus(self.own.omega))))
+
+    def slip(self) -> Triple:
+        """v + ω × r − V(p) where the state tells v: the velocity of the touching point against the surface, which is nothing."""
+        told = self.velocity_told()
+        return NOTHING if told is None else way_between(self.velocity_by_turning(), told)
+
+    def turning(self) -> Triple:
+        """ω of a ball, in space: as told, else by the velocity that the state tells, ω = ωₙ n + n × (v − V(p))/R, and one component.
+
+        That tells ωₙ, about the direction out of the surface, which does nothing to the way; it is 0 where nothing tells it.
+        """
+        velocity, told = self.velocity_told(), self.own.omega
+        lines = [self.moment.line(self.name, "angular_velocity", axis) for axis in AXES]
+        known = [k for k, line in enumerate(lines) if line is not None]
+        if velocity is None or len(known) == len(AXES) or self.moment.rests(self.name):
+            return told
+        out, radius = out_of_surface(self.joint, self.moment), rolling_radius(self.joint, self.moment)
+        gone = way_between(self.surface_velocity(), velocity)
+        rolled = scaled_by(ONE / radius, cross_product(out, gone))
+        if not known:
+            return rolled
+        k = known[0]
+        if len(known) > 1 or self.moment.held.vanishes(out[k]):
+            line = lines[k]
+            message = f"how `{self.name}` turns about the direction out of `{self.joint.carrier.owner}` is not told by this component"
+            help = (
+                f"tell all three components of `{self.name}.angular_velocity`, or that along which the surface pushes"
+            )
+            raise Unsolvable(message, span=None if line is None else line.span, help=help)
+        return vector_sum(rolled, scaled_by((told[k] - rolled[k]) / out[k], out))
+
+    def swept(self, turning: Triple) -> Triple:
+        """turning × r."""
+        return cross_product(turning, self.arm)
+
+    def surface_velocity(self) -> Triple:
+        """V(p): the velocity of what is touched."""
+        frame = self.frame
+        if frame is None:
+            return NOTHING
+        there = vector_sum(frame.origin("velocity"), cross_product(frame.omega, self.touched(frame)))
+        return frame.axes.to(IN_SPACE, there)
+
+    def touched(self, frame: Relative) -> Triple:
+        """The touching place from the centre of the body that is touched, in its axes."""
+        return vector_sum(frame.place, self.own.axes.to(frame.axes, self.arm))
+
+    def touched_from_held(self) -> Triple:
+        """The touching place on a body, from the point about which that turns, in the axes in which its vectors are written."""
+        assert self.frame is not None
+        carrier = self.frame.frame
+        way = self.frame.axes.to(self.moment.axes(carrier), self.touched(self.frame))
+        return vector_sum(self.moment.arm(PointRef(carrier, "center")), way)
+
+    def arm_rate(self) -> Triple:
+        """ṙ in space: none on a floor below a ball, Ω × r of what keeps its components in axes that turn at Ω."""
+        if not self.moment.held.ball(self.name):
+            return self.own.axes.to(IN_SPACE, cross_product(self.own.axes.rate, self.arm))
+        if self.frame is None:
+            return NOTHING
+        arm = self.own.axes.to(self.frame.axes, self.arm)
+        return self.frame.axes.to(IN_SPACE, cross_product(self.frame.omega, arm))
+
+    def acceleration(self) -> Triple:
+        """a = dV(p)/dt − d(ω × r)/dt."""
+        return vector_sum(self.surface_acceleration(), minus(self.rate_of_swept()))
+
+    def rate_of_swept(self) -> Triple:
+        """d(ω × r)/dt: (rates of ω's components) × r + Ω × (ω × r) in axes that keep r, else α × r + ω × ṙ."""
+        own = self.own
+        if not self.moment.held.ball(self.name):
+            kept = vector_sum(cross_product(own.rates, self.arm), cross_product(own.axes.rate, self.swept(own.omega)))
+            return own.axes.to(IN_SPACE, kept)
+        turned = own.axes.to(IN_SPACE, cross_product(own.alpha, self.arm))
+        return vector_sum(turned, cross_product(own.axes.to(IN_SPACE, own.omega), self.arm_rate()))
+
+    def surface_acceleration(self) -> Triple:
+        """dV(p)/dt = A + Ω̇ × ρ + Ω × ρ̇ of the touching place ρ from the centre of what is touched, which goes along that."""
+        frame = self.frame
+        if frame is None:
+            return NOTHING
+        going = IN_SPACE.to(frame.axes, vector_sum(self.velocity(), self.arm_rate()))
+        along = way_between(frame.origin("velocity"), going)
+        return frame.axes.to(
+            IN_SPACE,
+            vector_sum(
+                frame.origin("acceleration"),
+                cross_product(frame.alpha, self.touched(frame)),
+                cross_product(frame.omega, along),
+            ),
+        )

@@ -136,8 +136,10 @@ class SpaceEquations(SceneEquations, dict=True):
         return SpaceReader(self.dynamics[state], self.dynamics, self.configuration.problem)
 
     def facts(self, state: str, *, generic: bool = False, virtual: bool = False) -> Facts:
-        """No planar facts: its laws are written from its own geometry."""
-        return Facts(state, state, (), (), (), ())
+        """No planar facts, since its laws are written from its own geometry; what surfaces have to obey."""
+        laws = self.dynamics.get(state)
+        needs = () if laws is None else tuple(laws.pushes.needs())
+        return Facts(state, state, (), (), needs, ())
 
     def settled_first(self) -> Iterator[str]:
         """The rates of steady precessions, of which a scene says whether the smaller or the larger one is meant."""

@@ -135,11 +135,21 @@ class TellingMoment:
         return next((way for way in exact if self.held.vanishes(angle - way)), angle)
 
     def vector_told(self, owner: str, word: str, point: str | None = None) -> tuple[Triple, str, str] | None:
-        """The components that the state gives to a vector of a body, the name of their axes, and to what body they are relative."""
+        """The components that the state gives to a vector of a body, the name of their axes, and to what body they are relative.
+
+        Of the angular velocity of a ball that rolls it may tell some: the others have letters, which rolling tells.
+        """
         lines = [self.line(owner, word, axis, point) for axis in AXES]
         found = [line for line in lines if line is not None]
         if not found:
             return None
+        parted = word == "angular_velocity" and found[0].axes in ("", "space") and self.held.rolling(owner) is not None
+        if len(found) < len(AXES) and parted:
+            parts = [
+                self.ask(word, owner, axis) if line is None or line.value is None else line.value
+                for axis, line in zip(AXES, lines, strict=True)
+            ]
+            return (parts[0], parts[1], parts[2]), found[0].axes, found[0].relative
         if len(found) < len(AXES):
             missing = ", ".join(axis for axis, line in zip(AXES, lines, strict=True) if line is None)
             help = f"write all three: `{owner}.{word}: [x, y, z]`"

@@ -68,8 +68,8 @@ REFUSED = {  # a scene, and what is said of it
         "`top` of `c` is no place on it in space",
     ),
     "one component of three": (
-        "bodies: {b: {shape: sphere, mass: 1 kg, radius: 0.1 m}}\nsurfaces: {floor: level}\nconnections: {r: {rolls: [b, floor]}}\n"
-        "states: {now: {b.velocity: [2 m/s, 0, 0], b.angular_velocity.z: 4 rad/s}}\nfind: {w: b.angular_velocity at now}\n",
+        "bodies: {b: {shape: sphere, mass: 1 kg, radius: 0.1 m}}\nconnections: {r: {ball: b.center}}\n"
+        "states: {now: {b.angular_velocity.z: 4 rad/s}}\nfind: {w: b.angular_velocity at now}\n",
         "of `b.angular_velocity` nothing tells x, y",
     ),
     "motion in a frame in which nothing tells it": (

@@ -138,6 +138,18 @@ def period_of(function: Formula, letter: str) -> Formula | None:
     return None if slopes or letter in slope.symbols() else 2 * PI / slope
 
 
+def same_a_turn_on(function: Formula, letter: str) -> bool:
+    """Whether a function of an angle x is the same a whole turn on: x stands only in sin, cos and tan of n x + c, n a whole number."""
+
+    def still(node: Formula) -> Formula:
+        if not isinstance(node, Call) or node.function not in ("sin", "cos", "tan") or letter not in node.symbols():
+            return node
+        slope = simplify(differentiate(node.arguments[0], letter))
+        return PI if isinstance(slope, Number) and slope.value.denominator == 1 else node
+
+    return letter not in function.transform(still, Call).symbols()
+
+
 LONGEST = 12  # powers of a polynomial that is written by them
 
 

@@ -73,6 +73,13 @@ def whole_power(base: Ball, n: int) -> Ball:
     return result
 
 
+def _arc_within(function: str, x: Ball) -> Ball:
+    """arcsin or arccos of what lies of a ball within ±1: rises or falls between its ends, which a ball of both would stick out of."""
+    low = arb(-1) if x.lower() < -1 else x.lower()
+    high = arb(1) if x.upper() > 1 else x.upper()
+    return low.asin().union(high.asin()) if function == "asin" else low.acos().union(high.acos())
+
+
 class RealBalls:
     """Evaluates formulas over arb; `is_zero` decides borderline arguments exactly, `clip` cuts intervals to the domain."""
 
@@ -179,8 +186,8 @@ class RealBalls:
             raise Undefined(f"{node.function} of a number beyond 1")
         if not abs(x) <= 1:
             if self.clip:
-                x = x.min(arb(1)).max(arb(-1))
-            elif self.is_zero and self.is_zero(node.arguments[0] ** 2 - 1):  # its square: a root over all needs no sign
+                return _arc_within(node.function, x)
+            if self.is_zero and self.is_zero(node.arguments[0] ** 2 - 1):  # its square: a root over all needs no sign
                 x = arb(1 if x > 0 else -1)
         return x.asin() if node.function == "asin" else x.acos()
 

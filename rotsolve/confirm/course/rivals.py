@@ -178,8 +178,15 @@ class SoughtLetter(Struct, frozen=True):
     case: str
     roots: tuple[Formula, ...] = ()  # others of its equation
 
+    @property
+    def turned_round(self) -> bool:
+        """Whether an angle is said that lies beyond half a turn: one within it, whole turns from that, may do as well."""
+        return self.given.dimension in (None, ANGLE) and abs(self.said) > math.pi * (1.0 + SAME)
+
     def other_roots(self) -> Iterator[float]:
-        """The numbers of the other roots of its equation."""
+        """The numbers of the other roots of its equation, and of an angle that within half a turn."""
+        if self.turned_round:
+            yield math.remainder(self.said, math.tau)
         for root in self.roots:
             try:
                 yield float(value_of(root, self.known))
@@ -193,6 +200,8 @@ class SoughtLetter(Struct, frozen=True):
 
     def said_beside(self, value: float) -> str:
         """What is said where another value does as well."""
+        if self.turned_round:
+            return f"{self.given.name} = {value:g} in SI units makes it so too, within half a turn"
         ask = ASK.get(self.find.modifier, ASK["where"] if self.find.where is not None else ": tell more of it")
         return f"{self.given.name} = {value:g} in SI units makes it so too{ask}"
 
@@ -201,9 +210,11 @@ class SoughtLetter(Struct, frozen=True):
         return {**self.known, self.given.name: value, self.find.name: value}
 
     def may_be(self, value: float, *, sized: bool = True) -> bool:
-        """Whether a value is another one that the letter can have: of the sign of a size, an angle like that of the answer; beyond the
-        answer where the largest or the smallest is asked for."""
+        """Whether a value is another one that the letter can have: of the sign of a size, an angle like that of the answer, or
+        within half a turn; beyond the answer where the largest or the smallest is asked for."""
         angle, said = self.given.dimension == ANGLE, self.said
+        if self.turned_round and abs(value) <= math.pi:
+            return math.isfinite(value)
         apart = abs(math.remainder(value - said, math.tau) if angle else value - said)
         if not math.isfinite(value) or apart <= SAME * max(abs(value), abs(said)):
             return False

@@ -66,8 +66,11 @@ def product_of(first: Turned, second: Turned) -> Turned:
 
 
 def rotation_about(axis: Arrow, angle: float) -> Turned:
-    """The rotation about an axis, counterclockwise as seen against it: n nᵀ + cos φ (1 − n nᵀ) + sin φ [n]×."""
-    (x, y, z), c, s = normed(axis), math.cos(angle), math.sin(angle)
+    """The rotation about an axis, counterclockwise as seen against it: n nᵀ + cos φ (1 − n nᵀ) + sin φ [n]×.
+
+    Right angles are exact: what is thin along an axis of space has no inertia about it, and 10⁻¹⁷ of one would be some.
+    """
+    (x, y, z), c, s = normed(axis), *(0.0 if abs(part) < TINY else part for part in (math.cos(angle), math.sin(angle)))
     a, b, d = scaled(1.0 - c, (x, y, z))
     return (
         (a * x + c, b * x - s * z, d * x + s * y),

@@ -203,6 +203,7 @@ class Hearing:
             with suppress(NotConfirmed, Unfit):
                 world = self.inquiry.ways(None if state is None else state.name)[0].worlds[0]
                 spans += [arrow_length(item.arm) for item in world.efforts.list]
+                spans += [arrow_length(world.stance.place(name)) for name in rig.bodies]
                 for (kind, _, _), part in world.now.values.items():
                     (speeds if kind == SPEED else rates).append(abs(part))
         span = max(spans)

@@ -12,6 +12,8 @@ from contextlib import suppress
 from functools import partial
 from itertools import chain, pairwise
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.confirm import NotConfirmed
@@ -40,7 +42,6 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
         return "", ""
     given = next(given for given in hearing.problem.givens if given.name == find.formula.name)
     gap = gap_under(find.where, partial(hearing.with_letter, given.name))
-    sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
 
     def reach(value: float) -> tuple[float, None] | None:
         with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
@@ -52,6 +53,9 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
             return abs(step_to(gap, value) - value) <= SAME * abs(value)
         return False
 
+    if given.dimension is None and fulfils(own + math.tau):  # so it is an angle
+        given = replace(given, dimension=ANGLE)
+    sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
     places = places_beside(own, 1.0, given.dimension, ROUND)
     others = chain(sought.other_roots(), Scan(reach, own).roots(places))
     beside = next((value for value in others if sought.may_be(value) and fulfils(value)), None)

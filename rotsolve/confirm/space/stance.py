@@ -216,21 +216,38 @@ class Stance:
 
     # rolling
 
+    def outward(self, joint: Joint) -> Arrow:
+        """The direction out of the surface on which a body rolls: of a slope, or the z axis of another body."""
+        carrier = joint.carrier.owner
+        if carrier in self.rig.bodies:
+            return times_arrow(self.turned(carrier), Z)
+        surface = next((item for item in self.rig.problem.surfaces if item.name == carrier), None)
+        if surface is None or not surface.slanted:
+            return Z
+        tilt = self.rig.value(getattr(surface, "slope"))  # noqa: B009 - of slanted surfaces alone
+        return (math.sin(tilt) * (1.0 if getattr(surface, "down") == "right" else -1.0), 0.0, math.cos(tilt))  # noqa: B009
+
     def lowest(self, joint: Joint) -> Arrow:
-        """The lowest point of a round body, from its centre of mass."""
-        return self.lowest_of(joint.body.owner)
+        """Where a round body touches the surface below it, from its centre of mass."""
+        name, out = joint.body.owner, self.outward(joint)
+        radius, third, off = self.round(name)
+        if third is None:
+            return sum_of(off, scaled(-radius, out))
+        if arrow_length(less(out, Z)) > ON_AXIS:
+            raise NotConfirmed(f"where `{name}` touches what is not level")
+        return self.lowest_of(name)
 
     def lowest_of(self, name: str, side: float = 1.0) -> Arrow:
         """The lowest point of a round body, or with −1 the highest."""
         radius, third, off = self.round(name)
         return sum_of(off, scaled(side * radius, scaled(-1.0, Z) if third is None else level_part(third)))
 
-    def lowest_rate(self, joint: Joint, omega: Arrow) -> Arrow:
-        """How fast it goes along, seen from the centre of mass."""
+    def lowest_rate(self, joint: Joint, omega: Arrow, below: Arrow) -> Arrow:
+        """How fast it goes along, seen from the centre of mass; `below` is the angular velocity of what is touched."""
         radius, third, off = self.round(joint.body.owner)
         result = crossed(omega, off)
         if third is None:
-            return result
+            return sum_of(result, crossed(below, scaled(-radius, self.outward(joint))))
         turning = crossed(omega, third)  # d/dt of down = −(ẑ − (ẑ·e) e)/√(1 − (ẑ·e)²)
         up, rate, size = third[2], turning[2], (1.0 - third[2] ** 2) ** 0.5
         grown = sum_of(scaled(rate, third), scaled(up, turning))

@@ -158,7 +158,8 @@ class Ties:
         """The lowest point of a body goes with the surface under it: v + ω × r, and its rate with ṙ."""
         name, carrier = joint.body.owner, joint.carrier.owner
         arm = self.stance.lowest(joint)
-        omega, faster = self.omega(name), self.stance.lowest_rate(joint, self.omega(name))
+        omega = self.omega(name)
+        faster = self.stance.lowest_rate(joint, omega, self.omega(carrier))
         terms, gain = point_terms(name, arm), scaled(-1.0, crossed(omega, faster))
         if carrier in self.rig.bodies:
             place = sum_of(self.stance.place(name), arm)

@@ -27,7 +27,7 @@ from rotsolve.grading.mistakes.mistake import Change, Mistake
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
-from rotsolve.pipeline import asked_part, made_ready
+from rotsolve.pipeline import asked_part
 from rotsolve.search.answering import answer
 from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
@@ -53,7 +53,7 @@ class Scene(Struct, frozen=True, dict=True):
 
     @cached_property
     def configuration(self) -> Configuration:
-        own = made_ready(self.whole)[1] if self.whole.space else asked_part(self.whole)
+        own = asked_part(self.whole)
         return Configuration(at_point(own.problem, numbers_of(self.point))) if self.point else own
 
     @property

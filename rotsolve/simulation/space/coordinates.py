@@ -25,6 +25,7 @@ from rotsolve.simulation.tape import vanishes
 from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import Attitude
 from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.rolling import Rolling
 from rotsolve.space.thin import thin_axis
 
 OPEN = (*RATES, *SPEEDS, "axial_rate")  # what is nothing at first where nothing tells it
@@ -112,6 +113,9 @@ class Coordinates(Struct):
     def first_rates(self, name: str, rows: Rows) -> Triple:
         """The angular velocity at first in these axes."""
         found = self.first.attitude(name)
+        joint = self.first.held.rolling(name)
+        if joint is not None and self.first.seen_from_space(name):
+            return rotated(transposed(rows), Rolling(joint, self.first).turning())
         if found.axes.rows == rows:
             return found.omega
         return rotated(transposed(rows), rotated(found.axes.rows, found.omega))
@@ -169,8 +173,8 @@ class Coordinates(Struct):
             return
         velocity, faster = (moment.of_centre(name, word) for word in ("velocity", "acceleration"))
         starts = self.first.of_centre(name, "velocity")
-        for axis, speed, rate, start in zip(AXES, velocity, faster, starts, strict=True):
-            letter = moment.own_letter("displacement", name, axis)
+        parts = zip(AXES, moment.way_gone(name), velocity, faster, starts, strict=True)
+        for axis, letter, speed, rate, start in parts:
             yield self.coordinate(f"{name}.position.{axis}", letter, ZERO, speed, f"{name}.position")
             if isinstance(speed, Symbol) and key_of(speed.name).kind == "velocity":
                 yield self.coordinate(f"{name}.velocity.{axis}", speed, start, rate, f"{name}.velocity")

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.core.registry import Registry
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import COURSE, TIME, SymbolKey
 from rotsolve.core.vectors.triple import (
@@ -23,15 +22,18 @@ from rotsolve.core.vectors.triple import (
     transposed,
     triple,
     turn_about,
+    vector_sum,
+    way_between,
 )
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import State
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.space.arrangement import ANGLES, RATES, JointedBodies
+from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import BODY, IN_SPACE, Attitude, Axes, Nodding, as_drawn, permutation
 from rotsolve.space.inertia import CM
 from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.places import point_in_space, reference_place
 from rotsolve.space.thin import thin_axis
 
 UNSPUN = "unspun"  # axes that go with a body's axis, and do not turn about it
@@ -42,9 +44,10 @@ TURNING_BY = ("angular_velocity", "angular_acceleration")
 class CourseMoment(SpaceMoment):
     """Any moment of a motion; what it does not know is asked for as letters, which the state of motion and the laws tell."""
 
-    def __init__(self, held: JointedBodies, registry: Registry, state: str, known: Arrangement) -> None:
-        super().__init__(held, registry, State(COURSE + state), known)
+    def __init__(self, beginning: SpaceMoment, known: Arrangement) -> None:
+        super().__init__(beginning.held, beginning.registry, State(COURSE + beginning.when), known)
         self.first = False
+        self.beginning = beginning
 
     def tidy(self, value: Formula) -> Formula:
         """As it is: nobody reads it."""
@@ -60,14 +63,9 @@ class CourseMoment(SpaceMoment):
 
     # how bodies stand
 
-    def rolling(self, name: str) -> Joint | None:
-        """The contact on which a body rolls that nothing else holds."""
-        own = self.held.of_body(name)
-        return own[0] if self.held.main(name) is None and own and own[0].rolls else None
-
     def nods(self, name: str) -> bool:
         """Whether a body goes by its Euler angles."""
-        return self.rolling(name) is not None and not shape_of(self.held.bodies[name]).spherical
+        return self.held.rolling(name) is not None and not shape_of(self.held.bodies[name]).spherical
 
     def turns_anyhow(self, name: str) -> bool:
         """Whether a body goes by its quaternion: no axis holds it, or it is led round."""
@@ -166,6 +164,16 @@ class CourseMoment(SpaceMoment):
         return (self.ask(word, name) if "angular_acceleration" in dict(joint.drive) else rate), faster
 
     # points
+
+    def way_gone(self, name: str) -> Triple:
+        """How far the centre of mass of a body that nothing holds has gone since the first state, along the axes of space."""
+        return triple([self.own_letter("displacement", name, axis) for axis in AXES])
+
+    def place_in(self, name: str, frame: str) -> Triple | None:
+        """Where the centre of mass of a body is in the axes of another one: from where it was at first, by the way that it has gone."""
+        place = vector_sum(reference_place(self.beginning, name), self.way_gone(name))
+        off = way_between(point_in_space(self, PointRef(frame, "center")), place)
+        return IN_SPACE.to(self.own_axes(frame), off)
 
     def spun(self, name: str) -> Formula:
         """By how much a body has turned about its own axis in axes that do not turn with it."""

@@ -70,8 +70,6 @@ def unfollowed(joint: Joint, held: JointedBodies) -> str:
     carrier, name = joint.carrier.owner, joint.body.owner
     if joint.rolls and (len(held.of_body(name)) > 1 or held.bodies[name].moved):
         return "what rolls and is held, carried or led is"
-    if joint.rolls and carrier in held.bodies:
-        return "what rolls on a body is"
     if carrier in held.bodies and (held.wheel(carrier) or any(other.rolls for other in held.of_body(carrier))):
         return "what a wheel carries is"
     return ""

@@ -14,7 +14,6 @@ from rotsolve.simulation.series import rough_value
 from rotsolve.simulation.space.compiling import SpaceSystem
 from rotsolve.simulation.space.outputs import Tilting
 from rotsolve.simulation.watches import BREAKS, REACHED, Watch, changing, time_gone
-from rotsolve.space.attitude import IN_SPACE
 
 
 def watches_in_space(system: SpaceSystem, ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
@@ -25,14 +24,15 @@ def watches_in_space(system: SpaceSystem, ahead: State | None, since: Mapping[st
 def of_floors(system: SpaceSystem) -> Iterator[Watch]:
     """What rolls leaves its floor where that would have to pull; a wheel falls flat where its tilt comes to 0° or 180°."""
     moment, starts = system.moment, {item.letter: item.start for item in system.variables}
-    for joint in moment.held.joints:
+    for need in system.laws.pushes.needs():
+        joint = moment.held.joint(need.owner)
+        assert joint is not None
         name, floor = joint.body.owner, joint.carrier.owner
-        for push in system.laws.pushes.by_joint(joint) if joint.rolls else ():
-            place = system.tape.formula(push.along(IN_SPACE)[2], system.letters)
-            if rough_value(system.tape, place, starts) < 0:
-                raise NotYet(f"`{floor}` would have to pull `{name}` at first: it does not roll there", joint.body.span)
-            yield Watch(BREAKS, place, f"{spoken(name)} leaves `{floor}`")
-        if joint.rolls and moment.nods(name):
+        place = system.tape.formula(need.left, system.letters)
+        if rough_value(system.tape, place, starts) < 0:
+            raise NotYet(f"`{floor}` would have to pull `{name}` at first: it does not roll there", joint.body.span)
+        yield Watch(BREAKS, place, f"{spoken(name)} leaves `{floor}`")
+        if moment.nods(name):
             sine = heading(moment.nodding(name).angles[1]).sin()
             yield Watch(BREAKS, system.tape.formula(sine, system.letters), f"{spoken(name)} falls flat on `{floor}`")
 

@@ -1,0 +1,93 @@
+"""Letters that are sought in space: an angle once round, no mass that is none, and each question its own value.
+
+The angles are held against numpy, the rest is arithmetic.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotsolve.solver.isolation as isolation
+from rotsolve import Unsolvable, solve
+from second_route.particles import X, Y, Z, turn
+
+TURNED = "up: z\ngiven: {{x: unknown}}\nbodies: {{b: {{turned: [{turns}]}}}}\nfind: {{{find}}}\n"
+TWICE = "{about: x, by: x}, {about: y, by: 2*x}, {about: z, by: 20 deg}"
+ASLANT = "{about: x, by: x}, {about: [1, 1, 0], by: -60 deg}"
+PARTS = """up: z
+gravity: none
+given: {{q: unknown, a: 0.3 m}}
+bodies: {{f: {{parts: {{one: {{mass: 2 kg, at: [a, 0, 0]}}, two: {{{part}, at: [0, 0, 2*a]}}}}, points: {{O: [0, 0, 0]}}}}}}
+find:
+  q: q where {condition}
+"""
+NONE = {
+    "a mass": ("mass: q", "f.cm.z = -0.1 m"),
+    "the length of a cone": ("shape: cone, mass: 1 kg, radius: a, length: q", "f.cm.z = 0.1 m"),
+    "a density": ("shape: sphere, density: q, radius: a", "f.cm.z = -0.1 m"),
+}
+
+
+def angle_of(rows: Any) -> float:
+    return float(np.arccos((np.trace(rows) - 1) / 2))
+
+
+def turned_twice(x: float) -> float:
+    return angle_of(turn(Z, pi / 9) @ turn(Y, 2 * x) @ turn(X, x))
+
+
+def turned_aslant(x: float) -> float:
+    return angle_of(turn((X + Y) / np.sqrt(2), -pi / 3) @ turn(X, x))
+
+
+def roots_once_round(function: Any, value: float) -> list[float]:
+    places = np.linspace(-pi, pi, 20001)
+    gaps = np.array([function(place) - value for place in places])
+    changes = np.nonzero(gaps[:-1] * gaps[1:] < 0)[0]
+    return [float(places[k] - gaps[k] * (places[k + 1] - places[k]) / (gaps[k + 1] - gaps[k])) for k in changes]
+
+
+@pytest.mark.parametrize(("turns", "function"), [(TWICE, turned_twice), (ASLANT, turned_aslant)])
+@pytest.mark.parametrize("degrees", [70, 90, 100])
+def test_of_an_angle_the_least_and_the_largest_once_round_are_meant(turns: str, function: Any, degrees: int) -> None:
+    find = f"p: smallest x where b.rotation_angle = {degrees} deg, q: largest x where b.rotation_angle = {degrees} deg"
+    derivation = solve(TURNED.format(turns=turns, find=find)).derivation
+    found = {answer.name: answer.value.float for answer in derivation.answers if answer.value is not None}
+    known = roots_once_round(function, np.radians(degrees))
+    assert found == pytest.approx({"p": min(known), "q": max(known)}, rel=1e-6)
+    assert all(item.holds for item in derivation.confirmed)
+
+
+def test_an_angle_beyond_half_a_turn_is_not_confirmed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(isolation, "TURN", ((-100, -4),))
+    scene = TURNED.format(turns=ASLANT, find="p: smallest x where b.rotation_angle = 90 deg")
+    (verdict,) = solve(scene).derivation.confirmed
+    assert verdict.holds is not True
+    assert "within half a turn" in verdict.why
+
+
+@pytest.mark.parametrize("name", NONE)
+def test_no_size_of_a_part_is_negative(name: str) -> None:
+    part, condition = NONE[name]
+    with pytest.raises(Unsolvable, match="no `q` that it can be makes it so: in `f`"):
+        solve(PARTS.format(part=part, condition=condition))
+
+
+def test_in_letters_the_mass_of_a_part_is_positive_under_a_condition() -> None:
+    scene = PARTS.format(part="mass: q", condition="f.cm.z = h").replace("a: 0.3 m", "a: m, h: m")
+    (answer,) = solve(scene).derivation.answers
+    assert answer.conditions  # h < 2 a
+
+
+def test_each_question_for_an_unknown_letter_has_its_own_value() -> None:
+    """q a and −q a² from arithmetic; what names an answer has that one's value."""
+    scene = PARTS.format(part="mass: q", condition="f.cm.z = 0.2 m").replace(
+        "find:", "find:\n  m: q where f.inertia along [1, 0, 0] about f.O = 0.72 kg m^2\n  n: 2*m"
+    )
+    derivation = solve(scene).derivation
+    found = {answer.name: answer.value.float for answer in derivation.answers if answer.value is not None}
+    assert found == pytest.approx({"m": 2.0, "n": 4.0, "q": 1.0})
