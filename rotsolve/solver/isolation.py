@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.calculus.derivative import same_a_turn_on, period_of
+from rotsolve.algebra.calculus.derivative import period_of, same_a_turn_on
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.linear import solve_linear
