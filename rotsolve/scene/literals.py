@@ -68,7 +68,8 @@ def infer(
 
 DIGITS = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+−]?\d+)?"
 NAME = r"[^\W\d]\w*"
-SCAN = re.compile(rf"(?P<number>{DIGITS})|(?P<name>{NAME}(?:\.{NAME})*)|(?P<space>\s+)|(?P<mark>.)", re.DOTALL)
+PATH = rf"{NAME}(?:\.{NAME})*(?:\.\d+)?"  # a component may be a number: `box.principal_moments.1`
+SCAN = re.compile(rf"(?P<number>{DIGITS})|(?P<name>{PATH})|(?P<space>\s+)|(?P<mark>.)", re.DOTALL)
 POWER = r"(?:\s*\^\s*(?:[-−]?\d+|\([-−]?\d+/\d\))|[²³⁻¹⁴]+)?"
 UNIT = re.compile(rf"\s*(?P<word>[^\W\d_]+|°|%){POWER}")
 # What is rare is compiled when a text first needs it.

@@ -26,7 +26,7 @@ OWNERS = ("body", "connection", "action", "event")
 PLURALS = "bodies, connections, actions and events"
 # may name the force: `rod.torque.gravity`
 ANY_FORCE = ("force", "torque", "work", "power", "impulse", "angular_impulse")
-SEGMENT = re.compile(r"[^\W\d]\w*")
+SEGMENT = re.compile(r"[^\W\d]\w*|(?<=\.)\d+")
 
 
 def point_names(body: Body) -> tuple[str, ...]:

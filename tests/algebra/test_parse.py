@@ -290,3 +290,15 @@ def test_k_with_a_bracket_is_the_elliptic_integral_unless_it_is_a_letter() -> No
     assert parse("K(m)", {"m", "K"}) == Symbol("K") * argument
     assert parse(to_text(call("ellipk", argument)), {"m"}) == call("ellipk", argument)
     assert parse("ellipk(m)", None) == call("ellipk", argument)
+
+
+@pytest.mark.parametrize("text", ["m.5", "2*m.25", "(m + M).5", "m_1.5"])
+def test_a_decimal_stands_behind_nothing(text: str) -> None:
+    """It is no factor that has been left out: `m.5` would else be half of m."""
+    with pytest.raises(FormulaError, match=r"stands right behind"):
+        parse(text, ["m", "M", "m_1"])
+
+
+@pytest.mark.parametrize("text", ["m*.5", "m .5", ".5 m", "m + .5", "(.5 + m)"])
+def test_a_decimal_may_begin_with_its_point(text: str) -> None:
+    assert parse(text, ["m"])

@@ -190,3 +190,17 @@ def test_each_key_takes_part(word: str, name: str, key: Any) -> None:
         if refused >= ENOUGH:
             break
     assert refused or name in HARMLESS, f"`{name}` of `{word}` changes nothing"
+
+
+def test_a_component_may_be_a_number() -> None:
+    scene = "up: z\nbodies: {b: {shape: cuboid, mass: 3 kg, sides: [60 cm, 40 cm, 20 cm]}}\nfind: {p: FIND}\n"
+    third, first = (solve(scene.replace("FIND", f"b.principal_moments.{k}")).derivation.answers[0] for k in (3, 1))
+    gap = solve(scene.replace("FIND", "b.principal_moments.3 - b.principal_moments.1")).derivation.answers[0]
+    assert [item.value.float for item in (third, first, gap) if item.value] == pytest.approx([0.13, 0.05, 0.08])
+
+
+@pytest.mark.parametrize("find", ["b.mass.5", "b.inertia_tensor.2", "a.5", "2*a.25"])
+def test_a_number_behind_a_point_is_no_factor(find: str) -> None:
+    scene = "up: z\ngiven: {a: 1 kg}\nbodies: {b: {shape: cuboid, mass: a, sides: [60 cm, 40 cm, 20 cm]}}\nfind: {p: FIND}\n"
+    with pytest.raises(SceneError):
+        solve(scene.replace("FIND", find))

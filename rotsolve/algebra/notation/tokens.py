@@ -102,7 +102,16 @@ class Lexer:
         shown = found if found.isprintable() else f"U+{ord(found):04X}"
         raise FormulaError(f"unexpected character `{shown}`{hint}", start, end)
 
-    special: ClassVar[Mapping[str, Callable[..., int]]] = {"other": other}
+    def number(self, found: str, start: int, end: int) -> int:
+        """A number; `m.5` is none times 0.5, but something that has been left out."""
+        last = self.tokens[-1] if self.tokens else None
+        if found.startswith(".") and last is not None and last.end == start and last.kind in ("name", ")", "]"):
+            message = f"`{found}` stands right behind `{last.text}`: write `*0{found}` where it is a factor"
+            raise FormulaError(message, start, end)
+        self.emit("number", found, start, end)
+        return end
+
+    special: ClassVar[Mapping[str, Callable[..., int]]] = {"other": other, "number": number}
 
 
 def read_number(text: str, start: int = 0) -> Fraction:

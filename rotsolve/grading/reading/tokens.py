@@ -241,6 +241,7 @@ class LineLexer(Lexer):
         return super().other(found, start, end)
 
     special: ClassVar[Mapping[str, Callable[..., int]]] = {
+        **Lexer.special,
         "name": name,
         "command": command,
         "brace": brace,
