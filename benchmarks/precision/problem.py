@@ -33,6 +33,8 @@ class Motion(NamedTuple):
     mujoco: MujocoModel | None = None
     pymunk: PymunkModel | None = None
     sticking: Sticking | None = None
+    kane: Callable[[Any, Any], Kane] | None = None  # (sympy, its physics.mechanics) → bodies for Kane's method
+    turned: TurnedModel | None = None  # of MuJoCo, for what turns about any axis
 
 
 class Sticking(NamedTuple):
@@ -55,6 +57,28 @@ class MujocoModel(NamedTuple):
     enter: Callable[[State], list[float]]  # y → joint coordinates, or joint velocities: both go the same way
     leave: Callable[[State], list[float]]  # the way back
     control: Callable[[float], float] | None = None  # what the only actuator exerts, as a function of time
+
+
+class Kane(NamedTuple):
+    """What `KanesMethod` of sympy.physics.mechanics asks for, where it starts, and what is asked of it."""
+
+    frame: Any
+    places: list[Any]
+    speeds: list[Any]
+    kinematics: list[Any]  # what is nothing: a rate of each place with the speeds
+    bodies: list[Any]
+    loads: list[Any]
+    start: list[float]  # places, then speeds
+    asked: list[Any]  # expressions in both
+
+
+class TurnedModel(NamedTuple):
+    """A model of MuJoCo whose first body goes by a unit quaternion, which is the last of its places."""
+
+    xml: str
+    places: tuple[float, ...]
+    speeds: tuple[float, ...]  # the last three are the angular velocity along the axes of the body
+    read: Callable[[list[list[float]], list[float]], list[float]]  # (rotation, angular velocity) → the asked quantities
 
 
 class PymunkModel(NamedTuple):

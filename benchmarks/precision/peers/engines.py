@@ -40,6 +40,20 @@ def mujoco_start(problem: Problem, setting: str) -> tuple[Any, Any]:
     return model, data
 
 
+def mujoco_in_space(problem: Problem, setting: str) -> list[float]:
+    """The same for a body that turns about any axis, of which its rotation and its angular velocity are read at the end."""
+    import mujoco as mj
+
+    kind = motion_of(problem).turned
+    assert kind is not None, problem.name
+    model = mj.MjModel.from_xml_string(kind.xml.format(step=setting))
+    data = mj.MjData(model)
+    data.qpos[:], data.qvel[:] = kind.places, kind.speeds
+    mj.mj_step(model, data, nstep=round(float(problem.until) / float(setting)))
+    mj.mj_kinematics(model, data)  # a step leaves the rotation of its start
+    return kind.read(data.xmat[1].reshape(3, 3).tolist(), data.qvel[-3:].tolist())
+
+
 def pymunk(problem: Problem, setting: str) -> list[float]:
     """Semi-implicit Euler steps, joints by 30 iterations of impulses and without a lag in what they correct."""
     motion, step = motion_of(problem), float(setting)
@@ -63,5 +77,6 @@ def pymunk_start(problem: Problem) -> tuple[PymunkModel, Any, list[Any]]:
 
 
 MUJOCO = {"MuJoCo RK4": Way(("mujoco",), "step", ("1e-2", "1e-3", "1e-4"), mujoco)}
+MUJOCO_IN_SPACE = {"MuJoCo RK4": MUJOCO["MuJoCo RK4"]._replace(solve=mujoco_in_space)}
 PYMUNK = {"pymunk": Way(("pymunk",), "step", ("1e-2", "1e-3", "1e-4", "1e-5"), pymunk)}
 ENGINES = MUJOCO | PYMUNK

@@ -7,13 +7,14 @@ from .in_space import BOOK, HEAVY_TOP, MIDDLE
 from .period import PERIOD_60, PERIOD_170, PERIOD_179
 from .pulleys import MASS_RATIO, NEARLY_EQUAL
 from .rod import LONG, ROD, UPRIGHT
+from .rolling_coin import COIN
 from .two_rods import TWO_RODS
 
 PROBLEMS = {
     problem.name: problem
     for problem in (
         *(ROD, UPRIGHT, TWO_RODS, DRIVEN_PULLEY, LONG),
-        *(BOOK, MIDDLE, HEAVY_TOP),
+        *(BOOK, MIDDLE, HEAVY_TOP, COIN),
         *(PERIOD_60, PERIOD_170, PERIOD_179, NEARLY_EQUAL, MASS_RATIO),
     )
 }

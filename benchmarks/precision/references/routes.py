@@ -12,7 +12,7 @@ from mpmath import mp
 from ..peers.linear import newton
 from ..problem import Problem
 from ..problems.pulleys import HEAVY, LIGHT
-from . import bodies, extrapolation, series, slips
+from . import bodies, coins, extrapolation, series, slips
 from .maths import maths, motion_of
 
 Route = Callable[[Problem], list[Any]]
@@ -130,6 +130,7 @@ ROUTES: dict[str, tuple[Route, Route]] = {
     "free-asymmetric-book": (extrapolated, bodies.book_by_its_momentum),
     "book-1e-10-off-its-middle-axis": (extrapolated, bodies.book_by_its_momentum),
     "heavy-top": (extrapolated, bodies.top_by_elliptic_functions),
+    "rolling-coin": (extrapolated, coins.coin_by_its_tilt),
     "rod-for-2000-s": (rod_by_elliptic_functions, rod_within_a_period),
     "period-from-60-degrees": (period_by_means, period_by_integral),
     "period-from-170-degrees": (period_by_means, period_by_integral),
