@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from mpmath import matrix, mp, mpf
 
-from trials.draw import Value
+from trials.draw import Value, decimal
 from trials.scene import Scene
 
 G = mpf("9.8")
+DIGITS = (4, 6, 15, 50)  # at which a family is solved
 
 
 @dataclass
@@ -25,6 +28,16 @@ class Case:
         self.scene.setdefault("find", {})[name] = phrase
         if value is not None:
             self.expected[name] = value
+
+
+@dataclass(frozen=True)
+class Family:
+    """A problem with the parameters at which it is solved."""
+
+    name: str
+    parameters: str
+    cases: Callable[[], Iterable[Case]]
+    digits: tuple[int, ...] = DIGITS
 
 
 def scene(title: str, **sections: object) -> Scene:
@@ -76,3 +89,11 @@ class Train:
 def letters(**values: Value) -> dict[str, str]:
     """Values as the givens of a scene."""
     return {name: value.text for name, value in values.items()}
+
+
+def given(number: Fraction, unit: str) -> Value:
+    return Value(f"{decimal(number)} {unit}".strip(), number)
+
+
+def tenth(power: int) -> Fraction:
+    return Fraction(1, 10**power)

@@ -3,38 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
 from mpmath import atan, cos, ellipk, exp, mp, mpf, sin, sqrt, tan
 
-from trials.case import Case, G, Train, letters, scene
-from trials.draw import FIGURES, Draw, Value, decimal, exactly, radians
+from trials.case import Case, Family, G, Train, given, letters, scene, tenth
+from trials.draw import FIGURES, Draw, Value, exactly, radians
 from trials.figures import wrong
 from trials.kinds import KINDS
 from trials.outcome import outcome
 from trials.scene import written
-
-DIGITS = (4, 6, 15, 50)
-
-
-@dataclass(frozen=True)
-class Family:
-    """A problem with the parameters at which it is solved."""
-
-    name: str
-    parameters: str
-    cases: Callable[[], Iterable[Case]]
-    digits: tuple[int, ...] = DIGITS
-
-
-def given(number: Fraction, unit: str) -> Value:
-    return Value(f"{decimal(number)} {unit}".strip(), number)
-
-
-def tenth(power: int) -> Fraction:
-    return Fraction(1, 10**power)
 
 
 def atwood() -> Iterator[Case]:
@@ -309,41 +289,47 @@ FAMILIES: tuple[Family, ...] = (
 
 @dataclass
 class Row:
-    """What a family gave: how many scenes and numbers, what was wrong, and the slowest scene."""
+    """What a family gave: how many scenes and numbers, what was wrong, what the confirmation kept back, and the slowest scene."""
 
     family: Family
     cases: int = 0
     numbers: int = 0
     wrongs: int = 0
+    withheld: int = 0  # numbers that are not printed since the assembly contradicts them; they are judged all the same
     slowest: float = 0.0
 
 
 def tried(family: Family) -> Row:
     """Solve a family at all of its parameters, and print what is wrong."""
     with mp.workdps(FIGURES):
-        return tried_at(family)
-
-
-def tried_at(family: Family) -> Row:
-    row = Row(family)
-    for case in family.cases():
-        row.cases += 1
-        text = written(case.scene)
-        for digits in family.digits:
-            found = outcome(text, digits)
-            row.slowest = max(row.slowest, found.seconds)
-            faults = [found.message.partition("\n")[0]] if found.solution is None else []
-            for name, true in case.expected.items() if found.solution is not None else ():
-                row.numbers += 1
-                fault = wrong(found.answers[name], true, digits)
-                faults += [f"{name}: {fault}"] if fault else []
-            row.wrongs += len(faults)
-            if faults:
-                print(f"{family.name}, {digits} digits: {'; '.join(faults)}\n{text}", flush=True)
-                break
-    print(
-        f"{family.name}: {row.cases} scenes, {row.numbers} numbers, {row.wrongs} wrong",
-        time.strftime("%H:%M:%S"),
-        flush=True,
-    )
+        row = Row(family)
+        for case in family.cases():
+            row.cases += 1
+            text = written(case.scene)
+            for digits in family.digits:
+                faults = list(judged(row, case, text, digits))
+                row.wrongs += len(faults)
+                if faults:
+                    print(f"{family.name}, {digits} digits: {'; '.join(faults)}\n{text}", flush=True)
+                    break
+    told = f"{row.cases} scenes, {row.numbers} numbers, {row.wrongs} wrong, {row.withheld} withheld"
+    print(f"{family.name}: {told}", time.strftime("%H:%M:%S"), flush=True)
     return row
+
+
+def judged(row: Row, case: Case, text: str, digits: int) -> Iterator[str]:
+    """What is wrong with the numbers of a scene; what the confirmation keeps back is asked for without it."""
+    found = outcome(text, digits)
+    row.slowest = max(row.slowest, found.seconds)
+    answers, message = found.answers, found.message
+    if kept := case.expected.keys() - answers.keys():
+        again = outcome(text, digits, confirm=False)
+        row.withheld += len(kept & again.answers.keys())
+        answers, message = again.answers | answers, again.message or message
+    for name, true in case.expected.items():
+        if name not in answers:
+            yield f"{name}: not answered {message.partition(chr(10))[0]}".rstrip()
+            continue
+        row.numbers += 1
+        if fault := wrong(answers[name], true, digits):
+            yield f"{name}: {fault}"

@@ -41,11 +41,11 @@ class Outcome:
     solution: Solution | None = None
 
 
-def outcome(text: str, digits: int = 6, law: str | None = None) -> Outcome:
+def outcome(text: str, digits: int = 6, law: str | None = None, confirm: bool = True) -> Outcome:
     """Solve the text of a scene; whatever happens becomes an outcome."""
     start = time.process_time()
     try:
-        solution = solve(text + "\n", digits=digits, law=law)
+        solution = solve(text + "\n", digits=digits, law=law, confirm=confirm)
         answers = printed_answers(solution, digits)
         solution.to("text")
     except SceneError as error:
