@@ -41,11 +41,16 @@ def measure(files: Sequence[Path]) -> list[dict[str, float]]:
     return found
 
 
-def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
-    """The table of columns, the slowest problems, and the target."""
+def measured(files: Sequence[Path], rounds: int) -> list[dict[str, float]]:
+    """By problem and column, medians over so many fresh processes."""
     command = [sys.executable, sys.argv[0], "--measure", "problems", *map(str, files)]
     runs = [json.loads(run(command).stdout) for _ in range(rounds)]
-    found = [{name: median(one[index][name] for one in runs) for name in STAGES} for index in range(len(files))]
+    return [{name: median(one[index][name] for one in runs) for name in STAGES} for index in range(len(files))]
+
+
+def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
+    """The table of columns, the slowest problems, and the target."""
+    found = measured(files, rounds)
     whole = [sum(columns.values()) for columns in found]
     columns = {**{name: [one[name] for one in found] for name in STAGES}, "everything": whole}
     rows = [

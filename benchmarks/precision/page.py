@@ -10,7 +10,7 @@ from report import machine
 from .measure import Row
 from .peers.ours import ways
 from .problem import Problem
-from .problems import PROBLEMS
+from .problems import IN_PLANE, IN_SPACE
 from .reach import figures, milliseconds
 from .worker import LIMIT
 
@@ -18,7 +18,7 @@ PACKAGES = ("numpy", "scipy", "mpmath", "sympy", "heyoka", "mujoco", "pymunk")
 HEAD = """\
 ## Run time against error
 
-`python benchmarks/work_precision.py`, {machine}; {versions}. Of {whole} problems {part} were run.
+`python benchmarks/work_precision.py`, {measured}
 
 Each problem is a scene that rotsolve reads, and the same in plain mathematics for the others, in the variables that suit
 them best (angles from upright, where the rod starts next to it). Errors are against references of 60 digits, on which two
@@ -29,6 +29,22 @@ others, so that what else the machine does counts little: of ours the command `r
 script in Python. **Clock** is the time that passed meanwhile, **one more** the processor time of a further solve in the same
 process; heyoka compiles on several processors at once. What takes longer than {limit} is given up.
 """
+HEAD_IN_SPACE = """\
+## Run time against error in space
+
+`python benchmarks/work_precision.py --space`, {measured}
+
+Measured as above, {rounds} processes for each row; what takes longer than {limit} is given up. scipy, mpmath and heyoka go by the
+equations that suit them best: vectors where they do, of the coin its tilt, nutation, precession and ω₃. **sympy Kane** derives its
+own by `KanesMethod`: by a quaternion for the book, by Euler angles for the top and the coin. **MuJoCo** turns the book and the top on
+a ball joint, whose quaternion is read; it has no joint for a coin that rolls, so a thin cylinder stands on a plane with friction
+there, as stiff as its step allows.
+"""
+
+
+def in_space(problems: Sequence[Problem]) -> bool:
+    """Whether all of them are problems in space, which have a section of their own."""
+    return {problem.name for problem in problems} <= {problem.name for problem in IN_SPACE}
 
 
 def versions() -> str:
@@ -43,15 +59,10 @@ def versions() -> str:
 
 
 def section(problems: Sequence[Problem], rows: Sequence[Row], rounds: int, pictures: Sequence[str]) -> str:
-    """The whole section in Markdown."""
-    head = HEAD.format(
-        machine=machine(),
-        versions=versions(),
-        rounds=rounds,
-        limit=f"{LIMIT} s",
-        whole=len(PROBLEMS),
-        part=len(problems),
-    )
+    """The whole section in Markdown: of problems in space where all of them are."""
+    whole, form = (len(IN_SPACE), HEAD_IN_SPACE) if in_space(problems) else (len(IN_PLANE), HEAD)
+    measured = f"{machine()}; {versions()}. Of {whole} problems {len(problems)} were run."
+    head = form.format(measured=measured, rounds=rounds, limit=f"{LIMIT} s")
     parts = [head, "### Targets\n", *targets(problems, rows), ""]
     parts += [f"![Run time against error]({name})\n" for name in pictures]
     parts.append("### All rows\n")

@@ -144,3 +144,12 @@ def test_the_page_has_every_row_and_those_that_failed(tmp_path: Path) -> None:
     text = section([problem], rows, 3, ["picture.svg"])
     assert "| rotsolve | accuracy 1e-9 | 1.0e-11 | 1.0e-09 | 200 ms |" in text
     assert "| mpmath odefun | digits 30 | given up |" in text
+
+
+def test_problems_in_space_have_a_section_of_their_own() -> None:
+    problem = PROBLEMS["rolling-coin"]
+    rows = [row("MuJoCo RK4", "1e-3", 1e-2, 0.3, problem.name)]
+    text = section([problem], rows, 3, ["picture.svg"])
+    assert text.startswith("## Run time against error in space")
+    assert "Of 4 problems 1 were run." in text
+    assert "Not here: pymunk is planar" in text

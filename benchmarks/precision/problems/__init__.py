@@ -10,11 +10,9 @@ from .rod import LONG, ROD, UPRIGHT
 from .rolling_coin import COIN
 from .two_rods import TWO_RODS
 
-PROBLEMS = {
-    problem.name: problem
-    for problem in (
-        *(ROD, UPRIGHT, TWO_RODS, DRIVEN_PULLEY, LONG),
-        *(BOOK, MIDDLE, HEAVY_TOP, COIN),
-        *(PERIOD_60, PERIOD_170, PERIOD_179, NEARLY_EQUAL, MASS_RATIO),
-    )
-}
+IN_PLANE = (
+    *(ROD, UPRIGHT, TWO_RODS, DRIVEN_PULLEY, LONG),
+    *(PERIOD_60, PERIOD_170, PERIOD_179, NEARLY_EQUAL, MASS_RATIO),
+)
+IN_SPACE = (BOOK, MIDDLE, HEAVY_TOP, COIN)
+PROBLEMS = {problem.name: problem for problem in (*IN_PLANE, *IN_SPACE)}
