@@ -12,7 +12,7 @@ from .peers.ours import ways
 from .problem import Problem
 from .problems import IN_PLANE, IN_SPACE
 from .reach import figures, milliseconds
-from .worker import LIMIT
+from .worker import LIMIT, SLOW
 
 PACKAGES = ("numpy", "scipy", "mpmath", "sympy", "heyoka", "mujoco", "pymunk")
 HEAD = """\
@@ -38,7 +38,7 @@ Measured as above, {rounds} processes for each row; what takes longer than {limi
 equations that suit them best: vectors where they do, of the coin its tilt, nutation, precession and ω₃. **sympy Kane** derives its
 own by `KanesMethod`: by a quaternion for the book, by Euler angles for the top and the coin. **MuJoCo** turns the book and the top on
 a ball joint, whose quaternion is read; it has no joint for a coin that rolls, so a thin cylinder stands on a plane with friction
-there, as stiff as its step allows.
+there, as stiff as its step allows. A solve of more than {slow} is not repeated: **one more** is then the first, with imports, as of Kane.
 """
 
 
@@ -62,7 +62,7 @@ def section(problems: Sequence[Problem], rows: Sequence[Row], rounds: int, pictu
     """The whole section in Markdown: of problems in space where all of them are."""
     whole, form = (len(IN_SPACE), HEAD_IN_SPACE) if in_space(problems) else (len(IN_PLANE), HEAD)
     measured = f"{machine()}; {versions()}. Of {whole} problems {len(problems)} were run."
-    head = form.format(measured=measured, rounds=rounds, limit=f"{LIMIT} s")
+    head = form.format(measured=measured, rounds=rounds, limit=f"{LIMIT} s", slow=f"{SLOW} s")
     parts = [head, "### Targets\n", *targets(problems, rows), ""]
     parts += [f"![Run time against error]({name})\n" for name in pictures]
     parts.append("### All rows\n")
