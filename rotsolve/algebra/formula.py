@@ -20,17 +20,21 @@ FUNCTIONS = {  # name -> number of arguments
     "ellipk": 1,  # K(m) = ∫ dφ/√(1 − m sin²φ) over a quarter turn, the complete elliptic integral of the first kind
     "ellipf": 2,  # F(φ, m), the same from 0 to φ
     "ellippi": 2,  # Π(n, m) = ∫ dφ/((1 − n sin²φ) √(1 − m sin²φ)) over a quarter turn, the complete one of the third kind
+    "ellippiinc": 3,  # Π(n, φ, m), the same from 0 to φ
     **dict.fromkeys(
         ("ellipsn", "ellipcn", "ellipdn"), 2
     ),  # of u and m: sin φ, cos φ and √(1 − m sin²φ) where u = F(φ, m)
+    "ellipam": 2,  # of u and m: that φ
 }
 ELLIPTIC = {
     "ellipk": "K",
     "ellipf": "F",
     "ellippi": "Π",
+    "ellippiinc": "Π",
     "ellipsn": "sn",
     "ellipcn": "cn",
     "ellipdn": "dn",
+    "ellipam": "am",
 }  # as they are printed
 
 

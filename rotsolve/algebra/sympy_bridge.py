@@ -34,6 +34,7 @@ from rotsolve.algebra.formula import (
 INTEGRALS = 500  # found, or not, by SymPy, that are remembered: the plans of a scene ask for the same ones
 _NAMES = {"abs": "Abs", "ellipk": "elliptic_k", "ellipf": "elliptic_f", "ellippi": "elliptic_pi"}
 _WORDS = {name: word for word, name in _NAMES.items()}
+_LONGER = {("elliptic_pi", 3): "ellippiinc"}  # what has the name of another one with fewer arguments
 
 
 def to_sympy(f: Formula, positive: Collection[str] = ()) -> Any:
@@ -59,7 +60,8 @@ def to_sympy(f: Formula, positive: Collection[str] = ()) -> Any:
         if isinstance(node, Negative):
             return -parts[0]
         if isinstance(node, Call):
-            name = _NAMES.get(node.function, node.function)
+            name = next((word for (word, _), own in _LONGER.items() if own == node.function), node.function)
+            name = _NAMES.get(name, name)
             return getattr(sympy, name, sympy.Function(name))(*parts)  # it has no sn, cn and dn
         if isinstance(node, Integral):
             return sympy.Integral(parts[0], (_symbol(node.variable, positive), parts[1], parts[2]))
@@ -129,7 +131,7 @@ def _from_power(base: Any, exponent: Any) -> Formula:
 def _from_function(expr: Any) -> Formula:
 
     name = type(expr).__name__
-    name = _WORDS.get(name, name)
+    name = _LONGER.get((name, len(expr.args)), _WORDS.get(name, name))
     arguments = [from_sympy(argument) for argument in expr.args]
     if name in ("cot", "sec", "csc"):
         below = {"cot": "tan", "sec": "cos", "csc": "sin"}[name]

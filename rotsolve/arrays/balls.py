@@ -11,7 +11,7 @@ import numpy as np
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import Ball
-from rotsolve.algebra.certified.elliptic import TWO_ARGUMENTS
+from rotsolve.algebra.certified.elliptic import OF_PARAMETER
 from rotsolve.algebra.flints import acb, arb
 from rotsolve.algebra.tape import BITS
 from rotsolve.arrays import Program
@@ -29,7 +29,7 @@ METHODS: Mapping[str, Callable[..., Any]] = {
     "abs": abs,
     "atan2": arb.atan2,
     "ellipk": lambda x: acb(x).elliptic_k().real if x < 1 else arb(nan),
-    **TWO_ARGUMENTS,
+    **OF_PARAMETER,
     **{name: getattr(arb, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log")},
 }
 
@@ -60,8 +60,10 @@ class Evaluator:
         for place, function, operands in self.steps:
             if len(operands) == 2:
                 places[place] = function(places[operands[0]], places[operands[1]])
-            else:
+            elif len(operands) == 1:
                 places[place] = function(places[operands[0]])
+            else:
+                places[place] = function(*[places[operand] for operand in operands])
         return [places[place] for place in self.results]
 
 

@@ -53,12 +53,12 @@ def float_value(formula: Formula, numbers: Mapping[str, float]) -> float:
             return math.pi
         case Call("atan2", (y, x)):
             return math.atan2(float_value(y, numbers), float_value(x, numbers))
-        case Call(function, (x, m)):
-            from rotsolve.algebra.certified.elliptic import elliptic_float
-
-            return elliptic_float(function, float_value(x, numbers), float_value(m, numbers))
         case Call(function, (argument,)):
             return CALLS[function](float_value(argument, numbers))
+        case Call(function, arguments):
+            from rotsolve.algebra.certified.elliptic import elliptic_float
+
+            return elliptic_float(function, *(float_value(argument, numbers) for argument in arguments))
     values = [float_value(child, numbers) for child in formula.children()]
     match formula:
         case Sum():

@@ -101,15 +101,18 @@ def _chain_rule(f: Call, name: str) -> Formula:
 
 
 def _elliptic_rule(f: Call, name: str) -> Formula:
-    """sn' = cn dn, cn' = −sn dn, dn' = −m sn cn, ∂F/∂φ = 1/√(1 − m sin² φ) (NIST Handbook, 22.13); none by the parameter m."""
-    if f.function in ("ellipk", "ellippi") or name in f.arguments[1].symbols():
+    """am' = dn, sn' = cn dn, cn' = −sn dn, dn' = −m sn cn, ∂F/∂φ = 1/√(1 − m sin² φ), ∂Π/∂φ = (∂F/∂φ)/(1 − n sin² φ) (NIST Handbook,
+    22.13 and 19.4); none by the parameter m, nor by n."""
+    *first, u, m = ZERO, *f.arguments
+    if f.function in ("ellipk", "ellippi") or any(name in fixed.symbols() for fixed in (*first, m)):
         raise ValueError(f"no derivative of {f!r}")
-    u, m = f.arguments
-    if f.function == "ellipf":
+    if f.function in ("ellipf", "ellippiinc"):
         below = call("sqrt", add(ONE, negate(multiply(m, power(call("sin", u), 2)))))
-        return divide(differentiate(u, name), below)
+        lessened = add(ONE, negate(multiply(first[-1], power(call("sin", u), 2))))
+        return divide(differentiate(u, name), multiply(lessened, below))
     sn, cn, dn = (call(function, u, m) for function in ("ellipsn", "ellipcn", "ellipdn"))
     slope = {
+        "ellipam": dn,
         "ellipsn": multiply(cn, dn),
         "ellipcn": negate(multiply(sn, dn)),
         "ellipdn": negate(multiply(m, multiply(sn, cn))),

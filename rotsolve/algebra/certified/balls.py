@@ -157,19 +157,20 @@ class RealBalls:
                 raise Undefined("the elliptic integral K of 1 or more")
             return acb(x).elliptic_k().real
         if name in ELLIPTIC:
-            return self._elliptic(node, x, self(node.arguments[1]))
+            return self._elliptic(node, x, *map(self, node.arguments[1:]))
         return self._arc(node, x)
 
-    def _elliptic(self, node: Call, x: Ball, m: Ball) -> Ball:
-        """sn, cn, dn and F, of a parameter that is exactly 0 or 1 too."""
-        from rotsolve.algebra.certified.elliptic import TWO_ARGUMENTS
+    def _elliptic(self, node: Call, *arguments: Ball) -> Ball:
+        """sn, cn, dn, am, F and Π, of a parameter that is exactly 0 or 1 too."""
+        from rotsolve.algebra.certified.elliptic import OF_PARAMETER
 
+        *first, m = arguments
         end = next((end for end in (0, 1) if m.contains(end) and not m.is_exact()), None)
-        if end is not None and self.is_zero and self.is_zero(node.arguments[1] - end):
+        if end is not None and self.is_zero and self.is_zero(node.arguments[-1] - end):
             m = arb(end)
         if m < 0 or m > 1:
             raise Undefined(f"an elliptic function of a parameter that is {'negative' if m < 0 else 'above 1'}")
-        return TWO_ARGUMENTS[node.function](x, m)
+        return OF_PARAMETER[node.function](*first, m)
 
     def _sqrt(self, node: Call, x: Ball) -> Ball:
         if x < 0:

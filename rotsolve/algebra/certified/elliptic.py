@@ -1,5 +1,4 @@
-"""Elliptic functions of Jacobi, the incomplete integral F and the complete Π of the third kind over real balls, of a parameter m = k² from
-0 to 1.
+"""Elliptic functions of Jacobi, the incomplete integral F and those of the third kind Π over real balls, of a parameter m = k² from 0 to 1.
 
 sn u = sin am u, cn u = cos am u, dn u = √(1 − m sn² u), where u = F(am u, m) = ∫ dx/√(1 − m sin² x) from 0 to am u
 (Landau & Lifshitz, Mechanics, §37; by theta functions of z = u/(2 K) and τ = i K(1 − m)/K(m): NIST Handbook, 22.2).
@@ -8,6 +7,7 @@ sn u = sin am u, cn u = cos am u, dn u = √(1 − m sn² u), where u = F(am u, 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 from rotsolve.algebra.flints import acb, arb
@@ -26,19 +26,50 @@ def jacobi(function: str, u: Ball, m: Ball) -> Ball:
         return u.tanh() if function == "ellipsn" else u.sech()
     if not 0 < m < 1:
         return arb.nan()
-    quarter, other = acb(m).elliptic_k().real, acb(1 - m).elliptic_k().real
-    z, tau = u / (2 * quarter), acb(0, other / quarter)
+    quarter = acb(m).elliptic_k().real
+    z = u / (2 * quarter)
     if not z.is_finite():
         return arb.nan()
-    z -= 2 * arb((z.mid() / 2 + 0.5).floor().mid())  # all three have the period 4 K
+    z -= 2 * nearest_whole(z / 2)  # all three have the period 4 K
+    return by_thetas((function,), z, m, quarter)[0]
+
+
+def by_thetas(functions: tuple[str, ...], z: Ball, m: Ball, quarter: Ball) -> list[Ball]:
+    """Some of sn, cn and dn of u = 2 K z, K being a quarter of the period."""
+    tau = acb(0, acb(1 - m).elliptic_k().real / quarter)
     _, *still = (part.real for part in acb(0).modular_theta(tau))
     moved = [part.real for part in acb(z).modular_theta(tau)]
-    above, below, which = {
+    shares = {
         "ellipsn": (still[1], still[0], 0),
         "ellipcn": (still[2], still[0], 1),
         "ellipdn": (still[2], still[1], 2),
-    }[function]
-    return above / below * moved[which] / moved[3]
+    }
+    return [above / below * moved[which] / moved[3] for above, below, which in map(shares.__getitem__, functions)]
+
+
+def nearest_whole(x: Ball) -> Ball:
+    """A whole number beside the middle of a ball."""
+    return arb((x.mid() + 0.5).floor().mid())
+
+
+def amplitude(u: Ball, m: Ball) -> Ball:
+    """am u, by am(u + 2 k K) = am u + k π within two quarters of the period; at m = 0 u, at m = 1 arctan sinh u."""
+    if m.is_zero():
+        return u
+    if (1 - m).is_zero():
+        return u.sinh().atan()
+    if not 0 < m < 1:
+        return arb.nan()
+    quarter = acb(m).elliptic_k().real
+    z = u / (2 * quarter)
+    if not z.is_finite():
+        return arb.nan()
+    halves = nearest_whole(z)
+    rest = z - halves
+    if not abs(rest) < 1:  # beyond, the heading below would be that of another turn
+        return arb.nan()
+    sine, cosine = by_thetas(("ellipsn", "ellipcn"), rest, m, quarter)
+    return halves * arb.pi() + arb.atan2(sine, cosine)
 
 
 def first_kind(phi: Ball, m: Ball) -> Ball:
@@ -55,21 +86,49 @@ def third_kind(n: Ball, m: Ball) -> Ball:
     return acb.elliptic_pi(acb(n), acb(m)).real if n < 1 and m < 1 else arb.nan()
 
 
-TWO_ARGUMENTS: Mapping[str, Callable[[Ball, Ball], Ball]] = {
-    "ellipsn": lambda u, m: jacobi("ellipsn", u, m),
-    "ellipcn": lambda u, m: jacobi("ellipcn", u, m),
-    "ellipdn": lambda u, m: jacobi("ellipdn", u, m),
+def third_kind_up_to(n: Ball, phi: Ball, m: Ball) -> Ball:
+    """Π(n, φ, m), the same from 0 to any φ: Π(n, φ + k π, m) = Π(n, φ, m) + 2 k Π(n, m).
+
+    Within a quarter turn by Carlson's integrals (NIST Handbook, 19.25.14); about one by the rule of the mean.
+    """
+    if not (n < 1 and m < 1 and phi.is_finite()):
+        return arb.nan()
+    halves, quarter = nearest_whole(phi / arb.pi()), arb.pi() / 2
+    rest = phi - halves * arb.pi()
+    whole = third_kind(n, m) if not halves.is_zero() or not abs(rest) <= quarter else arb(0)
+    if abs(rest) <= quarter:
+        return 2 * halves * whole + by_carlson(n, rest, m)
+    end, sign = (quarter, 1) if rest.mid() > 0 else (-quarter, -1)
+    sine = rest.union(end).sin()
+    square = sine * sine
+    return (2 * halves + sign) * whole + (rest - end) / ((1 - n * square) * (1 - m * square).sqrt())
+
+
+def by_carlson(n: Ball, phi: Ball, m: Ball) -> Ball:
+    """s R_F(c², 1 − m s², 1) + ⅓ n s³ R_J(c², 1 − m s², 1, 1 − n s²) with s = sin φ and c = cos φ, within a quarter turn."""
+    sine, cosine = phi.sin(), phi.cos()
+    square = sine * sine
+    above, below = acb((cosine * cosine).nonnegative_part()), acb(1 - m * square)
+    first = acb.elliptic_rf(above, below, 1).real
+    return sine * (first + n * square / 3 * acb.elliptic_rj(above, below, 1, acb(1 - n * square)).real)
+
+
+OF_PARAMETER: Mapping[str, Callable[..., Ball]] = {  # their last argument is m
+    **{name: partial(jacobi, name) for name in ("ellipsn", "ellipcn", "ellipdn")},
+    "ellipam": amplitude,
     "ellipf": first_kind,
     "ellippi": third_kind,
+    "ellippiinc": third_kind_up_to,
 }
 
 
-def elliptic_float(function: str, x: float, m: float = 0.0) -> float:
-    """One of these functions, or K(x), of floats; ValueError where it has no value."""
+def elliptic_float(function: str, *arguments: float) -> float:
+    """One of these functions, or K(m), of floats, the last of which is m; ValueError where it has no value."""
+    *first, m = map(arb, arguments)
     if function == "ellipk":
-        found = acb(x).elliptic_k().real if x < 1 else arb.nan()
+        found = acb(m).elliptic_k().real if m < 1 else arb.nan()
     else:
-        found = TWO_ARGUMENTS[function](arb(x), arb(m)) if 0 <= m <= 1 else arb.nan()
+        found = OF_PARAMETER[function](*first, m) if 0 <= m <= 1 else arb.nan()
     if not found.is_finite():
         raise ValueError(f"no value of {function}")
     return float(found.mid())

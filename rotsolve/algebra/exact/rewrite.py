@@ -154,6 +154,8 @@ class Rewriter:
             return divide(PI, Number(Fraction(2))) if shown == ZERO else Call(function, (shown,))
         if function == "ellippi":
             return self._third_kind(*(self.tidy(argument) for argument in arguments))
+        if function == "ellippiinc":
+            return self._third_kind_up_to(*(self.tidy(argument) for argument in arguments))
         if function in ELLIPTIC:
             return self._elliptic(function, *(self.tidy(argument) for argument in arguments))
         return self._inverse(function, tuple(self.tidy(argument) for argument in arguments))
@@ -166,8 +168,18 @@ class Rewriter:
             return divide(PI, multiply(Number(Fraction(2)), self.radicals.sqrt(add(ONE, negate(n)))))
         return call("ellippi", n, m)
 
+    def _third_kind_up_to(self, n: Formula, phi: Formula, m: Formula) -> Formula:
+        """Π(n, φ, m) of a positive φ, F(φ, m) where n is nothing."""
+        if n == ZERO:
+            return self._elliptic("ellipf", phi, m)
+        if phi == ZERO:
+            return ZERO
+        if isinstance(phi, Negative):
+            return negate(call("ellippiinc", n, phi.operand, m))
+        return call("ellippiinc", n, phi, m)
+
     def _elliptic(self, function: str, u: Formula, m: Formula) -> Formula:
-        """sn, cn, dn and F of positive arguments; where u or m is nothing they are simpler."""
+        """sn, cn, dn, am and F of positive arguments; where u or m is nothing they are simpler."""
         if u == ZERO:
             return ONE if function in ("ellipcn", "ellipdn") else ZERO
         if m == ZERO:

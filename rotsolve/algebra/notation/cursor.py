@@ -16,8 +16,8 @@ from rotsolve.algebra.notation.tokens import FormulaError, Token, resolve
 
 MAX_NESTING = 60
 CALLED_SO = {
-    printed: name for name, printed in ELLIPTIC.items()
-}  # functions before a bracket, where these are no letters
+    (printed, FUNCTIONS[name]): name for name, printed in ELLIPTIC.items()
+}  # functions before a bracket with so many arguments, where these are no letters
 
 CLOSERS = {"(": ")", "[": "]", "|": "|"}
 DIFFERENTIAL = re.compile(r"d[^\W\d_]\w*")  # dx, dθ, dt_1
@@ -49,11 +49,10 @@ class Vocabulary(Struct, frozen=True):
     def elliptic(self, cursor: Cursor) -> str:
         """The elliptic function whose printed name stands ahead, as `K(m)` or `sn(u, m)`, where no letter is called so; else ''."""
         ahead = cursor.tokens[cursor.index : cursor.index + 2]
-        function = CALLED_SO.get(ahead[0].text, "")
         known = self.names is None or ahead[0].text in self.names or ahead[0].text in cursor.bound
-        if not function or known or ahead[-1].kind != "(":
+        if known or ahead[-1].kind != "(" or ahead[0].text not in ELLIPTIC.values():
             return ""
-        return function if cursor.commas(cursor.index + 2) == FUNCTIONS[function] - 1 else ""
+        return CALLED_SO.get((ahead[0].text, cursor.commas(cursor.index + 2) + 1), "")
 
 
 class Forks:
