@@ -39,7 +39,7 @@ from rotsolve.solver.steps import (
     only_squared,
     put_square,
 )
-from rotsolve.solver.textbook import part_of_whole, quarters_turned
+from rotsolve.solver.textbook import part_of_whole, quarters_turned, seen_through_no_more
 
 FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
@@ -162,7 +162,12 @@ class Solver(Isolation, kw_only=True):
         held = item.left.symbols() | item.right.symbols() | inner(item)
         solved = [(name, found.formula) for name, found in self.solved.items() if name in held]
         told = {name: value for name, value in solved if value is not None}
-        used = {name: value for name, value in told.items() if self.running & value.symbols() or value == ZERO}
+        summed = item.left.holds(Integral) or item.right.holds(Integral)
+        used = {
+            name: value
+            for name, value in told.items()
+            if value == ZERO or (self.running & value.symbols() and (summed or not seen_through_no_more(value)))
+        }
         if used:
             self._substitute(item, used, [("known", name) for name in used])
 
@@ -317,7 +322,8 @@ class Solver(Isolation, kw_only=True):
             raise Contradiction(item.index)
         value = self.chosen(picked, candidates).transform(self.without_bars, "abs")
         self._check_nothing(item, value)
-        final = self.shortest(self.with_answers(value))
+        final = self.with_answers(value)
+        final = final if seen_through_no_more(final) else self.shortest(final)
         more = more or [
             *self.bounds_put_in(item, asked, final),
             *self.function_alone(item, asked, candidates[picked.root]),

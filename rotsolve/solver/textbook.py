@@ -12,6 +12,7 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
     Call,
     Formula,
     Integral,
@@ -30,12 +31,18 @@ from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.steps import Found
 
 LONGEST = 1000  # nodes under a root, beyond which no form is one that a page would hold
+SEEN_THROUGH = 200  # nodes of a formula with elliptic functions
 LONGEST_INTEGRAL = 150  # nodes of an integral of which the antiderivative is written at its ends
 
 
 def is_long_root(value: Formula) -> bool:
     """Whether a formula is a root, such as the size of a vector, of something so long that squaring it out leads nowhere."""
     return isinstance(value, Call) and value.function == "sqrt" and length(value) > LONGEST
+
+
+def seen_through_no_more(value: Formula) -> bool:
+    """Whether a formula holds elliptic functions of so much that it stays in the letters found before, which no form of it would shorten."""
+    return length(value) > SEEN_THROUGH and value.holds(*ELLIPTIC)
 
 
 def is_size(value: Formula) -> bool:

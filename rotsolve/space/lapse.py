@@ -152,6 +152,11 @@ class Lapse:
         own, (_, point) = self.before.moment.attitude(name), self.before.about(name)
         return self.before.letters_of(name, self.before.tensor(name, point), own, point)[0]
 
+    def size_of_momentum(self, name: str, size: Formula) -> Formula:
+        """|L| as a letter."""
+        words = "size of the angular momentum, which stays in space"
+        return self.letter(name, "size of the angular momentum", "L", ANGULAR_MOMENTUM, size, words)
+
     def own_rows(self, name: str, start: Attitude) -> Rows:
         """What turns a body's own components into those of its axes at the earlier moment, the spin angle of node axes too."""
         spun = start.axes.name == NODE and self.before.moment.nods(name)
@@ -174,8 +179,7 @@ class Lapse:
         axial, other = (entry_along(tensor, direction) for direction in (axis, rotated(own, (way[1], way[2], way[0]))))
         direction, size = along_and_size(momentum)
         if not is_axis(momentum):
-            words = "size of the angular momentum, which stays in space"
-            size = self.letter(name, "size of the angular momentum", "L", ANGULAR_MOMENTUM, size, words)
+            size = self.size_of_momentum(name, size)
             direction = triple([part / size if part != ZERO else ZERO for part in momentum])
         words = "its axis goes round its angular momentum, φ̇ = L/I₁"
         rate = self.letter(name, "rate about the angular momentum", "Omega", ANGULAR_VELOCITY, size / other, words)
@@ -188,8 +192,9 @@ class Lapse:
         return Attitude(axes, after(turn_about(axis, multiply(spin, time)), own), start.omega, NOTHING, about)
 
     def elliptic(self, name: str, start: Attitude, time: Formula) -> Attitude:
-        """An asymmetric body: its ω in its own axes, as letters with what they are; its attitude takes an integral of the third kind."""
+        """An asymmetric body: its ω in its own axes, and these in space, as letters with what they are."""
         from rotsolve.space.asymmetric import Polhode
+        from rotsolve.space.herpolhode import Herpolhode
 
         polhode, later = Polhode(self.before, name), self.later
         omega, rates = (
@@ -200,9 +205,13 @@ class Lapse:
         self.laws.update(polhode.laws)
         for axis, letter, value in zip(AXES, omega, found, strict=True):
             words = f"ω along its own {axis} axis, by Euler's equations"
-            self.laws[IN_TIME.equation(letter, value, later.when, (name,), words=words)] = None
-        lost = f"how `{name}`, which is not symmetric, stands when time has passed is not solved: only how it turns, in its own axes"
-        return Attitude(Axes(BODY, AS_DRAWN, omega, rates, lost, base=AS_DRAWN), start.own, omega, rates)
+            self.laws[PART_IN_TIME.equation(letter, value, later.when, (name,), words=words)] = None
+        momentum = self.momentum(name)
+        about = Herpolhode(polhode, later, momentum, self.size_of_momentum(name, length_of(momentum)))
+        rows = about.rows(start.axes.rows, omega, time)
+        self.laws.update(about.laws)
+        self.laws.update(polhode.laws)
+        return Attitude(Axes(BODY, rows, omega, rates, start.axes.lost), start.own, omega, rates)
 
     # about a fixed axis
 

@@ -91,12 +91,29 @@ class VectorReader:
     def velocity(self, path: Path, term: Term) -> Seen:
         if path.point in (None, CM):
             return self.moment.of_mass(path.owner, "velocity")
+        if self.goes_free(path.owner):
+            return self.beside_centre(path, term, "velocity")
         return self.moment.velocity(self.point(path)), self.moment.axes(path.owner)
 
     def acceleration(self, path: Path, term: Term) -> Seen:
         if path.point in (None, CM):
             return self.moment.of_mass(path.owner, "acceleration")
+        if self.goes_free(path.owner):
+            return self.beside_centre(path, term, "acceleration")
         return self.moment.acceleration(self.point(path)), self.moment.axes(path.owner)
+
+    def goes_free(self, name: str) -> bool:
+        """Whether nothing holds a body and time has turned it on, so that its centre of mass goes by itself."""
+        return not self.held.of_body(name) and self.moment.keeps_momentum(name)
+
+    def beside_centre(self, path: Path, term: Term, word: str) -> Seen:
+        """v + ω × r, or a + α × r + ω × (ω × r), with that of the centre of mass as it is in space, along the axes that are asked."""
+        own, arm, asked = self.moment.attitude(path.owner), self.moment.arm(self.point(path)), self.asked_axes(path, term)
+        swept = cross_product(own.omega, arm)
+        if word == "acceleration":
+            swept = vector_sum(cross_product(own.alpha, arm), cross_product(own.omega, swept))
+        centre, axes = self.moment.of_mass(path.owner, word)
+        return vector_sum(axes.to(asked, centre), own.axes.to(asked, swept)), asked
 
     def momentum(self, path: Path, term: Term) -> Seen:
         velocity, axes = self.velocity(replace(path, point=None), term)

@@ -93,6 +93,7 @@ class RealBalls:
     ) -> None:
         self.values = values
         self.memo: dict[str, Ball] = dict(bound or {})
+        self.calls: dict[Call, Ball] = {}  # a closed form holds the same ones many times
         self.open: set[str] = set()
         self.evaluated = 0  # how often integrands have been
         self.steady: dict[str, Steady] = {}  # by the letter that is not
@@ -138,6 +139,12 @@ class RealBalls:
         return base**exponent
 
     def call(self, node: Call) -> Ball:
+        found = self.calls.get(node)
+        if found is None:
+            found = self.calls[node] = self._call(node)
+        return found
+
+    def _call(self, node: Call) -> Ball:
         name = node.function
         x = self(node.arguments[0])
         if name in ("sin", "cos", "exp", "atan", "tan"):
