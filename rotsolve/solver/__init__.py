@@ -13,7 +13,7 @@ from msgspec import field
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import REMEMBERED, is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
+from rotsolve.algebra.formula import ELLIPTIC, ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
 from rotsolve.core.symbols import ACCELERATIONS, key_of
@@ -158,7 +158,8 @@ class Solver(Isolation, kw_only=True):
         return self._last(items[0], plan.asked)
 
     def _put_in_functions(self, item: Item) -> None:
-        """Answers that run during a phase are put in at once (a letter would hide what is integrated), and so are zeros."""
+        """Answers that run during a phase are put in at once (a letter would hide what is integrated), and so are zeros; elliptic ones
+        only where something is integrated."""
         held = item.left.symbols() | item.right.symbols() | inner(item)
         solved = [(name, found.formula) for name, found in self.solved.items() if name in held]
         told = {name: value for name, value in solved if value is not None}
@@ -166,7 +167,7 @@ class Solver(Isolation, kw_only=True):
         used = {
             name: value
             for name, value in told.items()
-            if value == ZERO or (self.running & value.symbols() and (summed or not seen_through_no_more(value)))
+            if value == ZERO or (self.running & value.symbols() and (summed or not value.holds(*ELLIPTIC)))
         }
         if used:
             self._substitute(item, used, [("known", name) for name in used])

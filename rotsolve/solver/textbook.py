@@ -154,9 +154,10 @@ class Textbook(Struct, kw_only=True):
         terms = value.terms if isinstance(value, Sum) else ()
         found = [term for term in terms if not term.symbols().isdisjoint(self.solved)]
         others = [term for term in terms if term.symbols().isdisjoint(self.solved)]
-        if len(found) < 2 or not others:
+        whole = self.with_answers(total(found))
+        if len(found) < 2 or not others or seen_through_no_more(whole):
             return None
-        together = self.simplify(self.with_answers(total(found)))
+        together = self.simplify(whole)
         bare = together.operand if isinstance(together, Negative) else together
         above = bare.numerator if isinstance(bare, Quotient) else bare
         return None if any(isinstance(node, Sum) for node in above.walk()) else total([*others, together])

@@ -33,7 +33,8 @@ class Polhode:
         if any(not self.held.vanishes(laws.tensors.spelled(part)) for part in (tensor.xy, tensor.yz, tensor.zx)):
             raise self.refusal(f"the own axes of `{name}` are not its principal ones", "draw it along these")
         self.moments: Triple = (tensor.xx, tensor.yy, tensor.zz)
-        self.omega = laws.moment.attitude(name).omega
+        attitude = laws.moment.attitude(name)
+        self.omega, self.names = attitude.omega, [AXES[row.index(ONE)] for row in attitude.own]  # as the body is drawn
         self.middle, self.other, self.led = self.axes()
         self.separating = self.beyond == 0
 
@@ -81,7 +82,7 @@ class Polhode:
 
     def sign(self, axis: int) -> int:
         """The sign of ω along an axis at first; +1 where it is nothing."""
-        return self.side(self.omega[axis], f"in which sense it turns about the {AXES[axis]} axis") or 1
+        return self.side(self.omega[axis], f"in which sense it turns about the {self.names[axis]} axis") or 1
 
     def amplitude(self, axis: int, share: Formula) -> Formula:
         """±√(ω² + share ω_b²), the largest ω along an axis, with the sign that it has at first."""
@@ -90,8 +91,8 @@ class Polhode:
             return rate
         size = sqrt(add(square(rate), multiply(share, square(across))))
         value = size if self.sign(axis) > 0 else negate(size)
-        words = f"ω along {AXES[axis]} where that along {AXES[self.middle]} is nothing"
-        return self.letter("largest rate", "a", AXES[axis], ANGULAR_VELOCITY, value, words)
+        words = f"ω along {self.names[axis]} where that along {self.names[self.middle]} is nothing"
+        return self.letter("largest rate", "a", self.names[axis], ANGULAR_VELOCITY, value, words)
 
     def largest(self) -> tuple[Formula, Formula]:
         """a_c and a_d."""

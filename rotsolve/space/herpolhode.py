@@ -16,6 +16,7 @@ Where L² = 2 E I_b, m is 1 and φ = L t/I_b + arctan(√−n tanh u) − arctan
 
 from __future__ import annotations
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, call, multiply, negate, sqrt
 from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension
 from rotsolve.core.equation import PART_IN_TIME, Equation
@@ -39,7 +40,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.space.asymmetric import Polhode
 from rotsolve.space.moment import SpaceMoment
 
-OWN_LETTERS = ("i", "j", "k")  # of the unit vectors along the own axes of a body
+OWN_LETTERS = {"x": "i", "y": "j", "z": "k"}  # of the unit vectors along the own axes of a body
 
 
 class Herpolhode:
@@ -73,7 +74,7 @@ class Herpolhode:
         along = triple([part if part == ZERO else part / self.size for part in self.momentum])
         nodes = scaled_by(1 / far, cross_product(across, AS_DRAWN[self.third]))
         found = (nodes, cross_product(along, nodes), along)
-        axis = AXES[self.third]
+        axis = self.polhode.names[self.third]
         names = (f"line of nodes at first, N along L × its {axis} axis", "l × N", "direction of L, l = L/|L|")
         columns = [
             self.in_letters(start, words, letter, triple([start.tidy(part) for part in rotated(rows, vector)]), words)
@@ -116,7 +117,8 @@ class Herpolhode:
         moments, n = polhode.moments, self.characteristic()
         gone = multiply(polhode.pace(), time)
         if polhode.separating:
-            turns = [call("atan", multiply(sqrt(negate(n)), polhode.functions(part)[0])) for part in (gone, ZERO)]
+            ends = [polhode.functions(gone)[0], simplify(polhode.functions(ZERO)[0])]
+            turns = [ZERO if end == ZERO else call("atan", multiply(sqrt(negate(n)), end)) for end in ends]
             return add(multiply(self.size, time) / moments[b], add(turns[0], negate(turns[1])))
         m, first = polhode.parameter(), polhode.phase(polhode.parameter())
         ends = [call("ellippiinc", n, call("ellipam", u, m), m) for u in (add(gone, first), first)]
@@ -129,7 +131,7 @@ class Herpolhode:
             multiply(self.polhode.moments[axis], omega[axis]) for axis in (self.one, self.two, self.third)
         )
         values = (self.gone_round(time), call("acos", third / self.size), call("atan2", one, two))
-        x, y, z = (AXES[axis] for axis in (self.one, self.two, self.third))
+        x, y, z = (self.polhode.names[axis] for axis in (self.one, self.two, self.third))
         words = (
             f"how far it goes round L, ∫ φ̇ dt with φ̇ = L (I_{x} ω_{x}² + I_{y} ω_{y}²)/(I_{x}² ω_{x}² + I_{y}² ω_{y}²)",
             f"angle of its {z} axis from L, cos θ = I_{z} ω_{z}/L",
@@ -151,6 +153,7 @@ class Herpolhode:
         columns = transposed(after(self.axes_of_momentum(first), turned))
         found: dict[int, Triple] = {}
         for own, column in zip((self.one, self.two, self.third), columns, strict=True):
-            kind, words = f"{AXES[own]} axis in space", f"its {AXES[own]} axis, turned from N, l × N and l by φ, θ and ψ"
-            found[own] = self.in_letters(self.later, kind, OWN_LETTERS[own], column, words)
+            axis = self.polhode.names[own]
+            words = f"its {axis} axis, turned from N, l × N and l by φ, θ and ψ"
+            found[own] = self.in_letters(self.later, f"{axis} axis in space", OWN_LETTERS[axis], column, words)
         return transposed((found[0], found[1], found[2]))

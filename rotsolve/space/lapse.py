@@ -18,8 +18,6 @@ from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import TIME, has_quantities, phase_midst
 from rotsolve.core.vectors.triple import (
-    AS_DRAWN,
-    AXES,
     NOTHING,
     Rows,
     Triple,
@@ -198,12 +196,12 @@ class Lapse:
 
         polhode, later = Polhode(self.before, name), self.later
         omega, rates = (
-            triple([later.ask(word, name, axis) for axis in AXES])
+            triple([later.ask(word, name, axis) for axis in polhode.names])
             for word in ("angular_velocity", "angular_acceleration")
         )
         found = polhode.rates(time)
         self.laws.update(polhode.laws)
-        for axis, letter, value in zip(AXES, omega, found, strict=True):
+        for axis, letter, value in zip(polhode.names, omega, found, strict=True):
             words = f"ω along its own {axis} axis, by Euler's equations"
             self.laws[PART_IN_TIME.equation(letter, value, later.when, (name,), words=words)] = None
         momentum = self.momentum(name)
@@ -211,7 +209,7 @@ class Lapse:
         rows = about.rows(start.axes.rows, omega, time)
         self.laws.update(about.laws)
         self.laws.update(polhode.laws)
-        return Attitude(Axes(BODY, rows, omega, rates, start.axes.lost), start.own, omega, rates)
+        return Attitude(Axes(BODY, rows, omega, rates, start.axes.lost, base=rows), start.own, omega, rates)
 
     # about a fixed axis
 

@@ -108,7 +108,11 @@ class VectorReader:
 
     def beside_centre(self, path: Path, term: Term, word: str) -> Seen:
         """v + ω × r, or a + α × r + ω × (ω × r), with that of the centre of mass as it is in space, along the axes that are asked."""
-        own, arm, asked = self.moment.attitude(path.owner), self.moment.arm(self.point(path)), self.asked_axes(path, term)
+        own, arm, asked = (
+            self.moment.attitude(path.owner),
+            self.moment.arm(self.point(path)),
+            self.asked_axes(path, term),
+        )
         swept = cross_product(own.omega, arm)
         if word == "acceleration":
             swept = vector_sum(cross_product(own.alpha, arm), cross_product(own.omega, swept))
