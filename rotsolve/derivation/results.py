@@ -288,7 +288,9 @@ class Results(Struct, frozen=True):
         """The closed form; one that no page would hold stays in the letters found before."""
         formula = answered.found.formula
         assert formula is not None
-        steps = self.search.solver.steps[slice(*answered.steps)]
+        alike = (item.steps for item in self.search.answered if item.asked.letter == answered.asked.letter)
+        own = next((steps for steps in alike if steps[0] < steps[1]), answered.steps)  # it may be settled before it is asked
+        steps = self.search.solver.steps[slice(*own)]
         return readable(steps[-1].chain)[-1].right if steps and length(formula) > FEW else formula
 
     def _value_in(self, found: Found, unit: Unit | None) -> Certified | None:

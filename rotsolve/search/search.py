@@ -218,8 +218,7 @@ class Search(Struct, dict=True):
         if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
             self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
         if asked.letter in self.solver.solved:
-            own = next((item.steps for item in self.answered if item.asked.letter == asked.letter), (0, 0))
-            answered = Answered(asked, self.solver.solved[asked.letter], (), own, parts, aside)
+            answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts, aside=aside)
         else:
             found, used, own = self._settle(asked)
             answered = Answered(asked, found, used, (own, len(self.solver.steps)), parts, aside)
