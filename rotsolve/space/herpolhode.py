@@ -107,7 +107,7 @@ class Herpolhode:
         b, c, d = polhode.middle, polhode.other, polhode.led
         moments = polhode.moments
         value = negate(moments[d] * polhode.gap(b, c) / (moments[c] * polhode.gap(d, b)))
-        words = "characteristic of Π"
+        words = "n of the arctangent" if polhode.separating else "characteristic of Π"
         return self.letter(polhode.before.moment, "characteristic", "n", "", NONE, value, words)
 
     def gone_round(self, time: Formula) -> Formula:

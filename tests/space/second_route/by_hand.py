@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, cos, pi, sqrt
+from math import acos, atan2, cos, cosh, degrees, pi, sin, sqrt, tanh
 from types import SimpleNamespace as Numbers
 from typing import Any
 
@@ -76,6 +76,17 @@ def tennis_racket(n: Numbers) -> dict[str, float]:
     return {"T_r": period, "flip": period / 2}
 
 
+def between_both_cases_in_space(n: Numbers) -> dict[str, Any]:
+    """The middle axis goes evenly round L at L/I₂, from level on, and comes nearer to it, cos θ = tanh τ (Landau & Lifshitz, §37, problem 1)."""
+    momentum = np.array([n.I1 * sqrt(3) * n.w, 0.0, n.I3 * n.w])
+    size = float(np.linalg.norm(momentum))
+    along, level = momentum / size, np.array([0.0, 1.0, 0.0])
+    tau, gone = n.w * sqrt((n.I3 - n.I2) * (n.I3 - n.I1) / (n.I1 * n.I2)) * n.T, size / n.I2 * n.T
+    across = cos(gone) * level + sin(gone) * np.cross(along, level)
+    axis = across / cosh(tau) + along * tanh(tau)
+    return {"e_x": axis[0], "e_y": axis[1], "e_z": axis[2], "theta": degrees(acos(tanh(tau)))}
+
+
 def wing_nut(n: Numbers) -> dict[str, float]:
     """Its first and third axes change places."""
     return {"flip": there_and_back((n.I3, n.I2, n.I1), n.w2, n.w3) / 2}
@@ -125,6 +136,7 @@ CLOSED_FORMS: dict[str, Callable[[Numbers], dict[str, Any]]] = {
     "particle-off-the-plane": particle_off_the_plane,
     "skater-pulls-in": skater_pulls_in,
     "tennis-racket": tennis_racket,
+    "between-both-cases-in-space": between_both_cases_in_space,
     "tensor-box": of_centre(lambda n: box(n.m, n.w, n.h, n.d)),
     "tensor-cube": of_centre(lambda n: box(n.M, n.a, n.a, n.a)),
     "tensor-cylinder": of_centre(lambda n: round_(n.m, 1 / 4, 1 / 2, n.r, n.h)),

@@ -125,16 +125,21 @@ def thrown_plate(n: Numbers) -> Answers:
     return {"phi_t": round_, "psi_t": own, "theta": degrees_between(momentum, Z)}
 
 
-def plate_that_wobbles_in_time(n: Numbers) -> Answers:
-    """Ṙ = [ω]× R, ω = R I⁻¹ Rᵀ L followed, and the throw of its centre."""
-    body, omega = disc(n.M, n.R), np.array([n.wp, 0, n.w3])
-    inertia = tensor(body)
-    momentum = inertia @ omega
+def turned_on(inertia: Any, momentum: Any, time: float, steps: int) -> Any:
+    """R by Ṙ = [ω]× R, ω = R I⁻¹ Rᵀ L, from R = 1."""
 
     def slope(_: float, state: Any) -> Any:
         return np.cross(state @ np.linalg.solve(inertia, state.T @ momentum), state, axisb=0, axisc=0)
 
-    end = followed(slope, np.eye(3), n.T, steps=40)
+    return followed(slope, np.eye(3), time, steps=steps)
+
+
+def plate_that_wobbles_in_time(n: Numbers) -> Answers:
+    """How it is turned, and the throw of its centre."""
+    body, omega = disc(n.M, n.R), np.array([n.wp, 0, n.w3])
+    inertia = tensor(body)
+    momentum = inertia @ omega
+    end = turned_on(inertia, momentum, n.T, steps=40)
     own = np.linalg.solve(inertia, end.T @ momentum)
     turned = body.turned(end)
     found = turned.masses @ np.cross(turned.places, np.cross(end @ own, turned.places))
@@ -149,6 +154,19 @@ def wobble(moments: list[float], omega: Any, name: str, time: float) -> Answers:
 
 def between_both_cases(n: Numbers) -> Answers:
     return wobble([n.I1, n.I2, n.I3], [sqrt(3) * n.w, 0.0, n.w], "w", n.T)
+
+
+def between_both_cases_in_space(n: Numbers) -> Answers:
+    inertia = np.diag([n.I1, n.I2, n.I3])
+    momentum = inertia @ np.array([sqrt(3) * n.w, 0.0, n.w])
+    axis = turned_on(inertia, momentum, n.T, steps=60) @ Y
+    return {"e_x": axis[0], "e_y": axis[1], "e_z": axis[2], "theta": degrees_between(axis, momentum)}
+
+
+def tennis_racket_in_the_hand(n: Numbers) -> Answers:
+    inertia = np.diag([n.I1, n.I2, n.I3])
+    end = turned_on(inertia, inertia @ np.array([n.w1, n.w2, 0.0]), n.T, steps=200)
+    return {"h": end[0, 0], "f": end[2, 2]}
 
 
 def tennis_racket(n: Numbers) -> Answers:
@@ -191,6 +209,7 @@ def pole_of_the_earth_in_time(n: Numbers) -> Answers:
 
 CALCULATIONS = {
     "between-both-cases": between_both_cases,
+    "between-both-cases-in-space": between_both_cases_in_space,
     "blow-on-a-box": blow_on_a_box,
     "blow-on-a-plate-at-a-corner": blow_on_a_plate_at_a_corner,
     "book-about-its-middle-axis": book_about_its_middle_axis,
@@ -203,6 +222,7 @@ CALCULATIONS = {
     "spherical-top": spherical_top,
     "stability-of-three-axes": stability_of_three_axes,
     "tennis-racket": tennis_racket,
+    "tennis-racket-in-the-hand": tennis_racket_in_the_hand,
     "thrown-plate": thrown_plate,
     "wing-nut": wing_nut,
 }
