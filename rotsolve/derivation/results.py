@@ -289,7 +289,7 @@ class Results(Struct, frozen=True):
         formula = answered.found.formula
         assert formula is not None
         alike = (item.steps for item in self.search.answered if item.asked.letter == answered.asked.letter)
-        own = next((steps for steps in alike if steps[0] < steps[1]), answered.steps)  # it may be settled before it is asked
+        own = next((steps for steps in alike if steps[0] < steps[1]), answered.steps)  # of what was settled before, too
         steps = self.search.solver.steps[slice(*own)]
         return readable(steps[-1].chain)[-1].right if steps and length(formula) > FEW else formula
 

@@ -1,4 +1,4 @@
-"""Elliptic functions sn, cn, dn and F as functions of formulas: numbers, derivatives, exact values, text that is read again."""
+"""Elliptic functions sn, cn, dn, am, F and Π as functions of formulas: numbers, derivatives, exact values, text that is read again."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import pytest
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.elliptic import third_kind_up_to
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Number, Symbol, call, formula
@@ -66,9 +67,9 @@ def test_the_integral_is_undone_by_its_functions() -> None:
     ).text(12)
 
 
-@pytest.mark.parametrize("function", [*JACOBI, "ellipf"])
+@pytest.mark.parametrize("function", [*JACOBI, "ellipf", "ellipam", "ellippiinc"])
 def test_derivatives_are_differences(function: str) -> None:
-    value = call(function, 2 * U, M)
+    value = call(function, *([-M] if function == "ellippiinc" else []), 2 * U, M)
     at, step = {"m": number("0.7"), "u": number("0.6")}, Fraction(1, 10**12)
     slope = evaluate(differentiate(value, "u"), at, digits=30)
     ends = [evaluate(value, {**at, "u": formula(Fraction(6, 10) + way * step)}, digits=40).ball for way in (1, -1)]
@@ -96,6 +97,50 @@ def test_the_third_kind_is_that_of_fifty_digits(n: str, m: str) -> None:
     with Precision(200):
         found = evaluate(call("ellippi", number(n), number(m)), {}, digits=30).ball
         assert (found / arb(true) - 1).abs_upper() < 1e-29
+
+
+@pytest.mark.parametrize("n", ["-1000000", "-3/2", "1e-9", "0.999"])
+@pytest.mark.parametrize("m", ["1e-12", "0.5", "0.999999"])
+@pytest.mark.parametrize("phi", ["0.3", "-1.5707963267948966", "12345.678", "-1e-9"])
+def test_the_incomplete_third_kind_goes_on_by_its_period(n: str, m: str, phi: str) -> None:
+    """Within a quarter turn, beside one, and far beyond, against fifty digits; a ball about the place holds the value too."""
+    import mpmath
+
+    with mpmath.workdps(70):
+        own, at, parameter = (mpmath.mpf(Fraction(text).numerator) / Fraction(text).denominator for text in (n, phi, m))
+        halves = mpmath.nint(at / mpmath.pi)
+        whole = mpmath.ellippi(own, at - halves * mpmath.pi, parameter) + 2 * halves * mpmath.ellippi(own, parameter)
+        true = mpmath.nstr(whole, 55)
+    with Precision(200):
+        found = evaluate(call("ellippiinc", number(n), number(phi), number(m)), {}, digits=30).ball
+        assert (found / arb(true) - 1).abs_upper() < 1e-29
+        wide = third_kind_up_to(*(arb(*pair) for pair in ((mid(n),), (mid(phi), 1e-9), (mid(m),))))
+        assert wide.contains(third_kind_up_to(arb(mid(n)), arb(mid(phi)), arb(mid(m))))
+
+
+def mid(value: str) -> float:
+    return float(Fraction(value))
+
+
+@pytest.mark.parametrize("m", ["1e-12", "0.5", "0.999999"])
+@pytest.mark.parametrize("phi", ["0.3", "-1.5707963267948966", "3.2", "123.4"])
+def test_the_amplitude_undoes_the_first_kind(phi: str, m: str) -> None:
+    whole = call("ellipam", call("ellipf", number(phi), number(m)), number(m))
+    with Precision(200):
+        assert abs(evaluate(whole, {}, digits=30).ball - evaluate(number(phi), {}, digits=40).ball) < 1e-25
+
+
+def test_the_amplitude_and_the_incomplete_third_kind_at_both_ends() -> None:
+    assert evaluate(call("ellipam", number("0.7"), ONE), {}).text(12) == evaluate(
+        parse("atan((exp(0.7) - exp(-0.7))/2)", set()), {}
+    ).text(12)
+    assert simplify(call("ellipam", U, ZERO)) == U and simplify(call("ellippiinc", ZERO, U, M)) == call("ellipf", U, M)
+    assert to_text(simplify(call("ellippiinc", M, -U, M))) == "−Π(m, u, m)"
+    value = call("ellippiinc", -U, call("ellipam", 2 * U, M), M)
+    assert to_text(value) == "Π(−u, am(2 u, m), m)" and parse(to_text(value), {"u", "m"}) == value
+    assert from_sympy(to_sympy(value)) == value
+    with pytest.raises((Undefined, ValueError)):
+        evaluate(call("ellippiinc", number(2), number("0.5"), number("0.5")), {})
 
 
 def test_the_third_kind_has_simpler_cases_and_no_value_beyond() -> None:

@@ -106,7 +106,7 @@ def test_the_assembly_follows_it_to_the_same(name: str) -> None:
 
 
 def test_over_many_periods() -> None:
-    """In each ω comes round, and the body has gone round L by the same angle: R(t + P) = R(P) R(t), R(0) = 1. 10³ s are some 200 of them."""
+    """In each ω comes round, and the body goes round L by the same angle: R(t + P) = R(P) R(t), R(0) = 1. 10³ s are some 200 of them."""
     moments, start = ("1", "2", "3"), ("0.3", "0.4", "2")
     text = scene(moments, start, "1000", ("0", "0"), find="x: b.x_axis at later")
     (answer,) = solve(text, confirm=False).derivation.answers
@@ -134,9 +134,9 @@ def test_between_both_cases_it_goes_round_by_arctangents(signs: tuple[int, str, 
 def test_a_wrong_sign_is_contradicted() -> None:
     """The assembly follows the body by its equations, and knows nothing of φ."""
     plain = Herpolhode.gone_round
-    with mock.patch.object(Herpolhode, "gone_round", lambda self, time: -plain(self, time)):
-        with pytest.raises(Unsolvable, match="assembly"):
-            solve(scene(*CASES["round the axis of the largest moment"]))
+    wrong = mock.patch.object(Herpolhode, "gone_round", lambda self, time: -plain(self, time))
+    with wrong, pytest.raises(Unsolvable, match="assembly"):
+        solve(scene(*CASES["round the axis of the largest moment"]))
 
 
 def test_functions_of_time_and_a_state_between_tell_the_same() -> None:

@@ -77,7 +77,7 @@ def tennis_racket(n: Numbers) -> dict[str, float]:
 
 
 def between_both_cases_in_space(n: Numbers) -> dict[str, Any]:
-    """The middle axis goes evenly round L at L/I₂, from level on, and comes nearer to it, cos θ = tanh τ (Landau & Lifshitz, §37, problem 1)."""
+    """The middle axis goes evenly round L at L/I₂ and comes ever nearer to it, cos θ = tanh τ (Landau & Lifshitz, §37, problem 1)."""
     momentum = np.array([n.I1 * sqrt(3) * n.w, 0.0, n.I3 * n.w])
     size = float(np.linalg.norm(momentum))
     along, level = momentum / size, np.array([0.0, 1.0, 0.0])
