@@ -139,6 +139,7 @@ def test_the_amplitude_and_the_incomplete_third_kind_at_both_ends() -> None:
     value = call("ellippiinc", -U, call("ellipam", 2 * U, M), M)
     assert to_text(value) == "Π(−u, am(2 u, m), m)" and parse(to_text(value), {"u", "m"}) == value
     assert from_sympy(to_sympy(value)) == value
+    assert r"\operatorname{am}\left(2 u, m\right)" in to_latex(value) and "<mi>am</mi>" in mathml(value)
     with pytest.raises((Undefined, ValueError)):
         evaluate(call("ellippiinc", number(2), number("0.5"), number("0.5")), {})
 

@@ -20,7 +20,8 @@ ELLIPTIC = "NumPy has no function ellip"  # balls have
 REFUSED = {
     "stability-of-three-axes": "`unstable` has no closed form",  # which of three bodies, a word
     "gyroscope-let-go": "with M = 1.001 no body has the moments of inertia of `wheel`",  # I₃ = 2 (I₁ − M l²): of a thin disc
-    **dict.fromkeys(("between-both-cases", "how-long-a-top-nods", "tennis-racket", "wing-nut"), ELLIPTIC),
+    **dict.fromkeys(("between-both-cases", "between-both-cases-in-space", "how-long-a-top-nods"), ELLIPTIC),
+    **dict.fromkeys(("tennis-racket", "tennis-racket-in-the-hand", "wing-nut"), ELLIPTIC),
 }
 ALIKE = 1e-9
 BOX = """

@@ -134,7 +134,7 @@ def _set_call(function: str, arguments: tuple[Formula, ...], marks: Marks, raise
 
 
 FUNCTIONS = {"K": "K", "F": "F", "Π": r"\Pi"} | {
-    name: rf"\operatorname{{{name}}}" for name in ("atan2", "sn", "cn", "dn")
+    name: rf"\operatorname{{{name}}}" for name in ("atan2", "sn", "cn", "dn", "am")
 }
 
 LATEX = Marks(

@@ -220,7 +220,7 @@ def describe(dimension: Dimension, *, article: bool = False) -> str:
     return f"{name} ({kind.unit})" if kind.unit else name
 
 
-class Known(dict[str, Dimension]):
+class LetterDimensions(dict[str, Dimension]):
     """The dimensions of letters, and of the functions of them that have been met: a long formula holds the same ones many times."""
 
     def __init__(self, symbols: Mapping[str, Dimension]) -> None:
@@ -230,15 +230,15 @@ class Known(dict[str, Dimension]):
 
 def dimension_of(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimension:
     """The dimension of a formula; `DimensionError` if its parts do not fit together. Zero fits everything."""
-    return _dimension(formula, Known(symbols)) or NONE
+    return _dimension(formula, LetterDimensions(symbols)) or NONE
 
 
 def fits_everything(formula: Formula, symbols: Mapping[str, Dimension]) -> bool:
     """Whether a formula whose parts fit together is a zero as it is written, 0 or 0·m, which has any dimension."""
-    return _dimension(formula, Known(symbols)) is None
+    return _dimension(formula, LetterDimensions(symbols)) is None
 
 
-def _dimension(formula: Formula, symbols: Known) -> Dimension | None:
+def _dimension(formula: Formula, symbols: LetterDimensions) -> Dimension | None:
     """The dimension; None for a zero, which has any."""
     match formula:
         case Number(value):
@@ -269,7 +269,7 @@ def _dimension(formula: Formula, symbols: Known) -> Dimension | None:
     raise TypeError(f"no dimension for {formula!r}")
 
 
-def _common(terms: tuple[Formula, ...], symbols: Known) -> Dimension | None:
+def _common(terms: tuple[Formula, ...], symbols: LetterDimensions) -> Dimension | None:
     """The one dimension of all terms; a plain number added to an angle is one too."""
     first: tuple[Formula, Dimension] | None = None
     angle = False
@@ -291,7 +291,7 @@ def _say(formula: Formula) -> str:
     return to_text(formula.operand if isinstance(formula, Negative) else formula)
 
 
-def _product_dimension(factors: tuple[Formula, ...], symbols: Known) -> Dimension | None:
+def _product_dimension(factors: tuple[Formula, ...], symbols: LetterDimensions) -> Dimension | None:
     result = NONE
     zero = False
     for factor in factors:
@@ -301,7 +301,7 @@ def _product_dimension(factors: tuple[Formula, ...], symbols: Known) -> Dimensio
     return None if zero else result
 
 
-def _power_dimension(base: Formula, exponent: Formula, symbols: Known) -> Dimension | None:
+def _power_dimension(base: Formula, exponent: Formula, symbols: LetterDimensions) -> Dimension | None:
     above = _dimension(exponent, symbols)
     if above is not None and not above.matches(NONE):
         raise DimensionError(f"the exponent {_say(exponent)} is {describe(above, article=True)}, not a pure number")
@@ -317,7 +317,7 @@ def _power_dimension(base: Formula, exponent: Formula, symbols: Known) -> Dimens
     return NONE
 
 
-def _call_dimension(function: str, arguments: tuple[Formula, ...], symbols: Known) -> Dimension | None:
+def _call_dimension(function: str, arguments: tuple[Formula, ...], symbols: LetterDimensions) -> Dimension | None:
     if function == "atan2":
         _common(arguments, symbols)
         return ANGLE
@@ -335,7 +335,7 @@ def _call_dimension(function: str, arguments: tuple[Formula, ...], symbols: Know
     return ANGLE if function.startswith("a") else NONE
 
 
-def _integral(formula: Integral, symbols: Known) -> Dimension | None:
+def _integral(formula: Integral, symbols: LetterDimensions) -> Dimension | None:
     """The integrand's dimension times the variable's, which the bounds must have too."""
     bounds = _common((formula.lower, formula.upper), symbols)
     known = {**({} if bounds is None else {formula.variable: bounds}), "time": TIME, **symbols}
@@ -346,5 +346,5 @@ def _integral(formula: Integral, symbols: Known) -> Dimension | None:
         what = f"{describe(bounds, article=True)}, but {to_text(Symbol(formula.variable))} is"
         bound = formula.lower if formula.upper == ZERO else formula.upper
         raise DimensionError(f"the bound {_say(bound)} is {what} {describe(variable, article=True)}")
-    integrand = _dimension(formula.integrand, Known(known))
+    integrand = _dimension(formula.integrand, LetterDimensions(known))
     return None if integrand is None else integrand * variable
