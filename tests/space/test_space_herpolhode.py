@@ -1,7 +1,7 @@
 """How a free asymmetric body stands by then: its axes, ω and points in space, against power series of Ṙ = R ω× in 50 digits (`carried_on`).
 
 Random bodies are turned at first, go backwards too, over many periods, and some are near the edge between both cases. More of them than
-the ordinary run takes were held so once: seeds 0 to 39, 28 November 2026.
+the ordinary run takes were held so once: seeds 0 to 39, 29 November 2026.
 """
 
 from __future__ import annotations
