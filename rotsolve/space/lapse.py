@@ -2,8 +2,8 @@
 
 L is constant in space. What turns about L goes on so. A body that is symmetric about e₃ goes round L at L/I₁ and meanwhile turns about its
 axis at ψ̇ = ω₃ (I₁ − I₃)/I₁ (Landau & Lifshitz, Mechanics, §33; Goldstein, Poole & Safko, Classical Mechanics, §5.6); of any other ω goes by
-elliptic functions (`asymmetric`), by which it is told how it stands (`herpolhode`). A steady precession goes on as it is. About a fixed axis
-a constant torque makes ω = ω₀ + α t, and a centre of mass that nothing holds falls, v = v₀ − g t ẑ.
+elliptic functions (`asymmetric`), by which it is told how it stands (`herpolhode`). A steady precession goes on as it is. About a fixed
+axis a constant torque makes ω = ω₀ + α t, and a centre of mass that nothing holds falls, v = v₀ − g t ẑ.
 """
 
 from __future__ import annotations
