@@ -101,6 +101,8 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
     except Exhausted:
         raise too_long(problem) from None
     except Unsolvable as error:
+        if problem.space and isinstance(error, NeverReached):  # its assembly looks at states, not at the way to them
+            raise
         fault = fair_refusal(error.fault, problem, [find.name for find in problem.finds], law)
         if fault is error.fault:
             raise

@@ -34,6 +34,22 @@ def not_come_to(search: Search) -> Iterator[Unsolvable]:
         if interval.event is None and interval.end in dynamics_of(search):
             yield from without_rates(interval.end, COMING, search)
             yield from below_summit(interval, search)
+            yield from in_equilibrium(interval, search)
+
+
+def in_equilibrium(interval: Interval, search: Search) -> Iterator[Unsolvable]:
+    """The bodies on hinges that are at rest where nothing turns them, and never come to another angle."""
+    from rotsolve.space.summit import stays_put
+
+    configuration, dynamics = search.scene.configuration, dynamics_of(search)
+    for body in configuration.problem.bodies:
+        first, last = (dynamics[state].moment.stood(body.name, "angle") for state in (interval.start, interval.end))
+        if first is None or last is None or search.numbers.side(last - first) in (0, None):
+            continue
+        if stays_put(body.name, dynamics[interval.start], search.numbers.side):
+            span = configuration.timeline.state(interval.end).span
+            why = f"`{body.name}` is at rest there in equilibrium, and stays so"
+            yield unreachable(configuration.problem, interval.start, interval.end, span, why)
 
 
 def dynamics_of(search: Search) -> Mapping[str, SpaceLaws]:

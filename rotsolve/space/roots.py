@@ -183,10 +183,14 @@ def tilted(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: 
         if not within:
             message, help = f"`{key.owner}` has no tilt from 0 to 180° at `{key.when}`", "check what the states say"
         raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+    sign = -1 if word == "largest" else 1
+    index = within[numbers.least([sign * roots[k] for k in within])] if others else within[0]
+    if word in EXTREMES and math.sin(values[index]) < SMALL:
+        message = f"the axis of `{key.owner}` passes through the vertical on its way to `{key.when}`, and nods on there"
+        help = "that is solved for its times alone; `rotsolve simulate` follows it"
+        raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
     if not others:
         return PickedRoot(within[0], ("a tilt lies from 0 to 180°",) if len(values) > 1 else ())
-    sign = -1 if word == "largest" else 1
-    index = within[numbers.least([sign * roots[k] for k in within])]
     return PickedRoot(index, (f"the {word} tilt",))
 
 

@@ -53,6 +53,20 @@ def summit_of(name: str, before: SpaceLaws, after: SpaceLaws, side: Side) -> Sum
     return Summit(first, last, left)
 
 
+def stays_put(name: str, before: SpaceLaws, side: Side) -> bool:
+    """Whether a body on a hinge of the ground is at rest in its highest or lowest place, or has no weight, and nothing else acts on it."""
+    moment = before.moment
+    joint = moment.held.main(name)
+    if joint is None or not joint.turning or not (before.fixed(name) and left_alone(before, name)):
+        return False
+    if moment.stood(name, "angle") is None:
+        return False
+    arm, way, up = moment.arm(PointRef(name, CM)), moment.direction(name, joint), moment.up(name)
+    push = ZERO if before.pushes.gravity is None else simplify(dot_product(up, cross_product(way, arm)))
+    rate = moment.driven(name, joint, "angular_velocity")[0]
+    return all(part == ZERO or side(part) == 0 for part in (rate, push))
+
+
 def turns_from_top(height: Formula, rise: Formula, side: Side) -> Formula:
     """δ in turns, as plainly as the signs of R cos δ and h′ allow."""
     across, along = (0 if value == ZERO else side(value) for value in (height, rise))

@@ -163,12 +163,12 @@ class VectorReader:
         return torque, self.moment.axes(path.owner)
 
     def rate_of_momentum(self, path: Path, place: Triple) -> Triple:
-        """What all torques together come to: dL/dt about the point at rest or the centre of mass, else the sum of the torques."""
+        """What all torques together come to: their sum where it is told, else dL/dt about the point at rest or the centre of mass."""
         at_rest, point = self.dynamics.about(path.owner)
-        if place != at_rest:
-            torque = NOTHING
-            for push in self.dynamics.pushes.on(path.owner):
-                torque = vector_sum(torque, push.torque(place))
+        torque = NOTHING
+        for push in self.dynamics.pushes.on(path.owner):
+            torque = vector_sum(torque, push.torque(place))
+        if place != at_rest or not any(map(has_quantities, torque)):
             return torque
         own, tensor = self.moment.attitude(path.owner), self.dynamics.tensor(path.owner, point)
         letters, _ = self.dynamics.letters_of(path.owner, tensor, own, point)

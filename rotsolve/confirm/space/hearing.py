@@ -192,8 +192,10 @@ class Hearing:
 
     @cached_property
     def scales(self) -> tuple[float, float, float]:
-        """The largest mass, length and rate, and beside these what rounding makes of speeds: a blow through the centre turns nothing."""
+        """The largest mass, length and rate, as forces and couples that are told would make it too, and beside these what rounding makes of
+        speeds: a blow through the centre turns nothing."""
         rig, masses, spans, rates, speeds = self.inquiry.rig, [1e-12], [1e-12], [1e-12], [0.0]
+        forces, couples = [0.0], [0.0]
         for name in rig.bodies:
             own = rig.solid(name)
             trace = sum(own.tensor[k][k] for k in range(3))
@@ -204,7 +206,10 @@ class Hearing:
                 world = self.inquiry.ways(None if state is None else state.name)[0].worlds[0]
                 spans += [arrow_length(item.arm) for item in world.efforts.list]
                 spans += [arrow_length(world.stance.place(name)) for name in rig.bodies]
+                forces += [arrow_length(item.force) for item in world.efforts.list]
+                couples += [arrow_length(item.couple) for item in world.efforts.list]
                 for (kind, _, _), part in world.now.values.items():
                     (speeds if kind == SPEED else rates).append(abs(part))
-        span = max(spans)
-        return max(masses), span, max(*rates, TRAVELLING * max(speeds) / span, math.sqrt(rig.gravity / span))
+        mass, span = max(masses), max(spans)
+        pushed = math.sqrt((max(forces) + max(couples) / span) / (mass * span))
+        return mass, span, max(*rates, TRAVELLING * max(speeds) / span, math.sqrt(rig.gravity / span), pushed)
