@@ -37,7 +37,7 @@ from rotsolve.language.problem import Path, Term
 ENTRY = {axis: k for k, axis in enumerate(AXES)}
 ENTRY_OF = {axis: k for k, axis in enumerate(ALONG)}
 ROUNDING = 1e-9
-STEADILY = 1e-11  # of ω²: an angular acceleration that is rounding
+STEADILY = 4e-15  # of ω²: what rounding alone makes of an angular acceleration
 
 
 class Reading:
@@ -388,7 +388,7 @@ class Reading:
         return growth_squared(self.world, path.owner)
 
     def period(self, path: Path, term: Term) -> float:
-        """2π/|ω| of what turns steadily about an axis that stays."""
+        """2π/|ω| of what turns steadily about an axis that stays; a body that turns nearly so may come round in quite another time."""
         rate = arrow_length(self.omega(path.owner))
         if arrow_length(self.found.arrow(TURNING, path.owner)) > STEADILY * rate * rate:
             raise NotConfirmed("the period of what does not turn steadily")
