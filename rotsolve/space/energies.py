@@ -1,10 +1,11 @@
-"""Energies in space: K = ½ ω · I ω about a point at rest, else about the centre of mass with ½ M v²; and the height of that."""
+"""Energies in space: K = ½ ω · I ω about a point at rest, else about the centre of mass with ½ M v²; the height of that,
+and the power of what acts on a body."""
 
 from __future__ import annotations
 
 from rotsolve.algebra.formula import HALF, ZERO, Formula, add, multiply
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.core.vectors.triple import NOTHING, Triple, dot_product, square, square_of
+from rotsolve.core.vectors.triple import NOTHING, Triple, cross_product, dot_product, square, square_of, vector_sum
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
@@ -23,6 +24,18 @@ def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formu
         assert moment.onward is not None
         return kinetic_energies(moment.onward.before, name, "rotational")[0], travel
     return half_quadratic(laws.tensor(name, point), moment.attitude(name).omega), travel
+
+
+def power_of(laws: SpaceLaws, name: str, which: str) -> Formula:
+    """Σ F · v + C · ω of what acts on a body, v that of the point where it does: of all (`net`), the weight, a connection, an action."""
+    moment = laws.moment
+    own, result = moment.attitude(name), ZERO
+    for push in laws.pushes.on(name):
+        if which in ("net", push.owner):
+            velocity = vector_sum(moment.reference_velocity(name), cross_product(own.omega, push.arm))
+            result = add(result, dot_product(push.along(own.axes), velocity))
+            result = add(result, dot_product(push.axes.to(own.axes, push.couple), own.omega))
+    return result
 
 
 def height_above(laws: SpaceLaws, name: str) -> Formula:

@@ -45,6 +45,7 @@ AT_REST = (
     "freedoms",
     "mass",
     "cm",
+    "gyration",
 )  # asked of what need not move
 
 
@@ -152,7 +153,8 @@ class SpaceReader(VectorReader):
         if path.quantity in NODAL:
             return self.of_nodding(path)
         reading = SCALARS.get(path.quantity)
-        if reading is None or (path.owner and path.owner not in self.bodies and path.quantity != "freedoms"):
+        of_elements = path.quantity in ("freedoms", "power")
+        if reading is None or (path.owner and path.owner not in self.bodies and not of_elements):
             raise NotYet(f"`{path_text(path)}` is not solved in space yet")
         return reading(self, path, term)
 
@@ -220,6 +222,30 @@ class SpaceReader(VectorReader):
         formula, steps = moment_along(tensor, direction), tuple(self.dynamics.tensors.steps)
         words = "moment of inertia about an axis, Σ nᵢ nⱼ Iᵢⱼ"
         return Meaning(formula, QUANTITIES["inertia"].dimension, label=words, laws=steps)
+
+    def gyration(self, path: Path, term: Term) -> Meaning:
+        """√(I/M) about an axis."""
+        inertia = self.inertia(path, term)
+        formula = sqrt(inertia.formula / self.held.mass(path.owner))
+        return replace(
+            inertia, formula=formula, dimension=QUANTITIES["gyration"].dimension, label="radius of gyration, √(I/M)"
+        )
+
+    def potential_energy(self, path: Path, term: Term) -> Meaning:
+        """M g h, h from the point about which the body turns."""
+        gravity, formula = self.problem.gravity, ZERO
+        for name in [path.owner] if path.owner else list(self.held.order):
+            if gravity is not None:
+                weight = multiply(self.held.mass(name), gravity)
+                formula = add(formula, multiply(weight, height_above(self.dynamics, name)))
+        return Meaning(formula, QUANTITIES["potential_energy"].dimension, label="potential energy, M g h")
+
+    def power(self, path: Path, term: Term) -> Formula:
+        from rotsolve.space.energies import power_of
+
+        name = self.body_of(path) if path.owner not in self.bodies else path.owner
+        which = (path.component or "net") if path.owner in self.bodies else path.owner
+        return self.moment.tidy(power_of(self.dynamics, name, which))
 
     def inertia_tensor(self, path: Path, term: Term) -> Meaning:
         """An entry along the body's own axes, or those that are asked for: R I Rᵀ."""
@@ -328,4 +354,7 @@ SCALARS: dict[str, Callable[[SpaceReader, Path, Term], Formula | Meaning]] = {
     "cm": SpaceReader.centre_of_mass,
     "speed": SpaceReader.speed,
     "period": SpaceReader.period,
+    "gyration": SpaceReader.gyration,
+    "potential_energy": SpaceReader.potential_energy,
+    "power": SpaceReader.power,
 }

@@ -88,6 +88,12 @@ class VectorReader:
         own = self.moment.attitude(path.owner)
         return vector_sum(own.rates, self.dynamics.carried_round(path.owner, own.omega)), own.axes
 
+    def position(self, path: Path, term: Term) -> Seen:
+        """The place of a point in space, from the point at which a joint holds its body to the ground, or as the state tells it."""
+        from rotsolve.space.places import point_in_space
+
+        return point_in_space(self.moment, self.point(path)), IN_SPACE
+
     def velocity(self, path: Path, term: Term) -> Seen:
         if path.point in (None, CM):
             return self.moment.of_mass(path.owner, "velocity")
@@ -281,6 +287,7 @@ def tidied_part(value: Formula) -> Formula:
 OF_BODIES: dict[str, Callable[[VectorReader, Path, Term], Seen]] = {
     "angular_velocity": VectorReader.angular_velocity,
     "angular_acceleration": VectorReader.angular_acceleration,
+    "position": VectorReader.position,
     "velocity": VectorReader.velocity,
     "acceleration": VectorReader.acceleration,
     "momentum": VectorReader.momentum,

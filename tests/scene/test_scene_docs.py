@@ -101,3 +101,13 @@ def test_every_word_can_be_described() -> None:
         assert f"`{word}`" in describe_word(word)
     with pytest.raises(KeyError, match="did you mean `hinge`"):
         describe_word("hing")
+
+
+def test_the_page_says_what_can_be_asked_in_space() -> None:
+    from rotsolve.space.arrangement import NODAL
+    from rotsolve.space.reader import SCALARS
+    from rotsolve.space.vector_reader import OF_BODIES, OF_ELEMENTS
+
+    told = re.search(r"in space can be asked: (.*?)\. `potential_energy`", DOC, re.DOTALL)
+    assert told is not None
+    assert set(re.findall(r"`(\w+)`", told[1])) == {*OF_BODIES, *OF_ELEMENTS, *SCALARS, *NODAL}

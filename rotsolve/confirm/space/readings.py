@@ -264,7 +264,7 @@ class Reading:
         if path.quantity in NODAL:
             return self.nodal(path)
         reading = SCALARS.get(path.quantity)
-        if reading is None or (path.owner and path.owner not in self.rig.bodies):
+        if reading is None or (path.owner and path.owner not in self.rig.bodies and path.quantity != "power"):
             raise NotConfirmed(f"`{path.quantity}` in space")
         return reading(self, path, term)
 
@@ -332,6 +332,25 @@ class Reading:
             height = 0.0 if joint is None else -self.stance.arm(joint.body)[2]
             total += self.rig.solid(name).mass * self.rig.gravity * height
         return total
+
+    def potential_energy(self, path: Path, term: Term) -> float:
+        """m g h, h as in the energy."""
+        names = [path.owner] if path.owner else list(self.rig.bodies)
+        held = [(name, self.rig.main(name)) for name in names]
+        heights = {name: -self.stance.arm(joint.body)[2] for name, joint in held if joint is not None}
+        return sum(self.rig.solid(name).mass * self.rig.gravity * height for name, height in heights.items())
+
+    def power(self, path: Path, term: Term) -> float:
+        """F · v + C · ω of what acts on a body."""
+        name = self.body_of(path)
+        which = (path.component or "net") if path.owner in self.rig.bodies else path.owner
+        own = [item for item in self.world.efforts.on(name) if which in ("net", item.owner)]
+        travels = (inner_product(item.force_at(self.found), self.velocity_at(name, item.arm)) for item in own)
+        turns = (inner_product(item.torque_at(self.found, item.arm), self.omega(name)) for item in own)
+        return sum(travels) + sum(turns)
+
+    def gyration(self, path: Path, term: Term) -> float:
+        return math.sqrt(max(0.0, self.inertia(path, term)) / self.rig.solid(path.owner).mass)
 
     def tensor_about(self, path: Path, term: Term) -> Turned:
         """The tensor of a body along the axes of space, about its centre of mass or the point that is asked."""
@@ -453,4 +472,7 @@ SCALARS: dict[str, Callable[[Reading, Path, Term], float]] = {
     "angle": Reading.angle,
     "cm": Reading.cm,
     "speed": Reading.speed,
+    "gyration": Reading.gyration,
+    "potential_energy": Reading.potential_energy,
+    "power": Reading.power,
 }
