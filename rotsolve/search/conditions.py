@@ -75,7 +75,7 @@ def with_equation(search: Search, find: Find) -> None:
         return
     question = question_for(replace(find, where=None), search.scene, search.letters())
     limit = condition_equation(search, condition.phrase, condition.value)
-    search.seeking = find
+    search.seeking, search.solver.once_round = find, letter if may_be_angle(letter, search) else ""
     try:
         answered = search.answer(question, limit)
     except NoAnswer:
@@ -85,7 +85,7 @@ def with_equation(search: Search, find: Find) -> None:
         over_letter(search, find, letter, condition.phrase, condition.value)
         return
     finally:
-        search.seeking = None
+        search.seeking, search.solver.once_round = None, ""
     if not any(search.planner.pool[index] is limit for index in answered.used):
         search.take_back(answered)
         raise NotYet(
@@ -94,6 +94,12 @@ def with_equation(search: Search, find: Find) -> None:
             + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
         )
     set_free(search, answered, letter, limit)
+
+
+def may_be_angle(letter: str, search: Search) -> bool:
+    """Whether a letter of the scene is an angle, as far as its dimension is known."""
+    given = search.givens.get(letter)
+    return given is not None and (given.dimension is None or is_angle(given))
 
 
 def condition_equation(search: Search, phrase: Find, value: Formula) -> Equation:

@@ -22,7 +22,6 @@ from rotsolve.core.symbols import POSITION, RATE, RATES, has_quantities, is_key,
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import EXTREMES, Find
 from rotsolve.matching import Plan
-from rotsolve.motion.positive import is_angle
 from rotsolve.plan import Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
@@ -124,7 +123,6 @@ class Search(Struct, dict=True):
             choose=self.choose_root,
             refs=self.refs,
             running=self.running,
-            angles=frozenset(name for name, given in self.givens.items() if given.dimension is None or is_angle(given)),
         )
 
     def another(self, families: tuple[str, ...], *, spare: bool = False, confirming: bool = False) -> Search:

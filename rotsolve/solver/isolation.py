@@ -49,7 +49,7 @@ class Isolation(Textbook, kw_only=True):
 
     choose: Chooser
     numeric: bool = False  # whether a root may be found numerically where there is no closed form
-    angles: frozenset[str] = frozenset()  # letters of the scene that are angles
+    once_round: str = ""  # a letter for an angle that a condition seeks
 
     def value_in(self, item: Item, name: str, *, alone: bool) -> tuple[Formula, Words] | None:
         """The value of an unknown from one equation: as written where it stands alone, else solved; and why it is this root."""
@@ -146,8 +146,8 @@ class Isolation(Textbook, kw_only=True):
         raise NoClosedForm("no real value satisfies the equations")
 
     def ranges(self, gap: Formula, asked: str) -> Ranges:
-        """Where roots are looked for, one after the other; of a letter for an angle once round, where the equation is so a turn on."""
-        if asked in self.angles and same_a_turn_on(gap, asked):
+        """Where roots are looked for, one after the other; of an angle that is sought once round, where the equation is so a turn on."""
+        if asked == self.once_round and same_a_turn_on(gap, asked):
             return TURN
         return RANGES.get(key_of(asked).kind, EVERYWHERE)
 

@@ -30,7 +30,7 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import GENERIC, of_kinds, paths_in
+from rotsolve.core.symbols import GENERIC, is_key, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
 from rotsolve.core.writing import spoken, with_powers
@@ -142,9 +142,12 @@ class SpaceEquations(SceneEquations, dict=True):
         return Facts(state, state, (), (), needs, ())
 
     def settled_first(self) -> Iterator[str]:
-        """The rates of steady precessions, of which a scene says whether the smaller or the larger one is meant."""
+        """The rates of steady precessions, of which a scene says whether the smaller or the larger one is meant, and largest and smallest
+        tilts."""
         for laws in self.dynamics.values():
             moment = laws.moment
+            tilts = (moment.nodding(name).angles[1] for name in self.held.order if moment.extreme_tilt(name))
+            yield from (tilt.name for tilt in tilts if isinstance(tilt, Symbol) and is_key(tilt.name))
             for name in self.held.order if moment.state.steady else ():
                 rate = moment.ask("precession", name) if moment.nods(name) else ZERO
                 if isinstance(rate, Symbol):

@@ -180,8 +180,12 @@ class SoughtLetter(Struct, frozen=True):
 
     @property
     def turned_round(self) -> bool:
-        """Whether an angle is said that lies beyond half a turn: one within it, whole turns from that, may do as well."""
-        return self.given.dimension in (None, ANGLE) and abs(self.said) > math.pi * (1.0 + SAME)
+        """Whether a condition seeks an angle and one is said beyond half a turn: one within it, whole turns from that, may do as well."""
+        return (
+            self.find.where is not None
+            and self.given.dimension in (None, ANGLE)
+            and abs(self.said) > math.pi * (1.0 + SAME)
+        )
 
     def other_roots(self) -> Iterator[float]:
         """The numbers of the other roots of its equation, and of an angle that within half a turn."""
