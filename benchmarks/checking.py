@@ -22,7 +22,7 @@ from costs.tables import share, table
 from report import machine, write_section
 from rotsolve import solve
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.formula import ELLIPTIC, Formula, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.core.symbols import TIME
@@ -65,7 +65,10 @@ def subjects() -> tuple[Subject, ...]:
         judge = Judge(solution)
         for answer in solution.derivation.answers:
             closed = judge.letters.closed.get(answer.name)
-            if closed is not None and closed.symbols() and length(closed) <= LONGEST:
+            elliptic = closed is not None and closed.holds(
+                *ELLIPTIC
+            )  # of which "can't decide" is said, however it is written
+            if closed is not None and closed.symbols() and length(closed) <= LONGEST and not elliptic:
                 unit = "" if answer.unit is None else answer.unit.text
                 typed = closed.substitute({TIME: Symbol(judge.letters.meanings.time)})  # t, as it is printed
                 found.append(Subject(typed, unit, judge, judge.targets[answer.name]))

@@ -120,6 +120,7 @@ def set_free(search: Search, answered: Answered, letter: str, limit: Equation) -
     if letter not in search.givens or not seekers(search, find, letter):
         return
     own = asked_symbol(find.name)
+    search.separate.add(find.name)
     search.solver.solved[own] = search.solver.solved.pop(letter)
     search.rivals[own] = search.rivals.pop(letter, ())
     search.known.discard(letter)
@@ -147,8 +148,8 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     """The value of a letter at which a quantity, found first as a function of it, has a given value."""
     quantity, curve = as_function_of(search, phrase, letter)
     given = search.givens[letter]
-    shared = not given.asked or bool(seekers(search, find, letter))
-    own = Symbol(asked_symbol(find.name) if shared else letter)
+    search.separate |= {find.name} if seekers(search, find, letter) else set()
+    own = Symbol(letter if given.asked and find.name not in search.separate else asked_symbol(find.name))
     said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"
     equation = Equality(curve.substitute({letter: own}), value)
     order, positive = search.solver.order, search.solver.positive - {letter}

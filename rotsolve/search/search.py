@@ -100,6 +100,7 @@ class Search(Struct, dict=True):
         default_factory=dict
     )  # other roots for letters of the scene that answers settle
     seeking: Find | None = None  # the question with an equation of its own that is at hand
+    separate: set[str] = field(default_factory=set)  # the questions that seek an unknown letter, each its own value
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
     failed: dict[object, NoAnswer] = field(default_factory=dict)  # what has had no answer, by all on which that hangs

@@ -35,8 +35,7 @@ def seeks(search: Search) -> Iterator[dict[str, str]]:
     asked = {item.name: item.name for item in problem.givens if item.asked}
     sought: dict[str, list[str]] = {}
     for find in problem.finds:
-        shared = find.seeks not in asked or asked_symbol(find.name) in search.solver.solved
-        if find.seeks in search.givens and shared:
+        if find.seeks in search.givens and (find.seeks not in asked or find.name in search.separate):
             sought.setdefault(find.seeks, []).append(asked_symbol(find.name))
     first = asked | {letter: symbols[0] for letter, symbols in sought.items()}
     yield first

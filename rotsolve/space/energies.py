@@ -29,7 +29,8 @@ def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formu
 def power_of(laws: SpaceLaws, name: str, which: str) -> Formula:
     """Σ F · v + C · ω of what acts on a body, v that of the point where it does: of all (`net`), the weight, a connection, an action."""
     moment = laws.moment
-    own, result = moment.attitude(name), ZERO
+    own = moment.attitude(name)
+    result: Formula = ZERO
     for push in laws.pushes.on(name):
         if which in ("net", push.owner):
             velocity = vector_sum(moment.reference_velocity(name), cross_product(own.omega, push.arm))

@@ -233,7 +233,8 @@ class SpaceReader(VectorReader):
 
     def potential_energy(self, path: Path, term: Term) -> Meaning:
         """M g h, h from the point about which the body turns."""
-        gravity, formula = self.problem.gravity, ZERO
+        gravity = self.problem.gravity
+        formula: Formula = ZERO
         for name in [path.owner] if path.owner else list(self.held.order):
             if gravity is not None:
                 weight = multiply(self.held.mass(name), gravity)

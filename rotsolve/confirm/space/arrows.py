@@ -12,6 +12,7 @@ Y: Arrow = (0.0, 1.0, 0.0)
 Z: Arrow = (0.0, 0.0, 1.0)
 ALONG = (X, Y, Z)
 TINY = 1e-12  # of a sine or cosine: rounding
+ROUNDING = 1e-15  # of the sine or cosine of a right angle
 
 
 def sum_of(*arrows: Arrow) -> Arrow:
@@ -70,7 +71,10 @@ def rotation_about(axis: Arrow, angle: float) -> Turned:
 
     Right angles are exact: what is thin along an axis of space has no inertia about it, and 10⁻¹⁷ of one would be some.
     """
-    (x, y, z), c, s = normed(axis), *(0.0 if abs(part) < TINY else part for part in (math.cos(angle), math.sin(angle)))
+    (x, y, z), c, s = (
+        normed(axis),
+        *(0.0 if abs(part) < ROUNDING else part for part in (math.cos(angle), math.sin(angle))),
+    )
     a, b, d = scaled(1.0 - c, (x, y, z))
     return (
         (a * x + c, b * x - s * z, d * x + s * y),
