@@ -40,8 +40,9 @@ class Relative:
         self.guide = joint if joint is not None and joint.sliding and joint.carrier.owner == frame else None
         self.place = self._held_place(self.guide) if self.guide is not None else self._place_told()
         told = moment.vector_told(name, "velocity")
-        rolls, absolute = moment.held.rolling(name) is not None, told is not None and not told[2]
-        self.rolls, self.told_in_space = rolls, rolls or absolute or moment.rests(name)
+        absolute = (told is not None and not told[2]) or moment.rests(name)
+        self.settled = moment.held.rolling(name) is not None or frame_of(moment, name) != frame  # how it moves in space
+        self.told_in_space = self.settled or absolute
 
     def _told(self, word: str) -> Triple | None:
         told = self.moment.vector_told(self.name, word)
@@ -63,7 +64,7 @@ class Relative:
 
     @property
     def slip(self) -> Triple:
-        """The relative velocity: as told, v − v_frame − Ω × r of what rolls or moves as told in space, else none."""
+        """The relative velocity: as told, v − v_frame − Ω × r of what moves as is told or settled in space, else none."""
         if self.guide is not None:
             return moved_in(self.guide, self.moment, "velocity")
         told = self._told("velocity")
@@ -76,13 +77,13 @@ class Relative:
 
     @property
     def faster(self) -> Triple:
-        """The relative acceleration: as told, of what rolls as its a tells it, none in a steady state, else letters."""
+        """The relative acceleration: as told, as its a tells it where that is settled, none in a steady state, else letters."""
         if self.guide is not None:
             return moved_in(self.guide, self.moment, "acceleration")
         told = self._told("acceleration")
         if told is not None:
             return told
-        if self.rolls:
+        if self.settled:
             return way_between(self._led(), IN_SPACE.to(self.axes, self.moment.of_centre(self.name, "acceleration")))
         if self.moment.state.steady:
             return NOTHING
@@ -138,7 +139,7 @@ def frame_of(moment: MovingBodies, name: str) -> str:
 
 def inertial_force(moment: MovingBodies, path: Path, frame: str, which: str) -> tuple[Triple, Axes]:
     """An inertial force on a body, in the axes of the frame in which it is felt."""
-    if not frame or not frame_of(moment, path.owner):
+    if not frame or not (frame_of(moment, path.owner) or moment.place_in(path.owner, frame)):
         raise NotYet(
             f"`{path_text(path)}` is felt in a frame that turns, and nothing tells which",
             path.span,

@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient, negate
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME, phase_midst
+from rotsolve.core.symbols import TIME, has_quantities, phase_midst
+from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import (
     AS_DRAWN,
     AXES,
@@ -33,6 +34,7 @@ from rotsolve.core.vectors.triple import (
     turn_about,
     unit_along,
     vector_sum,
+    way_between,
 )
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
@@ -502,10 +504,25 @@ class SpaceMoment(TellingMoment):
             return NOTHING  # what is only led round goes nowhere
         return triple([self.ask(word, name, axis) for axis in AXES])
 
+    def rim_side(self, name: str) -> Formula:
+        """−1 where the tilt of a wheel is told beyond 0 to 180°, so that the lowest point of its rim lies along +e₂; 1 of others."""
+        sine = heading(self.nodding(name).angles[1]).sin()
+        return negate(ONE) if not has_quantities(sine) and self.signs.taken(sine) == -1 else ONE
+
     def place_in(self, name: str, frame: str) -> Triple | None:
-        """Where the centre of mass of a body is in the axes of another one, from the centre of that, as the state tells."""
+        """Where the centre of mass of a body is in the axes of another one, from the centre of that: as the state tells, or as far as it
+        tells where both are in space."""
         told = self.vector_told(name, "position")
-        return told[0] if told is not None and told[2] == frame else None
+        if told is not None and told[2] == frame:
+            return told[0]
+        from rotsolve.paths.meaning import NotYet
+        from rotsolve.space.places import point_in_space
+
+        try:
+            places = [point_in_space(self, PointRef(*ref)) for ref in ((frame, "center"), (name, "cm"))]
+        except (Unsolvable, NotYet):
+            return None
+        return IN_SPACE.to(self.own_axes(frame), way_between(*places))
 
     def up(self, name: str) -> Triple:
         """The upward vertical in the axes of a body: as the state tells it in the body's own, else as the body stands."""

@@ -136,10 +136,19 @@ class SpaceReader(VectorReader):
             raise NotYet(message, path.span, help)
 
     def between(self, term: Term, other: Term) -> Meaning:
-        """tan = |a × b|/(a · b) of vectors in one plane of the axes, cos = a · b/(|a| |b|) of others."""
+        """tan = |a × b|/(a · b) of vectors in one plane of the axes, cos = a · b/(|a| |b|) of others.
+
+        Of vectors at two states their components along the axes that are named are compared, those of space where none are.
+        """
         one, axes = self.vector(term.path, term)
-        two, others = self.vector(other.path, other)
-        two = others.to(axes, two)
+        if other.at in (None, term.at):
+            two, others = self.vector(other.path, other)
+            two = others.to(axes, two)
+        else:
+            there = SpaceReader(self.moments[other.at], self.moments, self.problem)
+            two, others = there.vector(other.path, other)
+            one = axes.to(self.asked_axes(term.path, term), one)
+            two = others.to(there.asked_axes(other.path, other), two)
         if sum(part != ZERO for part in cross_product(one, two)) > 1:
             cosine = simplify(dot_product(one, two) / sqrt(multiply(square_of(one), square_of(two))))
             return Meaning(Call("acos", (cosine,)), ANGLE, label="angle between two vectors, cos = a · b/(|a| |b|)")

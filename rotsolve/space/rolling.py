@@ -2,17 +2,19 @@
 
 With p = c + r the touching place, c the centre of mass and V(p) the velocity that the surface has there,
 v = V(p) − ω × r and a = dV(p)/dt − d(ω × r)/dt. Of a ball r = −R n below its centre, n square to the surface, which turns with it; in
-node axes the lowest point of a rim about e₃ is −R e₂. No component may be integrated: the constraint is nonholonomic.
+node axes the lowest point of a rim about e₃ is −R e₂, or +R e₂ where the tilt is told beyond 0 to 180° (sin θ < 0). No component may be
+integrated: the constraint is nonholonomic.
 """
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, multiply, negate
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import (
     AXES,
     NOTHING,
     Triple,
+    Y,
     Z,
     cross_product,
     dot_product,
@@ -62,7 +64,7 @@ def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     level = about is not None and moment.held.vanishes(dot_product(up, about))
     thin = shape_of(moment.held.bodies[name]).flat
     if own.axes.name == NODE and (thin or level):
-        return vector_sum(hub, scaled_by(negate(radius), (ZERO, Z[2], ZERO)))
+        return vector_sum(hub, scaled_by(multiply(negate(radius), moment.rim_side(name)), Y))
     if not level:
         help = (
             f"tell `{name}.tilt` in the state"

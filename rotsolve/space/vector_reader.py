@@ -70,7 +70,8 @@ class VectorReader:
 
         if path.quantity not in ("velocity", "acceleration") or path.point not in (None, CM):
             raise NotYet(f"`{path_text(path)} relative to` a body is not solved in space yet", path.span)
-        if frame_of(self.moment, path.owner) != term.relative:
+        told = frame_of(self.moment, path.owner) == term.relative
+        if not told and self.moment.place_in(path.owner, term.relative or "") is None:
             help = f"tell `{path.owner}.position relative to {term.relative}` in the state, and its velocity there"
             raise NotYet(f"how `{path.owner}` moves in `{term.relative}` nothing tells", path.span, help)
         found = Relative(self.moment, path.owner, term.relative or "")

@@ -198,3 +198,44 @@ def test_a_wheel_held_on_a_turntable_is_turned_by_it() -> None:
     solution = solve(scene)
     assert vector(solution, "v") == pytest.approx([0, 0, 0])
     assert vector(solution, "u_r") == pytest.approx([0, -2, 0])
+
+
+COIN = """up: z
+gravity: 9.81 m/s^2
+given: {{m: 2 kg, R: 0.3 m, t: {tilt} deg, f: {phi} deg, s: -2 rad/s, p: 1.5 rad/s, n: {nutation} rad/s}}
+bodies: {{coin: {{shape: disc, mass: m, radius: R}}}}
+surfaces: {{floor: level}}
+connections: {{grip: {{rolls: [coin, floor]}}}}
+states: {{now: {{coin.tilt: t, coin.precession_angle: f, coin.precession: p, coin.nutation: n, coin.spin: s}}}}
+find: {{a: coin.acceleration, F: grip.force, v: coin.velocity}}
+"""
+
+
+def test_a_tilt_beyond_0_to_180_degrees_is_the_same_coin_seen_from_behind() -> None:
+    """θ to −θ with φ half a turn on is the same direction of the axis; it nods the other way."""
+    scenes = [COIN.format(tilt=tilt, phi=phi, nutation=rate) for tilt, phi, rate in ((70, 20, 0.8), (-70, 200, -0.8))]
+    one, other = (solve(scene) for scene in scenes)
+    for name in ("a", "F", "v"):
+        assert vector(one, name) == pytest.approx(vector(other, name), rel=1e-12)
+    runs = [simulate(scene, until="0.3 s").at(0.3) for scene in scenes]
+    for axis in "xyz":
+        places = [run[f"coin.position.{axis}"][0] for run in runs]
+        assert places[0] == pytest.approx(places[1], rel=1e-8)
+
+
+def test_a_velocity_is_seen_from_any_body() -> None:
+    """b moves at (1, 0, 0) at (1, 2, 0); the table turns at 3 rad/s about the origin."""
+    scene = """up: z
+gravity: none
+given: {w: 3 rad/s}
+bodies: {t: {shape: disc, mass: 1 kg, radius: 1 m}, b: {shape: particle, mass: 2 kg}}
+connections: {h: {hinge: t.center, along: z, angular_velocity: w}}
+actions: {push: {force: any, on: b}}
+states: {now: {b.position: [1 m, 2 m, 0], b.velocity: [1 m/s, 0, 0], b.acceleration: [0, 0, 0]}}
+find: {v: b.velocity relative to t, a: b.acceleration relative to t, F: b.force.coriolis relative to t}
+"""
+    solution = solve(scene)
+    assert all(item.holds for item in solution.derivation.confirmed)
+    assert vector(solution, "v") == pytest.approx([7, -3, 0])
+    assert vector(solution, "a") == pytest.approx([-9, -24, 0])
+    assert vector(solution, "F") == pytest.approx([-36, -84, 0])

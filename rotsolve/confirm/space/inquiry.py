@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.space.arrows import arrow_length, less
+from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
@@ -313,6 +313,8 @@ class Inquiry:
         event = next((item for item in self.problem.events if item.name == term.during), None)
         if event is not None and term.path.quantity == "impulse":
             return self.at(term, event.to)
+        if term.other is not None and term.other.at not in (None, term.at):
+            return [self.angle_between(replace(term, modifier="", other=None), term.other)]
         if term.at == ANY_TIME:
             return self.at(term, ANY_TIME)
         if term.during is not None or term.by is not None:
@@ -332,6 +334,12 @@ class Inquiry:
             raise NotConfirmed(PATHS)
         one, two = (only_one(self.at(term, name)) for name in (term.start, term.end))
         return [two - one if term.modifier == CHANGE else one - two]
+
+    def angle_between(self, one: Term, two: Term) -> float:
+        """The angle of a vector at one state from one at another, by their components along the axes that are named."""
+        x, y = ([only_one(self.of_term(for_part(term, axis))) for axis in AXES] for term in (one, two))
+        a, b = (x[0], x[1], x[2]), (y[0], y[1], y[2])
+        return math.atan2(arrow_length(crossed(a, b)), inner_product(a, b))
 
     def at(self, term: Term, name: str | None) -> list[float]:
         if term.path.quantity == "freedoms":

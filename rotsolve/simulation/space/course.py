@@ -169,6 +169,10 @@ class CourseMoment(SpaceMoment):
         """How far the centre of mass of a body that nothing holds has gone since the first state, along the axes of space."""
         return triple([self.own_letter("displacement", name, axis) for axis in AXES])
 
+    def rim_side(self, name: str) -> Formula:
+        """As at first: a motion ends where the tilt comes to 0 or 180°."""
+        return self.beginning.rim_side(name)
+
     def place_in(self, name: str, frame: str) -> Triple | None:
         """Where the centre of mass of a body is in the axes of another one: from where it was at first, by the way that it has gone."""
         place = vector_sum(reference_place(self.beginning, name), self.way_gone(name))
