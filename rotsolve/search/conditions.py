@@ -76,12 +76,16 @@ def with_equation(search: Search, find: Find) -> None:
     question = question_for(replace(find, where=None), search.scene, search.letters())
     limit = condition_equation(search, condition.phrase, condition.value)
     search.seeking, search.solver.once_round = find, letter if may_be_angle(letter, search) else ""
+    retired = set(search.retired)
     try:
         answered = search.answer(question, limit)
     except NoAnswer:
         if not free:
             raise
         # all equations at once may hide the letter in a factor that two of them share; as a function of it the quantity shows
+        if several:
+            message = f"`{find.name}` is not solved beside the other questions that seek `{letter}`"
+            raise NotYet(message, help="ask for it in a scene of its own") from None
         over_letter(search, find, letter, condition.phrase, condition.value)
         return
     finally:
@@ -93,7 +97,9 @@ def with_equation(search: Search, find: Find) -> None:
             help="leave the condition out"
             + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
         )
-    set_free(search, answered, letter, limit)
+    if letter in search.givens and seekers(search, find, letter):
+        search.retired = retired
+        set_free(search, answered, letter, limit)
 
 
 def may_be_angle(letter: str, search: Search) -> bool:
@@ -105,6 +111,7 @@ def may_be_angle(letter: str, search: Search) -> bool:
 def condition_equation(search: Search, phrase: Find, value: Formula) -> Equation:
     """quantity = value."""
     said, in_space = question_for(phrase, search.scene, search.letters()), search.scene.configuration.problem.space
+    search.enter_laws(said)
     return CONDITION.equation(said.formula, value, said.section, words=condition_label(phrase, in_space))
 
 
@@ -117,8 +124,6 @@ def seekers(search: Search, find: Find, letter: str) -> list[Find]:
 def set_free(search: Search, answered: Answered, letter: str, limit: Equation) -> None:
     """Let the next question seek an unknown letter anew: each has an equation of its own, and its answer a symbol of its own."""
     find = answered.find
-    if letter not in search.givens or not seekers(search, find, letter):
-        return
     own = asked_symbol(find.name)
     search.separate.add(find.name)
     search.solver.solved[own] = search.solver.solved.pop(letter)
@@ -163,8 +168,7 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
         roots = [nearest_turn(root, search) for root in roots]
     picked = search.choose_root(letter, roots, asked=find) if len(roots) > 1 else PickedRoot(0)
     if not roots or picked is None:
-        help = "ask for it in a scene of its own" if seekers(search, find, letter) else ""
-        raise NotYet(f"no value of `{letter}` in closed form fulfils the condition", help=help)
+        raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
     search.rivals[own.name] = search.rivals.pop(letter, ())
     root = search.solver.simplify(picked.of(roots))
     question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)

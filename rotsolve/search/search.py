@@ -228,10 +228,14 @@ class Search(Struct, dict=True):
 
     def _enter(self, asked: Asked) -> None:
         """Let the planner know what a question alone speaks of, and what its letter stands for."""
+        self.enter_laws(asked)
+        self.definitions.enter(asked, self.answered)
+
+    def enter_laws(self, asked: Asked) -> None:
+        """Let the planner know what a question alone speaks of."""
         for law in asked.laws:
             if law not in self.planner.pool:
                 self.planner.extend(law)
-        self.definitions.enter(asked, self.answered)
 
     def planned(self, asked: Asked, banned: set[int]) -> Plan | Shortage:
         """The plan for a question whose components are known, without some equations; nothing is solved."""
