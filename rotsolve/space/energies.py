@@ -9,6 +9,8 @@ from rotsolve.core.vectors.triple import NOTHING, Triple, cross_product, dot_pro
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.pushes import ForceInSpace
 
 
 def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formula, Formula]:
@@ -26,17 +28,12 @@ def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formu
     return half_quadratic(laws.tensor(name, point), moment.attitude(name).omega), travel
 
 
-def power_of(laws: SpaceLaws, name: str, which: str) -> Formula:
-    """Σ F · v + C · ω of what acts on a body, v that of the point where it does: of all (`net`), the weight, a connection, an action."""
-    moment = laws.moment
-    own = moment.attitude(name)
-    result: Formula = ZERO
-    for push in laws.pushes.on(name):
-        if which in ("net", push.owner):
-            velocity = vector_sum(moment.reference_velocity(name), cross_product(own.omega, push.arm))
-            result = add(result, dot_product(push.along(own.axes), velocity))
-            result = add(result, dot_product(push.axes.to(own.axes, push.couple), own.omega))
-    return result
+def power_of(push: ForceInSpace, moment: SpaceMoment) -> Formula:
+    """F · v of the point at which it acts, and C · ω."""
+    omega = moment.attitude(push.body).omega
+    velocity = vector_sum(moment.reference_velocity(push.body), cross_product(omega, push.arm))
+    couple = push.axes.to(push.own, push.couple)
+    return add(dot_product(push.along(push.own), velocity), dot_product(couple, omega))
 
 
 def height_above(laws: SpaceLaws, name: str) -> Formula:

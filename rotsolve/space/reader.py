@@ -7,7 +7,7 @@ from collections.abc import Callable
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, sqrt, total
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.equation import KINETIC_ENERGY
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
@@ -26,7 +26,7 @@ from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import Path, Term
 from rotsolve.paths.meaning import Meaning, NotYet, label_of, path_text
 from rotsolve.space.arrangement import NODAL
-from rotsolve.space.energies import height_above, kinetic_energies
+from rotsolve.space.energies import height_above, kinetic_energies, power_of
 from rotsolve.space.inertia import CM, in_axes, moment_along
 from rotsolve.space.telling import turns_untold
 from rotsolve.space.vector_reader import VectorReader, tidied_part
@@ -251,11 +251,11 @@ class SpaceReader(VectorReader):
         return Meaning(formula, QUANTITIES["potential_energy"].dimension, label="potential energy, M g h")
 
     def power(self, path: Path, term: Term) -> Formula:
-        from rotsolve.space.energies import power_of
-
+        """Of all that acts on a body (`net`), of its weight, of a connection or an action."""
         name = self.body_of(path) if path.owner not in self.bodies else path.owner
         which = (path.component or "net") if path.owner in self.bodies else path.owner
-        return self.moment.tidy(power_of(self.dynamics, name, which))
+        own = [push for push in self.dynamics.pushes.on(name) if which in ("net", push.owner)]
+        return self.moment.tidy(total([power_of(push, self.moment) for push in own]))
 
     def inertia_tensor(self, path: Path, term: Term) -> Meaning:
         """An entry along the body's own axes, or those that are asked for: R I Rᵀ."""

@@ -10,16 +10,14 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply
-from rotsolve.core.vectors.triple import cross_product, dot_product, vector_sum
 from rotsolve.language.bodies import PointRef
 from rotsolve.simulation.balance import Balance, Drift, balance_on_tape, largest_misfit
 from rotsolve.simulation.bounded import Regime
 from rotsolve.simulation.space.compiling import SpaceSystem
 from rotsolve.simulation.space.outputs import place_in_space
-from rotsolve.space.energies import kinetic_energies
+from rotsolve.space.energies import kinetic_energies, power_of
 from rotsolve.space.inertia import CM
 from rotsolve.space.passing import left_alone, momenta, own_momentum
-from rotsolve.space.pushes import ForceInSpace
 
 
 def drift_in_space(regimes: Sequence[Regime]) -> Drift:
@@ -57,7 +55,7 @@ def energy_in_space(system: SpaceSystem) -> Iterator[Balance]:
         for name in bodies
     ]
     powers = [
-        power_of(push, system) for name in bodies for push in laws.pushes.on(name) if gives_power(push.owner, system)
+        power_of(push, moment) for name in bodies for push in laws.pushes.on(name) if gives_power(push.owner, system)
     ]
     yield from balance_on_tape(system, [*kinetic, *heights], powers, kinetic)
 
@@ -70,12 +68,3 @@ def gives_power(owner: str, system: SpaceSystem) -> bool:
         return any(action.name == owner for action in system.laws.pushes.actions)
     carrier = held.bodies.get(joint.carrier.owner)
     return bool(joint.drive) or (carrier is not None and bool(carrier.moved))
-
-
-def power_of(push: ForceInSpace, system: SpaceSystem) -> Formula:
-    """F · v of the point at which it acts, and C · ω."""
-    moment = system.moment
-    omega = moment.attitude(push.body).omega
-    velocity = vector_sum(moment.reference_velocity(push.body), cross_product(omega, push.arm))
-    couple = push.axes.to(push.own, push.couple)
-    return add(dot_product(push.along(push.own), velocity), dot_product(couple, omega))
