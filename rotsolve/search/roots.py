@@ -12,6 +12,7 @@ from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol, call
+from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
@@ -267,7 +268,9 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, word: 
     """The `largest` or the `smallest` root that a letter of the scene can be; the picked one where numbers do not tell."""
     numbers, given = search.numbers, search.givens[name]
     limits = [limit.gap for limit in limits_of_scene(search.scene.configuration) if name in limit.gap.symbols()]
-    limits += [] if given.dimension is None or is_angle(given) else [Symbol(name)]
+    in_space = search.scene.configuration.problem.space
+    signed = given.dimension is None or is_angle(given) or (in_space and given.dimension.matches(ANGULAR_VELOCITY))
+    limits += [] if signed else [Symbol(name)]
     able = [
         index
         for index, root in enumerate(roots)

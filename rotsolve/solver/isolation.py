@@ -146,9 +146,9 @@ class Isolation(Textbook, kw_only=True):
         raise NoClosedForm("no real value satisfies the equations")
 
     def ranges(self, gap: Formula, asked: str) -> Ranges:
-        """Where roots are looked for, one after the other; of an angle that is sought once round, where the equation is so a turn on."""
-        if asked == self.once_round and same_a_turn_on(gap, asked):
-            return TURN
+        """Where roots are looked for, one after the other; an angle that is sought once round, and beyond if it does not come round."""
+        if asked == self.once_round:
+            return TURN if same_a_turn_on(gap, asked) else (*TURN, *EVERYWHERE)
         return RANGES.get(key_of(asked).kind, EVERYWHERE)
 
     def function_alone(self, item: Item, name: str, root: Formula) -> list[Equality]:

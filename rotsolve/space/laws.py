@@ -186,6 +186,7 @@ class SpaceLaws:
         felt = scaled_by(negate(self.moment.held.mass(name)), led)
         torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
         where = f" about its {'centre of mass' if point == CM else spoken(point)}{'' if led == NOTHING else ', which is led along'}"
+        rate = "dL/dt" if own.axes.rate == NOTHING else "(dL/dt in the axes) + Ω × L"
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
             if (left, change, across) == (ZERO, ZERO, ZERO):
                 continue
@@ -197,7 +198,7 @@ class SpaceLaws:
                 right, remark, relation = *self.of_fast_spin(name, right), "≈"
             along = self.along(name, axis)
             yield RATE_IN_AXES.equation(
-                left, right, self.moment.when, (name,), remark, relation=relation, about=where, axis=along
+                left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
             )
 
     def of_fast_spin(self, name: str, right: Formula) -> tuple[Formula, Words]:

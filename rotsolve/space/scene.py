@@ -35,7 +35,7 @@ from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
 from rotsolve.core.writing import spoken, with_powers
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Condition, State, Term
+from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear
 from rotsolve.space.arrangement import NODAL, JointedBodies
@@ -342,6 +342,7 @@ class SpaceEquations(SceneEquations, dict=True):
             from rotsolve.space.nutation import time_between
 
             return time_between(self.dynamics, self.configuration.timeline, term)
+        self.refuse_other_side(path, term)
         if path.quantity == "precession_angle" and word == CHANGES[0] and term.start is not None:
             from rotsolve.space.nutation import angle_between
 
@@ -367,6 +368,18 @@ class SpaceEquations(SceneEquations, dict=True):
         laws = tuple(dict.fromkeys(law for end in ends for law in end.laws))
         label = f"change, {ends[0].label}" if word != "lost" else f"what is lost, {ends[0].label}"
         return Meaning(formula, ends[0].dimension, label=label, laws=laws), term.end
+
+    def refuse_other_side(self, path: Path, term: Term) -> None:
+        """Refuse the change of a tilt that is told beyond 0 to 180°, since the laws tell others within."""
+        if path.quantity != "tilt" or term.start is None or term.end is None:
+            return
+        for state in (term.start, term.end):
+            told = self.dynamics[state].moment.told(path.owner, "tilt")
+            if told is not None and self.configuration.signs.taken(heading(told).sin()) == -1:
+                message = (
+                    f"the tilt of `{path.owner}` at `{state}` is told beyond 0 to 180°, so that its change is not told"
+                )
+                raise NotYet(message, path.span, "tell it from 0 to 180°, the `precession_angle` half a turn on")
 
     def size_of_change(self, term: Term) -> tuple[Meaning, str]:
         """√(Δx² + Δy² + Δz²)."""

@@ -91,3 +91,46 @@ def test_each_question_for_an_unknown_letter_has_its_own_value() -> None:
     derivation = solve(scene).derivation
     found = {answer.name: answer.value.float for answer in derivation.answers if answer.value is not None}
     assert found == pytest.approx({"m": 2.0, "n": 4.0, "q": 1.0})
+
+
+def test_half_an_angle_is_sought_once_round_first() -> None:
+    """x/2 comes round after two turns; all is right within one."""
+    scene = TURNED.format(
+        turns="{about: x, by: x/2}, {about: y, by: 40 deg}", find="p: smallest x where b.rotation_angle = 70 deg"
+    )
+    (answer,) = solve(scene).derivation.answers
+
+    def turned(x: float) -> float:
+        return angle_of(turn(Y, np.radians(40)) @ turn(X, x / 2))
+
+    assert answer.value is not None
+    assert answer.value.float == pytest.approx(min(roots_once_round(turned, np.radians(70))), rel=1e-6)
+
+
+def test_a_rate_that_is_sought_has_its_sign() -> None:
+    """|L| = 5 kg m²/s of (W + 1) 2 kg m²: W = 1.5 or −3.5 rad/s."""
+    scene = """up: z
+gravity: none
+given: {W: unknown, s: 1 rad/s, I: 2 kg m^2}
+bodies: {b: {inertia: {principal: [I, I, I]}}}
+states: {now: {b.angular_velocity: [0, 0, W + s]}}
+find: {p: smallest W where size of b.angular_momentum = 5 kg m^2/s, q: largest W where size of b.angular_momentum = 5 kg m^2/s}
+"""
+    derivation = solve(scene).derivation
+    found = {answer.name: answer.value.float for answer in derivation.answers if answer.value is not None}
+    assert found == pytest.approx({"p": -3.5, "q": 1.5})
+    assert all(item.holds for item in derivation.confirmed)
+
+
+def test_the_change_of_a_tilt_beyond_180_degrees_is_refused() -> None:
+    scene = """up: z
+given: {M: 0.2 kg, l: 0.05 m, I1: 6e-4 kg m^2, I3: 8e-5 kg m^2, w3: 400 rad/s}
+bodies: {top: {mass: M, inertia: {about: tip, principal: [I1, I1, I3]}, axis: z, points: {tip: [0, 0, -l]}}}
+connections: {floor: {ball: top.tip}}
+states:
+  start: {top.tilt: -20 deg, top.axial_rate: w3, top.precession: 0 rad/s, top.nutation: 0 rad/s}
+  lowest: {top.tilt: largest}
+find: {d: change of top.tilt from start to lowest}
+"""
+    with pytest.raises(Unsolvable, match="is told beyond 0 to 180°"):
+        solve(scene)

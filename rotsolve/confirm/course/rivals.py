@@ -177,6 +177,7 @@ class SoughtLetter(Struct, frozen=True):
     said: float
     case: str
     roots: tuple[Formula, ...] = ()  # others of its equation
+    signed: bool = False  # whether it goes by value: a rate in space
 
     @property
     def turned_round(self) -> bool:
@@ -200,7 +201,7 @@ class SoughtLetter(Struct, frozen=True):
     @property
     def sized(self) -> bool:
         """Whether it is a size, of a kind that has a sense, as said: one that is positive, or none."""
-        return self.given.dimension not in (None, ANGLE) and self.said >= 0.0
+        return self.given.dimension not in (None, ANGLE) and self.said >= 0.0 and not self.signed
 
     def said_beside(self, value: float) -> str:
         """What is said where another value does as well."""
@@ -225,7 +226,7 @@ class SoughtLetter(Struct, frozen=True):
         if angle and not (0.0 < value < math.pi / 2 if 0.0 < said < math.pi / 2 else abs(value) <= math.pi):
             return False
         inside = {"largest": value < said, "smallest": value > said}.get(self.find.modifier, False)
-        return (angle or value >= 0.0 or said < 0.0 or not sized) and not inside
+        return (angle or value >= 0.0 or said < 0.0 or not sized or self.signed) and not inside
 
 
 def stands_confirmed(verdict: AnswerConfirmation) -> bool:
