@@ -18,7 +18,7 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import PointRef
-from rotsolve.language.problem import Given
+from rotsolve.language.problem import Find, Given
 from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.expected import Expected
@@ -264,12 +264,15 @@ def nearest_to_zero(entries: Sequence[tuple[int, float]]) -> int:
     return near[0][0]
 
 
-def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, word: str, search: Search) -> PickedRoot:
-    """The `largest` or the `smallest` root that a letter of the scene can be; the picked one where numbers do not tell."""
-    numbers, given = search.numbers, search.givens[name]
+def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked: Find, search: Search) -> PickedRoot:
+    """The `largest` or the `smallest` root that a letter of the scene can be; the picked one where numbers do not tell.
+
+    A size is positive; a rate in space has its sign, but for the least with which a motion is stable or steady.
+    """
+    numbers, given, word = search.numbers, search.givens[name], asked.modifier
     limits = [limit.gap for limit in limits_of_scene(search.scene.configuration) if name in limit.gap.symbols()]
-    in_space = search.scene.configuration.problem.space
-    signed = given.dimension is None or is_angle(given) or (in_space and given.dimension.matches(ANGULAR_VELOCITY))
+    by_value = search.scene.configuration.problem.space and not (asked.where is not None and asked.where.word)
+    signed = given.dimension is None or is_angle(given) or (by_value and given.dimension.matches(ANGULAR_VELOCITY))
     limits += [] if signed else [Symbol(name)]
     able = [
         index

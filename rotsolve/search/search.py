@@ -149,7 +149,7 @@ class Search(Struct, dict=True):
             if asked is not None and asked.modifier in EXTREMES:
                 from rotsolve.search.roots import extreme_root
 
-                picked = extreme_root(name, roots, picked, asked.modifier, self)
+                picked = extreme_root(name, roots, picked, asked, self)
             if picked.guessed:
                 self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
         return picked

@@ -103,6 +103,9 @@ class Solver(Isolation, kw_only=True):
         missing = lacking(stages, (*closed, *known, *self.signs.values))
         if missing:
             raise NumbersWanted(f"{TOO_LONG}: give a number to {', '.join(f'`{name}`' for name in missing[:3])}")
+        runs = {name for value in closed.values() for name in value.symbols() & self.running} - self.signs.values.keys()
+        if runs:
+            raise NumbersWanted(f"{TOO_LONG} at any time: ask for it at a state that tells its time")
         numbers = Together(stages, {**self.signs.values, **closed}, known).numbers()
         found = {name: Found(name, None, number) for name, number in numbers.items()}
         refs = [self.refs.get(index, ("law", index)) for index in plan.equations]
