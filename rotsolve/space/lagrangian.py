@@ -83,6 +83,8 @@ class LetteredMoment(SpaceMoment):
 
     def _anyhow(self, name: str) -> Attitude:
         """Of a body that is told by ω along its own axes no coordinates have these rates."""
+        if self.held.rolling(name) is not None:
+            raise nonholonomic(name)
         if not self.held.pointlike(name):
             help = f"tell how it stands and turns by `{name}.tilt` and its rates"
             raise Unsolvable(
@@ -198,8 +200,7 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
     def _of_body(self, name: str) -> Iterator[Freedom]:
         moment, held = self.moment, self.moment.held
         if any(joint.rolls or joint.flat for joint in held.of_body(name)):
-            message = f"`{name}` rolls: in space that ties its rates, and not its coordinates (it is nonholonomic)"
-            raise Unsolvable(message, help="Newton's laws give it")
+            raise nonholonomic(name)
         joint, led = held.main(name), bool(held.bodies[name].moved)
         if led:
             yield from self._of_led(name)
@@ -361,3 +362,9 @@ def nodding_at(name: str, real: SpaceMoment) -> Iterator[tuple[Formula, Formula,
         swept = add(multiply(further, cos), negate(multiply(multiply(precession, nutation), sin)))
         spun = add(own.rates[2], negate(swept))
     yield from zip((precession, nutation, spin), (further, faster, spun), turning.angles, strict=True)
+
+
+def nonholonomic(name: str) -> Unsolvable:
+    """That a body rolls, which its coordinates do not tell."""
+    message = f"`{name}` rolls: in space that ties its rates, and not its coordinates (it is nonholonomic)"
+    return Unsolvable(message, help="Newton's laws give it")

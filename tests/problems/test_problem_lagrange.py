@@ -35,8 +35,8 @@ NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleratio
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
 which-pair-of-angles"""
 NO_COORDINATES = """force-off-the-centre spherical-top plate-that-wobbles-in-time pole-of-the-earth-in-time
-tennis-racket wing-nut between-both-cases"""  # of ω along own axes
-NONHOLONOMIC = "coin-in-a-circle"
+tennis-racket wing-nut between-both-cases between-both-cases-in-space tennis-racket-in-the-hand"""  # of ω along own axes
+NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on-a-tilted-turntable"
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop"
 

@@ -55,7 +55,7 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
 
     if given.dimension is None and fulfils(own + math.tau):  # so it is an angle
         given = replace(given, dimension=ANGLE)
-    rate = given.dimension is not None and given.dimension.matches(ANGULAR_VELOCITY)
+    rate = find.modifier in EXTREMES and given.dimension is not None and given.dimension.matches(ANGULAR_VELOCITY)
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots, signed=rate)
     places = places_beside(own, 1.0, given.dimension, ROUND)
     places += [-place for place in places] if rate else []
