@@ -37,8 +37,12 @@ def power_of(push: ForceInSpace, moment: SpaceMoment) -> Formula:
 
 
 def height_above(laws: SpaceLaws, name: str) -> Formula:
-    """Of the centre of mass above the point about which the body turns."""
+    """Of the centre of mass above the point about which the body turns, if that is at rest; of others that in space, as the state tells."""
     moment = laws.moment
+    if not laws.fixed(name):
+        from rotsolve.space.places import point_in_space
+
+        return moment.tidy(point_in_space(moment, PointRef(name, CM))[2])
     arm = moment.arm(PointRef(name, CM))
     return ZERO if arm == NOTHING else moment.tidy(dot_product(moment.up(name), arm))
 

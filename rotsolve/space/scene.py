@@ -20,6 +20,7 @@ from rotsolve.algebra.formula import (
     Product,
     Symbol,
     add,
+    call,
     multiply,
     negate,
 )
@@ -28,7 +29,7 @@ from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import GENERIC, is_key, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
@@ -382,7 +383,10 @@ class SpaceEquations(SceneEquations, dict=True):
                 raise NotYet(message, path.span, "tell it from 0 to 180°, the `precession_angle` half a turn on")
 
     def size_of_change(self, term: Term) -> tuple[Meaning, str]:
-        """√(Δx² + Δy² + Δz²)."""
+        """√(Δx² + Δy² + Δz²) of a vector, |Δ| of a number."""
+        if term.path.quantity not in DIRECTED or (term.path.component or "").split()[-1:] in ([axis] for axis in AXES):
+            meaning, state = self.between(replace(term, modifier=CHANGES[0]))
+            return replace(meaning, formula=call("abs", meaning.formula), label="size of the change"), state
         parts = []
         for axis in AXES:
             path = replace(term.path, component=" ".join(filter(None, (term.path.component, axis))))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import atan2, degrees
+from math import atan2, degrees, sqrt
 
 import pytest
 
-from rotsolve import solve
+from rotsolve import Unsolvable, solve
 
 GATE = """up: z
 gravity: none
@@ -24,6 +24,9 @@ states: {before: {ball.velocity: [u, 0, 0], ball.angular_velocity: [0, 0, 1 rad/
 events: {hit: {impulse: J, on: ball.center, direction: y, from: before, to: after}}
 find: {d: angle of ball.velocity at after from ball.velocity at before in deg}
 """
+SPEED = "size of change of ball.speed from before to after"
+PART = "size of change of ball.velocity.y from before to after"
+ENERGY = "size of change of ball.kinetic_energy from before to after"
 CASES = {
     "an axis from itself": (
         GATE.replace("FIND", "angle of one.x_axis at later from one.x_axis at now in deg"),
@@ -38,6 +41,22 @@ CASES = {
         90 + degrees(0.8),
     ),
     "at one state": (GATE.replace("FIND", "angle of one.y_axis from one.x_axis at later in deg"), 90),
+    "the size of the change of an angle": (
+        GATE.replace("FIND", "size of change of one.angle from now to later in deg"),
+        degrees(0.8),
+    ),
+    "the size of the change of a speed": (
+        BLOW.replace("angle of ball.velocity at after from ball.velocity at before in deg", SPEED),
+        sqrt(13) - 3,
+    ),
+    "the size of the change of a component": (
+        BLOW.replace("angle of ball.velocity at after from ball.velocity at before in deg", PART),
+        2,
+    ),
+    "the size of the change of an energy": (
+        BLOW.replace("angle of ball.velocity at after from ball.velocity at before in deg", ENERGY),
+        4,
+    ),
     "after a blow": (BLOW, degrees(atan2(4, 6))),
 }
 
@@ -49,4 +68,28 @@ def test_vectors_are_read_at_their_own_states(name: str) -> None:
     (answer,) = derivation.answers
     assert answer.value is not None
     assert answer.value.float == pytest.approx(known)
+    assert all(item.holds is not False for item in derivation.confirmed)
+
+
+@pytest.mark.parametrize("quantity", ["energy", "potential_energy"])
+def test_how_high_a_free_body_is_is_not_guessed(quantity: str) -> None:
+    scene = f"""up: z
+bodies: {{ball: {{shape: sphere, mass: 2 kg, radius: 10 cm}}}}
+states: {{start: {{ball.velocity: [0, 0, 3 m/s], ball.angular_velocity: [0, 0, 1 rad/s]}}, later: {{time: 2 s}}}}
+find: {{d: change of ball.{quantity} from start to later}}
+"""
+    with pytest.raises(Unsolvable, match="where `ball` is at"):
+        solve(scene)
+
+
+def test_where_the_state_tells_its_place_it_has_a_height() -> None:
+    scene = """up: z
+gravity: 9.81 m/s^2
+bodies: {ball: {shape: sphere, mass: 2 kg, radius: 10 cm}}
+states: {now: {ball.position: [1 m, 2 m, 3 m], ball.velocity: [0, 0, 3 m/s], ball.angular_velocity: [0, 0, 0]}}
+find: {U: ball.potential_energy, E: ball.energy}
+"""
+    derivation = solve(scene).derivation
+    found = {answer.name: answer.value.float for answer in derivation.answers if answer.value is not None}
+    assert found == pytest.approx({"U": 58.86, "E": 67.86})
     assert all(item.holds for item in derivation.confirmed)

@@ -329,6 +329,10 @@ class Inquiry:
                 return [found]
         if term.modifier == SIZE_OF_CHANGE:
             plain = replace(term, modifier=CHANGE)
+            if term.path.quantity not in DIRECTED or (term.path.component or "").split()[-1:] in (
+                [axis] for axis in AXES
+            ):
+                return [abs(only_one(self.of_term(plain)))]
             return [math.hypot(*(only_one(self.of_term(for_part(plain, axis))) for axis in AXES))]
         if term.modifier not in (CHANGE, LOST):
             raise NotConfirmed(PATHS)

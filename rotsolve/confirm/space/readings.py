@@ -324,21 +324,22 @@ class Reading:
         return turning + travel
 
     def energy(self, path: Path, term: Term) -> float:
-        """K + m g h, h from the point about which each body turns, or as far as it is above its own centre of mass: 0."""
-        names = [path.owner] if path.owner else list(self.rig.bodies)
-        total = self.kinetic_energy(path, term)
-        for name in names:
-            joint = self.rig.main(name)
-            height = 0.0 if joint is None else -self.stance.arm(joint.body)[2]
-            total += self.rig.solid(name).mass * self.rig.gravity * height
-        return total
+        """K + m g h."""
+        return self.kinetic_energy(path, term) + self.potential_energy(path, term)
 
     def potential_energy(self, path: Path, term: Term) -> float:
-        """m g h, h as in the energy."""
+        """m g h, h from the point at which a body is held to the ground; of others their height in space, as the state tells it."""
         names = [path.owner] if path.owner else list(self.rig.bodies)
-        held = [(name, self.rig.main(name)) for name in names]
-        heights = {name: -self.stance.arm(joint.body)[2] for name, joint in held if joint is not None}
-        return sum(self.rig.solid(name).mass * self.rig.gravity * height for name, height in heights.items())
+        heavy = [name for name in names if self.rig.gravity and self.rig.solid(name).mass]
+        return sum(self.rig.solid(name).mass * self.rig.gravity * self.height(name) for name in heavy)
+
+    def height(self, name: str) -> float:
+        joint = self.rig.on_ground(name)
+        if joint is not None:
+            return -self.stance.arm(joint.body)[2]
+        if self.rig.main(name) is None and self.stance.lines.arrow_told(name, "position") is None:
+            raise NotConfirmed(f"how high `{name}` is")
+        return self.stance.place(name)[2]
 
     def power(self, path: Path, term: Term) -> float:
         """F · v + C · ω of what acts on a body."""
