@@ -222,10 +222,9 @@ class Stance:
         if carrier in self.rig.bodies:
             return times_arrow(self.turned(carrier), Z)
         surface = next((item for item in self.rig.problem.surfaces if item.name == carrier), None)
-        if surface is None or not surface.slanted:
+        if surface is None:
             return Z
-        tilt = self.rig.value(getattr(surface, "slope"))  # noqa: B009 - of slanted surfaces alone
-        return (math.sin(tilt) * (1.0 if getattr(surface, "down") == "right" else -1.0), 0.0, math.cos(tilt))  # noqa: B009
+        return (self.rig.value(surface.normal.cos()), 0.0, self.rig.value(surface.normal.sin()))
 
     def lowest(self, joint: Joint) -> Arrow:
         """Where a round body touches the surface below it, from its centre of mass."""
