@@ -40,9 +40,9 @@ def height_above(laws: SpaceLaws, name: str) -> Formula:
     """Of the centre of mass above the point about which the body turns, if that is at rest; of others that in space, as the state tells."""
     moment = laws.moment
     if not laws.fixed(name):
-        from rotsolve.space.places import point_in_space
+        from rotsolve.space.places import point_from_start
 
-        return moment.tidy(point_in_space(moment, PointRef(name, CM))[2])
+        return moment.tidy(point_from_start(moment, PointRef(name, CM))[2])
     arm = moment.arm(PointRef(name, CM))
     return ZERO if arm == NOTHING else moment.tidy(dot_product(moment.up(name), arm))
 

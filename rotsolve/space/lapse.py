@@ -279,6 +279,16 @@ class Lapse:
         start = self.before.moment.of_centre(name, "velocity")
         return start if gravity is None else vector_sum(start, (ZERO, ZERO, negate(multiply(gravity, time))))
 
+    def centre_way(self, name: str) -> Triple | None:
+        """v₀ t − ½ g t² ẑ, how far that has gone; None of others."""
+        if self.held.of_body(name) or not self.alone(name):
+            return None
+        time, gravity = self.passed(), self.before.pushes.gravity
+        assert time is not None
+        gone = scaled_by(time, self.before.moment.of_centre(name, "velocity"))
+        fallen = ZERO if gravity is None else multiply(HALF, multiply(gravity, multiply(time, time)))
+        return vector_sum(gone, (ZERO, ZERO, negate(fallen)))
+
 
 def along_and_size(vector: Triple) -> tuple[Triple, Formula]:
     """A unit vector and the size of a vector along it, which may be negative where it lies along an axis."""

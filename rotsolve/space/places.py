@@ -1,4 +1,5 @@
-"""Places in space: where the reference of a body is, as its joints, its state or what leads it tell; refused by name where nothing does."""
+"""Places in space: where the reference of a body is, as its joints, its state or what leads it tell, or its flight since the first state;
+refused by name where nothing does."""
 
 from __future__ import annotations
 
@@ -43,6 +44,31 @@ def reference_place(moment: SpaceMoment, name: str) -> Triple:
     if not frame:
         return place
     return vector_sum(point_in_space(moment, PointRef(frame, "center")), moment.own_axes(frame).to(IN_SPACE, place))
+
+
+def point_from_start(moment: SpaceMoment, ref: PointRef) -> Triple:
+    """A point of a body in space; of a body that nothing holds by its flight too, from the place that is told at first, else from its
+    centre of mass there."""
+    name = ref.owner
+    if moment.held.of_body(name) or moment.held.bodies[name].moved or moment.vector_kept(name, "position") is not None:
+        return point_in_space(moment, ref)
+    arm = moment.axes(name).to(IN_SPACE, moment.arm(ref))
+    return vector_sum(flown_to(moment, name), arm)
+
+
+def flown_to(moment: SpaceMoment, name: str) -> Triple:
+    """Where the centre of mass of a free body is: as told, through a blow as before, else where the time that has passed brings it."""
+    if moment.vector_kept(name, "position") is not None:
+        return reference_place(moment, name)
+    if moment.before is not None:
+        return flown_to(moment.before, name)
+    if moment.first:
+        return NOTHING
+    gone = moment.onward.centre_way(name) if moment.onward is not None else None
+    if gone is None or moment.onward is None:
+        raise nowhere(moment, name)
+    moment.hangs_on_time()
+    return vector_sum(flown_to(moment.onward.before.moment, name), gone)
 
 
 def nowhere(moment: SpaceMoment, name: str) -> NotYet:

@@ -91,9 +91,9 @@ class VectorReader:
 
     def position(self, path: Path, term: Term) -> Seen:
         """The place of a point in space, from the point at which a joint holds its body to the ground, or as the state tells it."""
-        from rotsolve.space.places import point_in_space
+        from rotsolve.space.places import point_from_start
 
-        return point_in_space(self.moment, self.point(path)), IN_SPACE
+        return point_from_start(self.moment, self.point(path)), IN_SPACE
 
     def velocity(self, path: Path, term: Term) -> Seen:
         if path.point in (None, CM):

@@ -71,15 +71,41 @@ def test_vectors_are_read_at_their_own_states(name: str) -> None:
     assert all(item.holds is not False for item in derivation.confirmed)
 
 
+THROWN = """up: z
+gravity: 9.81 m/s^2
+given: {M: 2 kg, v: 3 m/s}
+bodies: {ball: {shape: sphere, mass: M, radius: 10 cm, points: {P: [10 cm, 0 m, 0 m]}}}
+states: {start: {ball.velocity: [1 m/s, 0, v], ball.angular_velocity: [0, 0, 0]PLACE}, later: LATER}
+find: {FIND}
+"""
+
+
 @pytest.mark.parametrize("quantity", ["energy", "potential_energy"])
 def test_how_high_a_free_body_is_is_not_guessed(quantity: str) -> None:
-    scene = f"""up: z
-bodies: {{ball: {{shape: sphere, mass: 2 kg, radius: 10 cm}}}}
-states: {{start: {{ball.velocity: [0, 0, 3 m/s], ball.angular_velocity: [0, 0, 1 rad/s]}}, later: {{time: 2 s}}}}
-find: {{d: change of ball.{quantity} from start to later}}
-"""
+    find = f"d: change of ball.{quantity} from start to later"
+    scene = THROWN.replace("PLACE", "").replace("LATER", "{ball.angular_velocity: [0, 0, 0]}").replace("FIND", find)
     with pytest.raises(Unsolvable, match="where `ball` is at"):
         solve(scene)
+
+
+@pytest.mark.parametrize(("place", "start"), [("", (0, 0, 0)), (", ball.position: [1 m, 2 m, 3 m]", (1, 2, 3))])
+def test_a_thrown_body_flies_as_by_hand(place: str, start: tuple[float, float, float]) -> None:
+    find = (
+        "r: ball.P.position at later, U: change of ball.potential_energy from start to later, "
+        "E: change of ball.energy from start to later"
+    )
+    scene = THROWN.replace("PLACE", place).replace("LATER", "{time: 2 s}").replace("FIND", find)
+    derivation = solve(scene).derivation
+    assert all(item.holds for item in derivation.confirmed)
+    fallen = 2 * 3 - 9.81 * 2
+    places, change, energy = derivation.answers
+    assert [part.value.float for part in places.components if part.value is not None] == pytest.approx(
+        [start[0] + 2 + 0.1, start[1], start[2] + fallen]
+    )
+    assert change.value is not None
+    assert change.value.float == pytest.approx(2 * 9.81 * fallen)
+    assert energy.value is not None
+    assert energy.value.float == pytest.approx(0)
 
 
 def test_where_the_state_tells_its_place_it_has_a_height() -> None:

@@ -337,7 +337,8 @@ class Reading:
         joint = self.rig.on_ground(name)
         if joint is not None:
             return -self.stance.arm(joint.body)[2]
-        if self.rig.main(name) is None and self.stance.lines.arrow_told(name, "position") is None:
+        told = self.stance.lines.arrow_told(name, "position") is not None or not self.stance.lines.later
+        if self.rig.main(name) is None and not (told or name in self.stance.put_so):
             raise NotConfirmed(f"how high `{name}` is")
         return self.stance.place(name)[2]
 
