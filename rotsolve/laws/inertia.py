@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import HALF, ZERO, Formula, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
@@ -176,7 +176,7 @@ def product_of_inertia(spread: Spread, entry: str) -> Told:
         inner = entry_of(piece, entry)
         terms += [inner, negate(multiply(multiply(weight, arm[i]), arm[j]))]
     written = total(flat(terms))
-    if simplify(plain(written, (*before, *shares))) == ZERO:
+    if is_zero(plain(written, (*before, *shares))):
         return Told(ZERO, "product of inertia")
     label = f"product of inertia, −Σ m {entry[0]} {entry[1]}"
     return Told(written, label, (), (*before, *shares))

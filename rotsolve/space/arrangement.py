@@ -37,12 +37,16 @@ class JointedBodies(Struct, frozen=True, dict=True):
 
         Of letters without a number it is nothing in a case that has such numbers, on the condition that it is.
         """
+        if value == ZERO:
+            return True
+        lacking = bool(self.signs.lacking(value))
+        number = self.signs.at_trial(value) if lacking else self.signs.number(value)
+        if number is not None and number.sign:  # which costs less than to see it of a long formula
+            return False
         if is_zero(value):
             return True
-        if self.signs.lacking(value):
-            number = self.signs.at_trial(value)
-            return number is not None and number.sign == 0 and self.signs.side_at_trial(value) == 0
-        return self.signs.by_numbers(value) == 0 and self.signs.decide(value) == 0
+        nothing = number is not None and number.sign == 0
+        return nothing and (self.signs.side_at_trial(value) if lacking else self.signs.decide(value)) == 0
 
     @cached_property
     def bodies(self) -> dict[str, Body]:
