@@ -37,7 +37,7 @@ def proportional(formula: Formula) -> bool:
 def entries_of(term: Term) -> tuple[str, ...]:
     """The names of the entries of what a term asks for; none of a scalar."""
     path = term.path
-    if term.modifier not in ("", "change of", "mean") or path.component in (*AXES, *ENTRIES):
+    if term.modifier not in ("", "change of", "lost", "mean") or path.component in (*AXES, *ENTRIES):
         return ()
     if path.quantity in DIRECTED or path.quantity == "cm":
         return AXES

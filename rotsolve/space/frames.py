@@ -60,7 +60,7 @@ class Relative:
         """Where the centre of mass of a body is that slides along the frame, at the point at which it is held there."""
         held, own = self.moment.held, self.moment.own_axes(self.name)
         off = way_between(held.spot(guide.body), held.centre(self.name))
-        return vector_sum(held.spot(guide.carrier), own.to(self.axes, off))
+        return vector_sum(way_between(held.reference(self.frame), held.spot(guide.carrier)), own.to(self.axes, off))
 
     @property
     def slip(self) -> Triple:
@@ -90,8 +90,8 @@ class Relative:
         return triple([self.moment.ask("acceleration", self.name, f"{axis} relative") for axis in AXES])
 
     def origin(self, word: str) -> Triple:
-        """The velocity or acceleration of the frame's origin, which its own axes start from."""
-        ref = PointRef(self.frame, "center")
+        """The velocity or acceleration of the frame's origin, from which places in it count."""
+        ref = origin_of(self.moment, self.frame)
         own = self.moment.velocity(ref) if word == "velocity" else self.moment.acceleration(ref)
         return self.moment.axes(self.frame).to(self.axes, own)
 
@@ -113,16 +113,19 @@ class Relative:
         )
 
     def felt(self, which: str, mass: Formula) -> Triple:
-        """An inertial force; r is taken from the point at which the frame is held at rest, else from its centre."""
-        held = self.moment.held
-        joint = held.main(self.frame)
-        at_rest = joint is not None and joint.carrier.owner not in held.bodies and not joint.sliding
-        arm = way_between(held.spot(joint.body), self.place) if joint is not None and at_rest else self.place
+        """An inertial force; r is taken from the frame's origin."""
+        arm = self.place
         if which == "centrifugal":
             return scaled_by(negate(mass), cross_product(self.omega, cross_product(self.omega, arm)))
         if which == "euler":
             return scaled_by(negate(mass), cross_product(self.alpha, arm))
         return scaled_by(negate(multiply(TWO, mass)), cross_product(self.omega, self.slip))
+
+
+def origin_of(moment: MovingBodies, frame: str) -> PointRef:
+    """The point of a body from which places relative to it count: that at which a joint holds it, else its centre of mass."""
+    joint = moment.held.main(frame)
+    return PointRef(frame, "cm") if joint is None else joint.body
 
 
 def frame_of(moment: MovingBodies, name: str) -> str:

@@ -510,16 +510,16 @@ class SpaceMoment(TellingMoment):
         return negate(ONE) if not has_quantities(sine) and self.signs.taken(sine) == -1 else ONE
 
     def place_in(self, name: str, frame: str) -> Triple | None:
-        """Where the centre of mass of a body is in the axes of another one, from the centre of that: as the state tells, or as far as it
-        tells where both are in space."""
+        """Where the centre of mass of a body is in the axes of another one, from the point at which that is held: as the state tells, or
+        as far as it tells where both are in space."""
         told = self.vector_told(name, "position")
         if told is not None and told[2] == frame:
             return told[0]
         from rotsolve.paths.meaning import NotYet
-        from rotsolve.space.places import point_in_space
+        from rotsolve.space.places import point_in_space, reference_place
 
         try:
-            places = [point_in_space(self, PointRef(*ref)) for ref in ((frame, "center"), (name, "cm"))]
+            places = reference_place(self, frame), point_in_space(self, PointRef(name, "cm"))
         except (Unsolvable, NotYet):
             return None
         return IN_SPACE.to(self.own_axes(frame), way_between(*places))

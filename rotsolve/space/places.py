@@ -43,7 +43,7 @@ def reference_place(moment: SpaceMoment, name: str) -> Triple:
     place, _, frame = told
     if not frame:
         return place
-    return vector_sum(point_in_space(moment, PointRef(frame, "center")), moment.own_axes(frame).to(IN_SPACE, place))
+    return vector_sum(reference_place(moment, frame), moment.own_axes(frame).to(IN_SPACE, place))
 
 
 def point_from_start(moment: SpaceMoment, ref: PointRef) -> Triple:

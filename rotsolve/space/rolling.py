@@ -103,9 +103,10 @@ class Rolling:
                 help=help,
             )
         line = self.moment.line(self.name, "position", "z")  # at any other moment it has rolled there
-        if line is not None and not self.moment.held.vanishes(self.touched(frame)[2] - face):
+        height = self.moment.held.reference(frame.frame)[2] + self.touched(frame)[2]
+        if line is not None and not self.moment.held.vanishes(height - face):
             message = f"`{self.name}` does not touch `{frame.frame}` at that place"
-            help = f"its z is that of the face and the radius of `{self.name}` together; places count from the centre of `{frame.frame}`"
+            help = f"its z is that of the face and the radius of `{self.name}` together; places count from where `{frame.frame}` is held"
             raise Unsolvable(message, span=line.span, help=help)
 
     def velocity_told(self) -> Triple | None:
@@ -173,15 +174,13 @@ class Rolling:
         return frame.axes.to(IN_SPACE, there)
 
     def touched(self, frame: Relative) -> Triple:
-        """The touching place from the centre of the body that is touched, in its axes."""
+        """The touching place from the point at which the body that is touched is held, in its axes."""
         return vector_sum(frame.place, self.own.axes.to(frame.axes, self.arm))
 
     def touched_from_held(self) -> Triple:
         """The touching place on a body, from the point about which that turns, in the axes in which its vectors are written."""
         assert self.frame is not None
-        carrier = self.frame.frame
-        way = self.frame.axes.to(self.moment.axes(carrier), self.touched(self.frame))
-        return vector_sum(self.moment.arm(PointRef(carrier, "center")), way)
+        return self.frame.axes.to(self.moment.axes(self.frame.frame), self.touched(self.frame))
 
     def arm_rate(self) -> Triple:
         """ṙ in space: none on a floor below a ball, Ω × r of what keeps its components in axes that turn at Ω."""

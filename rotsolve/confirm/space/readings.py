@@ -199,16 +199,14 @@ class Reading:
         return total
 
     def inertial(self, path: Path, term: Term, which: str) -> Arrow:
-        """−m Ω × (Ω × r), −m Ω̇ × r, −2 m Ω × v, of the centre of mass; r from where the frame is held at rest, or its centre."""
+        """−m Ω × (Ω × r), −m Ω̇ × r, −2 m Ω × v, of the centre of mass; r from where the frame is held, or its centre of mass."""
         frame = term.relative or next(
             (line.relative for line in self.stance.lines.of(path.owner) if line.relative), None
         )
         if frame is None:
             raise NotConfirmed(f"the {which} force in which frame")
-        held = self.rig.on_ground(frame)
-        arm = less(
-            self.from_frame(path, frame), self.stance.arm(PointRef(frame, "center") if held is None else held.body)
-        )
+        held = self.rig.main(frame)
+        arm = less(self.from_frame(path, frame), STILL if held is None else self.stance.arm(held.body))
         term = replace(term, relative=frame)
         turning, mass = self.omega(frame), self.rig.solid(path.owner).mass
         if which == "centrifugal":

@@ -195,8 +195,9 @@ class Stance:
         told = self.lines.arrow_told(name, "position")
         if told is not None and told[2]:
             frame = told[2]
-            centre = sum_of(self.place(frame), self.arm(PointRef(frame, "center")))
-            return sum_of(centre, times_arrow(self.turned(frame), told[0]))
+            held = self.rig.main(frame)
+            origin = self.place(frame) if held is None else sum_of(self.place(frame), self.arm(held.body))
+            return sum_of(origin, times_arrow(self.turned(frame), told[0]))
         if told is not None:
             return told[0]
         led = {axis: part for word, axis, part in self.rig.bodies[name].moved if word == "position"}

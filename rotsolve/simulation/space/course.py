@@ -33,7 +33,7 @@ from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import BODY, IN_SPACE, Attitude, Axes, Nodding, as_drawn, permutation
 from rotsolve.space.inertia import CM
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.places import point_in_space, reference_place
+from rotsolve.space.places import reference_place
 from rotsolve.space.thin import thin_axis
 
 UNSPUN = "unspun"  # axes that go with a body's axis, and do not turn about it
@@ -176,7 +176,7 @@ class CourseMoment(SpaceMoment):
     def place_in(self, name: str, frame: str) -> Triple | None:
         """Where the centre of mass of a body is in the axes of another one: from where it was at first, by the way that it has gone."""
         place = vector_sum(reference_place(self.beginning, name), self.way_gone(name))
-        off = way_between(point_in_space(self, PointRef(frame, "center")), place)
+        off = way_between(reference_place(self, frame), place)
         return IN_SPACE.to(self.own_axes(frame), off)
 
     def spun(self, name: str) -> Formula:
