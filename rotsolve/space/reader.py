@@ -165,6 +165,8 @@ class SpaceReader(VectorReader):
         of_elements = path.quantity in ("freedoms", "power")
         if reading is None or (path.owner and path.owner not in self.bodies and not of_elements):
             raise NotYet(f"`{path_text(path)}` is not solved in space yet")
+        if not path.owner and path.quantity not in OF_SCENE:
+            raise NotYet(f"`{path_text(path)}` of all bodies together is not solved in space", path.span, "name a body")
         return reading(self, path, term)
 
     def of_nodding(self, path: Path) -> Formula | Meaning:
@@ -327,7 +329,7 @@ class SpaceReader(VectorReader):
         return Meaning(found, QUANTITIES["cm"].dimension, label="centre of mass, Σ m r/Σ m")
 
     def mass(self, path: Path, term: Term) -> Formula:
-        return self.held.mass(path.owner)
+        return total([self.held.mass(name) for name in ([path.owner] if path.owner else self.held.order)])
 
     def speed(self, path: Path, term: Term) -> Formula:
         return tidied_part(length_of(self.velocity(path, term)[0]))
@@ -368,3 +370,7 @@ SCALARS: dict[str, Callable[[SpaceReader, Path, Term], Formula | Meaning]] = {
     "potential_energy": SpaceReader.potential_energy,
     "power": SpaceReader.power,
 }
+
+OF_SCENE = frozenset(
+    {"kinetic_energy", "potential_energy", "energy", "mass", "freedoms"}
+)  # asked without a body: of all

@@ -42,6 +42,8 @@ class VectorReader:
 
     def asked_axes(self, path: Path, term: Term) -> Axes:
         """The axes that a question names, those of space where it names none."""
+        if not path.owner:
+            return IN_SPACE
         name = path.owner if path.owner in self.bodies else self.body_of(path)
         return self.moment.named_axes(term.axes or "", name)
 
@@ -57,7 +59,12 @@ class VectorReader:
 
     def vector(self, path: Path, term: Term) -> Seen:
         """A vector, and the axes along which its components are."""
+        if not path.owner and path.quantity == "momentum":
+            return self.momentum_of_all(path, term)
         reading = (OF_BODIES if path.owner in self.bodies else OF_ELEMENTS).get(path.quantity)
+        if not path.owner:
+            message = f"`{path_text(path)}` of all bodies together is not solved in space"
+            raise NotYet(message, path.span, "name a body")
         if reading is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet")
         if term.relative and (path.component or "").split()[:1] not in ([which] for which in INERTIAL):
@@ -129,6 +136,14 @@ class VectorReader:
     def momentum(self, path: Path, term: Term) -> Seen:
         velocity, axes = self.velocity(replace(path, point=None), term)
         return scaled_by(self.held.mass(path.owner), velocity), axes
+
+    def momentum_of_all(self, path: Path, term: Term) -> Seen:
+        """Σ M v of all bodies, along the axes of space."""
+        whole = NOTHING
+        for name in self.held.order:
+            momentum, axes = self.momentum(replace(path, owner=name), term)
+            whole = vector_sum(whole, axes.to(IN_SPACE, momentum))
+        return whole, IN_SPACE
 
     def about(self, path: Path, term: Term) -> tuple[Triple, str]:
         """The point about which a torque or an angular momentum is asked, from the reference of its body, and its name."""

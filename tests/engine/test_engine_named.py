@@ -196,13 +196,6 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "",
     ),
     "blow to the side of a line": (HUNG, ""),
-    "asymmetric body after a time": (
-        "given: {a: 1 kg m^2, b: 2 kg m^2, c: 2.5 kg m^2, T: 2 s}\nup: z\ngravity: none\n"
-        "bodies: {egg: {mass: 1 kg, inertia: {principal: [a, b, c]}, points: {P: [1 m, 0, 0]}}}\n"
-        "states: {start: {egg.angular_velocity in body axes: [1 rad/s, 2 rad/s, 1 rad/s], egg.velocity: [0, 0, 0]}, "
-        "later: {time: T}}\nfind: {v: egg.P.velocity at later}\n",
-        "",
-    ),
     "top that nods after a time": (
         TOP
         + "states: {start: {top.tilt: 20 deg, top.axial_rate: 400 rad/s, top.precession: 0 rad/s, top.nutation: 0 rad/s}, "

@@ -60,6 +60,21 @@ CASES = {  # a scene, and what is known of it by hand
         "find: {J: h.impulse during hit}\n",
         {"J": (0, 1, 0)},
     ),
+    "a place in a frame held off its centre counts from there: a = −x ω², 3 N outward": (
+        "gravity: none\nbodies: {arm: {shape: rod, mass: 3 kg, length: 1 m}, bead: {mass: 2 kg}}\n"
+        "connections: {h: {hinge: arm.start, along: z, angular_velocity: 2 rad/s}}\nactions: {hold: {force: any, on: bead}}\n"
+        "states: {now: {bead.position relative to arm: [0.375 m, 0, 0], bead.velocity relative to arm: [0, 0, 0], "
+        "bead.acceleration relative to arm: [0, 0, 0]}}\n"
+        "find: {a: bead.acceleration, F: bead.force.centrifugal relative to arm, r: bead.position, v: bead.velocity}\n",
+        {"a": (-1.5, 0, 0), "F": (3, 0, 0), "r": (0.375, 0, 0), "v": (0, 0.75, 0)},
+    ),
+    "all bodies together": (
+        "bodies: {one: {shape: sphere, mass: 2 kg, radius: 1 m}, two: {shape: disc, mass: 3 kg, radius: 1 m}}\n"
+        "states: {start: {one.velocity: [2 m/s, 0, 4 m/s], one.angular_velocity: [5 rad/s, 0, 1 rad/s], "
+        "two.velocity: [0, -2 m/s, 2 m/s], two.angular_velocity: [0, 5 rad/s, 4 rad/s]}}\n"
+        "find: {M: mass at start, p: momentum at start, K: kinetic_energy at start}\n",
+        {"M": (5,), "p": (4, -6, 14), "K": (20 + 0.4 * 26 + 12 + 0.375 * 25 + 0.75 * 16,)},
+    ),
 }
 REFUSED = {  # a scene, and what is said of it
     "a place by the page": (
@@ -78,6 +93,15 @@ REFUSED = {  # a scene, and what is said of it
         "states: {now: {b.velocity: [1 m/s, 0, 0]}}\nfind: {v: b.velocity relative to t at now}\n",
         "how `b` moves in `t` nothing tells",
     ),
+    **{
+        f"{word} of all bodies together": (
+            "bodies: {one: {shape: sphere, mass: 2 kg, radius: 1 m}, two: {shape: disc, mass: 3 kg, radius: 1 m}}\n"
+            "states: {now: {at rest: all}}\n"
+            f"find: {{x: {word} at now}}\n",
+            "of all bodies together is not solved in space",
+        )
+        for word in ("cm", "inertia", "angular_momentum")
+    },
 }
 
 

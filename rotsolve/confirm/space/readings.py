@@ -68,6 +68,8 @@ class Reading:
     def seen(self, term: Term) -> Arrow:
         """A vector in the axes that a question names, those of space where it names none."""
         vector = self.vector(term.path, term)
+        if not term.path.owner:
+            return vector
         rows = self.axes(term.axes or "", self.body_of(term.path))
         return times_arrow(rows_back(rows), vector)
 
@@ -98,7 +100,8 @@ class Reading:
         """A vector along the axes of space."""
         if term.relative is not None and path.quantity not in ("force", "velocity", "acceleration"):
             raise NotConfirmed(f"`{path.quantity}` relative to a body")
-        table = VECTORS_OF_BODIES if path.owner in self.rig.bodies else VECTORS_OF_ELEMENTS
+        of_all = not path.owner and path.quantity == "momentum"
+        table = VECTORS_OF_BODIES if of_all or path.owner in self.rig.bodies else VECTORS_OF_ELEMENTS
         reading = table.get(path.quantity)
         if reading is None:
             raise NotConfirmed(f"`{path.quantity}` in space")
@@ -150,7 +153,9 @@ class Reading:
         return sum_of(self.stance.place(path.owner), self.arm(path))
 
     def momentum(self, path: Path, term: Term) -> Arrow:
-        return scaled(self.rig.solid(path.owner).mass, self.now.arrow(SPEED, path.owner))
+        """M v of the centre of mass; without a body the sum over all."""
+        names = [path.owner] if path.owner else list(self.rig.bodies)
+        return sum_of(*(scaled(self.rig.solid(name).mass, self.now.arrow(SPEED, name)) for name in names))
 
     # about points
 
@@ -430,7 +435,7 @@ class Reading:
         return less(self.rig.solid(path.owner).centre, start)[ENTRY[axis[0]]]
 
     def mass(self, path: Path, term: Term) -> float:
-        return self.rig.solid(path.owner).mass
+        return sum(self.rig.solid(name).mass for name in ([path.owner] if path.owner else self.rig.bodies))
 
     def speed(self, path: Path, term: Term) -> float:
         return arrow_length(self.velocity(path, term))
