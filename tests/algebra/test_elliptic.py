@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.elliptic import third_kind_up_to
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Number, Symbol, call, formula
+from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Number, Symbol, call, formula, multiply
 from rotsolve.algebra.notation.mathml import mathml
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
@@ -179,3 +179,12 @@ def test_sympy_has_no_word_for_some_and_gives_them_back() -> None:
 def test_they_take_pure_numbers(value: Formula) -> None:
     with pytest.raises(DimensionError):
         dimension_of(value, {"u": TIME})
+
+
+def test_what_is_simpler_within_another_has_its_roots_in_normal_form() -> None:
+    """am(u, 0) is u, of which the roots may have been written as √(a/b): within Π(n, φ, m) that was no polynomial."""
+    a, b, n = Symbol("a"), Symbol("b"), Symbol("n")
+    u = multiply(U, call("sqrt", a / b))
+    inner = call("ellipam", PI / 2 + u, ZERO)
+    found = simplify(call("ellippiinc", n, inner, M), positive=frozenset("abu"))
+    assert found == simplify(call("ellippiinc", n, PI / 2 + u, M), positive=frozenset("abu"))

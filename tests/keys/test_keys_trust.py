@@ -21,7 +21,7 @@ from rotsolve.scene.read import read_file
 EVERY = int(os.environ.get("ROTSOLVE_TRUST_EVERY", "4"))
 PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))[::EVERY]
 FACTORS = [Fraction(text) for text in ("1/2", "0.8", "0.9", "1.1", "1.3", "2")]
-TRIES = 8
+TRIES, MOST_TRIES = 8, 40  # most sets of numbers of some problems belong to no body, or to another case
 
 
 def changed(problem: Problem, random: Random) -> dict[str, str]:
@@ -44,7 +44,9 @@ def test_what_is_evaluated_is_what_is_solved(file: Path) -> None:
     if not working.branches[0].trusted:
         pytest.skip("every variant of it is solved anew")
     random, evaluated = Random(file.stem), 0
-    for _ in range(TRIES):
+    for tried in range(MOST_TRIES):
+        if tried >= TRIES and evaluated:
+            break
         settings = changed(problem, random)
         try:
             worked = working.work(settings)

@@ -183,6 +183,7 @@ class Rewriter:
         if u == ZERO:
             return ONE if function in ("ellipcn", "ellipdn") else ZERO
         if m == ZERO:
+            u = self._rewrite(u)  # its roots may have been written as √(a/b)
             plain = {"ellipsn": "sin", "ellipcn": "cos"}.get(function)
             return self._call(plain, (u,)) if plain else ONE if function == "ellipdn" else u
         if isinstance(u, Negative):
