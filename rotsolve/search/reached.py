@@ -22,6 +22,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Path, State
 from rotsolve.laws.energy import energy
 from rotsolve.motion.timeline import Interval
+from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.consistency import just_stops
 from rotsolve.search.endings import GROWS, never_reached
@@ -232,7 +233,10 @@ def growth_of(path: Path, interval: Interval, passage: Passage, search: Search) 
         gained = ways[0] if len(ways) == 1 and not path.component else None
     else:
         readers = (search.scene.reader(state) for state in (interval.end, interval.start))
-        last, first = (reader.meaning(path).formula for reader in readers)
+        try:
+            last, first = (reader.meaning(path).formula for reader in readers)
+        except NotYet:  # the questions are refused for that themselves
+            return None
         gained = last - first
     value = None if gained is None else search.settled(gained)
     return None if value is None or has_quantities(value) else value

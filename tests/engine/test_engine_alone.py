@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,8 @@ from rotsolve.solution import AnswerView
 from solutions import solved
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = sorted((ROOT / "problems").rglob("*.yaml"))
+EVERY = int(os.environ.get("ROTSOLVE_ALONE_EVERY", "3"))
+FILES = sorted((ROOT / "problems").rglob("*.yaml"))[::EVERY]
 CRANES = """
 title: Three machines side by side, of which one is not told well enough
 given: {m: 2 kg, R: 10 cm, k: unknown}

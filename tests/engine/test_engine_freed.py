@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
@@ -15,7 +16,8 @@ sys.path.append(str(ROOT / "benchmarks"))
 
 from compositions import freed  # noqa: E402
 
-FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent / "scenes").glob("*.yaml")])
+EVERY = int(os.environ.get("ROTSOLVE_FREED_EVERY", "3"))
+FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent / "scenes").glob("*.yaml")])[::EVERY]
 WITHHELD = {  # in space, answered in numbers; in letters refused by name, or withheld since the assembly contradicts them with some
     "kowalevskaya-top": "that its vertical is a direction of length 1 its letters do not tell",
     "how-long-a-top-nods": "on what its angle hangs is too long to print in letters",

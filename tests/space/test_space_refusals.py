@@ -19,6 +19,16 @@ CASES = {  # a scene, what is said of it, and what would be right
         "no body has these moments of inertia: I_z is larger than the other two together",
         "can't be negative",
     ),
+    "a steady state that does not exist, beside a turning point": (
+        HEAD
+        + "bodies: {b: {shape: cuboid, mass: M, sides: [a, a/2, a], axis: z, points: {O: [0, 0, -a]}}}\n"
+        + HELD
+        + "actions: {hands: {couple: any, on: b}}\n"
+        + "states: {s: {b.tilt: 1 rad, b.spin: w, steady: true, b.precession: largest}, e: {b.tilt: largest}}\n"
+        + "find: {x: b.energy at s}\n",
+        "it does not precess steadily",
+        "leave out `steady: true`",
+    ),
     "a tensor that is not symmetric": (
         HEAD + "bodies: {b: {inertia: {tensor: [[J, 0, 0], [J/9, J, 0], [0, 0, J]]}}}\nfind: {I: b.inertia along x}\n",
         "an inertia tensor is symmetric, but this has two values for I_xy",
