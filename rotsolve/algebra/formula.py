@@ -169,6 +169,10 @@ class Symbol(Formula, frozen=True):
         return values[self.name]
 
 
+class Decimal(Symbol, frozen=True):
+    """A number that stands for a letter where a formula is printed with numbers put in, by its text: 0.8660. Nothing calculates with it."""
+
+
 class Constant(Formula, frozen=True):
     """A mathematical constant; only `pi`."""
 

@@ -61,24 +61,40 @@ class ForceLine(Struct, frozen=True):
 
 
 class LawLine(Struct, frozen=True):
-    """One numbered equation with the law or rule that it states: "Newton's second law, block"; `remark` in brackets."""
+    """One numbered equation with the law or rule that it states: "Newton's second law, block"; `remark` in brackets.
+
+    `name` is the identity of the law, `family` one of those that `--law` may name, or '' for rules and definitions.
+    """
 
     number: int
     law: str
     equation: Equality
     remark: Words = ()
+    name: str = ""
+    family: str = ""
+    bodies: tuple[str, ...] = ()
+
+
+class Cited(Struct, frozen=True):
+    """What a step uses: a letter as the equation of some number tells it; "" and the letter alone for an answer found before."""
+
+    letter: Formula | None
+    mark: str = ""
 
 
 class Move(Struct, frozen=True):
     """One step of algebra: `sources` ("(3) and (4) in (2)"), the chain of equalities that it gives, its number if used later.
 
-    `reason` says why where a choice is made ("the rod turns clockwise: ω < 0").
+    `reason` says why where a choice is made ("the rod turns clockwise: ω < 0"). What is `put` into which equation stands there letter by
+    letter; nothing for what is no step of that kind.
     """
 
     sources: str
     chain: tuple[Equality, ...]
     number: int | None = None
     reason: Words = ()
+    put: tuple[Cited, ...] = ()
+    into: str = ""
 
 
 class Section(Struct, frozen=True):
@@ -98,7 +114,7 @@ class Answer(Struct, frozen=True):
     """An asked quantity: exact form, certified value in `unit`, and its direction in words.
 
     `formula` is None where no closed form exists; `value`, signed like it, is None where a given has no number. `direction` is that of
-    the value with its sign ("−12.73 rad/s², i.e. clockwise"), and `positive` that of a positive value where a negative one has another.
+    the value with its sign ("−12.73 rad/s² (clockwise)"), and `positive` that of a positive value where a negative one has another.
     `components` hold the parts of a vector answer, whose `formula` and
     `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
     size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.

@@ -112,8 +112,11 @@ def in_direction(words: str, component: str, in_space: bool) -> str:
 
 
 def and_joined(words: Sequence[str]) -> str:
-    """a, b and c."""
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    """a, b and c; with a comma before the last where one of them has an "and" of its own."""
+    if len(words) == 1:
+        return words[0]
+    comma = "," if any(" and " in word for word in words) else ""
+    return f"{', '.join(words[:-1])}{comma} and {words[-1]}"
 
 
 def balance(terms: list[tuple[Formula, int]]) -> tuple[Formula, Formula]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from functools import cached_property
 
 from msgspec.structs import replace
 
@@ -15,6 +16,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import (
     Answer,
     Check,
+    Cited,
     Derivation,
     Equality,
     LawLine,
@@ -26,10 +28,11 @@ from rotsolve.core.derivation import (
 )
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.symbols import COORDINATE, TIME, key_of
+from rotsolve.core.symbols import COORDINATE, TIME, is_key, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of, title
+from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
+from rotsolve.derivation.headings import section_title
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.results import LONG, Results, readable
 from rotsolve.language.problem import Condition, Problem, State, TimeValue
@@ -142,6 +145,11 @@ def compared_formula(answered: Answered, results: Results) -> Formula:
     return results.letters.printed(asked.formula if asked.of_givens else Symbol(asked.letter))
 
 
+def mark_name(ref: Ref, names: Mapping[str, str]) -> str:
+    """The printed name of an answer found before."""
+    return names.get(str(ref[1]), str(ref[1]))
+
+
 SENTENCES = (ENERGY, ANGULAR_MOMENTUM, LAGRANGE)  # the remarks of these laws are sentences of their own
 
 
@@ -196,7 +204,7 @@ class DerivationComposer:
         moves = [move for step in draft.steps for move in (self._move(step), *self._slope(step))]
         moves += [move for chosen in draft.choices for move in comparisons(chosen, self.results)]
         forces = self.diagrams.lines(draft, self.letters.in_use, self.letters.words)
-        return Section(title(draft.key, self.scene), forces, self._remarks(draft), laws, tuple(moves))
+        return Section(section_title(draft.key, self.scene), forces, self._remarks(draft), laws, tuple(moves))
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]
@@ -206,6 +214,9 @@ class DerivationComposer:
             equation.label,
             Equality(self.letters.printed(equation.left), self.letters.printed(equation.right), equation.relation),
             self.letters.words(remark),
+            equation.law.name,
+            equation.family,
+            tuple(map(spoken, equation.bodies)),
         )
 
     def _move(self, step: Step) -> Move:
@@ -213,7 +224,38 @@ class DerivationComposer:
             Equality(self.letters.printed(one.left), self.letters.printed(one.right)) for one in readable(step.chain)
         )
         number = self.numbers.get(("step", step.number))
-        return Move(self._sources(step), chain, number, self.letters.words(step.reason))
+        sources, reason = self._sources(step), self.letters.words(step.reason)
+        into = "" if step.target[0] == "words" else self._mark(step.target)
+        others = (ref for ref in step.sources if into and ref != step.target and self._mark(ref) not in ("", into))
+        put = dict.fromkeys(self._cited(ref, step) for ref in others)
+        return Move(sources, chain, number, reason, tuple(put), into)
+
+    def _cited(self, ref: Ref, step: Step) -> Cited:
+        """What a step puts in: the letter that an equation tells, which is gone behind it, and the number of that equation."""
+        mark = self._mark(ref)
+        if ref[0] == "known":
+            return Cited(Symbol(mark_name(ref, self.letters.names)))
+        if ref[0] == "step":
+            return Cited(self.letters.printed(self._steps[int(ref[1])].chain[-1].left), mark)
+        others = {name for other in (step.target, *step.sources) if other != ref for name in self._told_by(other)}
+        left = step.chain[0].left.symbols() | step.chain[0].right.symbols()
+        gone = [name for name in sorted(self._told_by(ref) & others - left) if is_key(name)]
+        equation = self.pool[int(ref[1])]
+        alone = [name for name in gone if Symbol(name) in (equation.left, equation.right)]
+        told = alone if len(alone) == 1 else gone
+        return Cited(self.letters.printed(Symbol(told[0])) if len(told) == 1 else None, mark)
+
+    def _told_by(self, ref: Ref) -> frozenset[str]:
+        """The letters of an equation that is cited."""
+        if ref[0] == "law":
+            return self.pool[int(ref[1])].symbols()
+        chain = self._steps[int(ref[1])].chain if ref[0] == "step" else ()
+        return chain[-1].left.symbols() | chain[-1].right.symbols() if chain else frozenset()
+
+    @cached_property
+    def _steps(self) -> dict[int, Step]:
+        """The steps of the search by their numbers."""
+        return {step.number: step for step in self.search.solver.steps}
 
     def _slope(self, step: Step) -> Iterator[Move]:
         """Behind the step that gives the size of a vector its direction."""
@@ -238,7 +280,7 @@ class DerivationComposer:
         if ref[0] == "words":
             return str(ref[1])
         if ref[0] == "known":
-            return name_to_text(self.letters.names.get(str(ref[1]), str(ref[1])))
+            return name_to_text(mark_name(ref, self.letters.names))
         number = self.numbers.get(ref)
         return f"({number})" if number is not None else ""
 

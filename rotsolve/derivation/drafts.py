@@ -151,23 +151,6 @@ def moments(scene: SceneEquations) -> list[str]:
     return list(dict.fromkeys(result))
 
 
-def title(key: str, scene: SceneEquations) -> str:
-    """Heading of a section."""
-    timeline = scene.configuration.timeline
-    interval = timeline.interval(key)
-    swings = scene.swings.values()
-    for swing in swings:
-        if swing.title(key):
-            several = len({other.body for other in swings}) > 1
-            return swing.title(key) + (f", {spoken(swing.body)}" if several else "")
-    if interval is None:
-        return f"At {spoken(key)}" if key else ""
-    if interval.event is not None:
-        word = getattr(interval.event, "word", "")
-        return f"Event {spoken(interval.name)}" + (f" ({word})" if word else "")
-    return f"From {spoken(interval.start)} to {spoken(interval.end)}"
-
-
 WITH_FORCES = (NEWTON, ENERGY, ANGULAR_MOMENTUM)
 
 

@@ -21,6 +21,7 @@ NAME, LABEL, STRONG, FAULT, CODE = "name", "label", "strong", "fault", "code"  #
 GOOD, BAD, OPEN = "good", "bad", "open"  # what is thought of a text
 LONGEST = 500  # characters of a student's text that are shown
 ARROW = "→"
+WITH = "with"  # what is said of the line that tells the meaning of a letter
 
 
 class Amount(Struct, frozen=True):
@@ -165,7 +166,8 @@ class Listing(PageBlock, frozen=True):
 class FormulaRow(Struct, frozen=True):
     """A line of formulas: what is said of it, equalities of which each follows from the one before, and its number.
 
-    A law is `numbered` first and then named; of a step the number stands behind it.
+    A law is `numbered` first and then named; of a step the number stands behind it. `values` are what the equality at `valued` comes to:
+    with numbers put in, and the number itself.
     """
 
     said: Phrase
@@ -173,6 +175,8 @@ class FormulaRow(Struct, frozen=True):
     number: int | None = None
     remark: Phrase = ()
     numbered: bool = False
+    values: tuple[Amount, ...] = ()
+    valued: int = -1
 
     @property
     def words(self) -> Phrase:
@@ -180,6 +184,21 @@ class FormulaRow(Struct, frozen=True):
         if self.numbered:
             return (*self.said, *in_brackets(self.remark))
         return joined_phrases(filter(None, (self.said, self.remark)), ": ")
+
+    @property
+    def says_much(self) -> bool:
+        """Whether what is said of it stands above its equalities rather than beside them."""
+        return not self.numbered and bool(self.said) and len(self.chain) > 1
+
+    def line(self, place: int) -> Phrase:
+        """One of its equalities, with what it comes to."""
+        one, worth = self.chain[place], self.worth(place)
+        return (Math((one.left, one.relation, one.right, *worth)),)
+
+    def worth(self, place: int) -> tuple[str | Amount, ...]:
+        """What one of its equalities comes to: = 2·9.8 N = 19.6 N."""
+        here = place == self.valued % len(self.chain)
+        return tuple(part for value in (self.values if here else ()) for part in ("=", value))
 
     @property
     def mark(self) -> str:
@@ -207,7 +226,7 @@ class Formulas(PageBlock, frozen=True):
 
     @staticmethod
     def bullet(row: FormulaRow) -> Bullet:
-        chain = joined_phrases(((equation(equality),) for equality in row.chain), " ", Math((ARROW,)), " ")
+        chain = joined_phrases(map(row.line, range(len(row.chain))), " ", Math((ARROW,)), " ")
         said = (*row.said, ": ") if row.said else ()
         if row.numbered:
             return Bullet((f"{row.mark} ", *said, *chain, *in_brackets(row.remark)))
@@ -230,7 +249,8 @@ class AnswerRow(Struct, frozen=True):
     @property
     def behind(self) -> Phrase:
         """What is said behind the formulas."""
-        return (*(f", {aside}" for aside in self.asides), *(part for note in self.notes for part in in_brackets(note)))
+        asides = (f"{' ' if aside.startswith('(') else ', '}{aside}" for aside in self.asides)
+        return (*asides, *(part for note in self.notes for part in in_brackets(note)))
 
     @property
     def bullet(self) -> Bullet:

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Derivation, Move, Refusal, Section
+from rotsolve.page.abbreviations import abbreviated, printed_forms
 from rotsolve.page.blocks import (
     Answers,
     Bullet,
@@ -20,9 +21,13 @@ from rotsolve.page.blocks import (
     Listing,
     Page,
     PageBlock,
+    Paragraph,
     Title,
 )
+from rotsolve.page.inserted import InsertedNumbers
+from rotsolve.page.plan import plan_of
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
+from rotsolve.page.wording import said_of_step
 
 
 class DerivationPage(Page, frozen=True):
@@ -34,17 +39,20 @@ class DerivationPage(Page, frozen=True):
     spaced: ClassVar[bool] = False
 
     def blocks(self) -> Iterator[PageBlock]:
-        derivation = self.derivation
+        derivation, shorts = abbreviated(self.derivation)
+        numbers = InsertedNumbers(derivation, shorts, self.digits)
         if derivation.title:
             yield Title(1, (derivation.title,))
         yield Labels(tuple(row for row in opening_rows(derivation) if row.items))
         for section in derivation.sections:
             if section.title:
                 yield Title(2, (section.title,))
-            yield from section_blocks(section)
+            yield from section_blocks(section, numbers)
         if derivation.answers:
             yield Title(2, ("Answers",))
             yield Answers(tuple(row for answer in derivation.answers for row in answer_rows(answer, self.digits)))
+            used = {name for answer in derivation.answers for form in printed_forms(answer) for name in form.symbols()}
+            yield from (Paragraph(("with ", *numbers.meaning(one))) for one in shorts if one.letter.name in used)
         if derivation.refused:
             yield Title(2, ("Not answered",))
             yield Bullets(tuple(map(refusal_bullet, derivation.refused)))
@@ -74,9 +82,10 @@ def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
     yield Labelled("Find", derivation.finds, ", " if only_letters(derivation.finds) else "; ")
     yield Labelled("States", derivation.states, wide=True)
+    yield Labelled("Plan", plan_of(derivation), " ", wide=len(derivation.sections) > 1)
 
 
-def section_blocks(section: Section) -> Iterator[PageBlock]:
+def section_blocks(section: Section, numbers: InsertedNumbers) -> Iterator[PageBlock]:
     """Forces, laws and algebra of one instant, phase or event."""
     level = 3 if section.title else 2
     if section.forces:
@@ -87,11 +96,11 @@ def section_blocks(section: Section) -> Iterator[PageBlock]:
         law_rows = (FormulaRow((law.law,), (law.equation,), law.number, law.remark, True) for law in section.laws)
         yield Formulas("Laws", level, section.remarks, tuple(law_rows))
     if section.moves:
-        yield Formulas("Solve", level, (), tuple(map(step_row, section.moves)))
+        yield Formulas("Solve", level, (), tuple(step_row(move, numbers) for move in section.moves))
 
 
-def step_row(move: Move) -> FormulaRow:
-    """A step of algebra: where it comes from, else why it is made."""
-    if move.sources:
-        return FormulaRow((move.sources,), move.chain, move.number, move.reason)
-    return FormulaRow(move.reason, move.chain, move.number)
+def step_row(move: Move, numbers: InsertedNumbers) -> FormulaRow:
+    """A step of algebra: where it comes from, else why it is made; and what it comes to in numbers."""
+    said, (place, values) = said_of_step(move), numbers.values(move)
+    remark = move.reason if said else ()
+    return FormulaRow(said or move.reason, move.chain, move.number, remark, values=values, valued=place)

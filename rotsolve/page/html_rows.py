@@ -30,7 +30,7 @@ td { padding: .25em .6em .25em 0; vertical-align: baseline; }
 td.left { text-align: right; padding-right: .1em; white-space: nowrap; }
 td.right { padding-right: 1.2em; white-space: nowrap; }
 td.said { color: #333; min-width: 8em; }
-td.then { text-align: right; }
+td.step { padding-top: .6em; }
 td.left math, td.right math { math-style: normal; }
 tr { break-inside: avoid; }
 .wide { overflow-x: auto; }
@@ -62,14 +62,18 @@ class HtmlRows:
         self.printer, self.words, self.math = printer, printer.words, printer.math
 
     def formulas(self, block: Formulas) -> Iterator[str]:
-        """A row for each equality: the first says where it comes from, the last has the number, which stands before a law."""
+        """A row for each equality: before the first stands where it comes from, the last has the number, which stands before a law."""
         yield f"<h{block.level}>{block.caption}</h{block.level}>"
         yield from (f"<p>{self.words(remark)}</p>" for remark in block.remarks)
         yield from table_of(line for row in block.rows for line in self._formula_rows(row))
 
     def _formula_rows(self, row: FormulaRow) -> Iterator[str]:
+        apart = row.says_much
+        if apart:
+            yield f'<td class="step" colspan="4">{self.words(row.words)}:</td>'
         for number, (left, right) in enumerate(map(self.printer.sides, row.chain)):
-            said = cell("→", "then") if number else cell(self.words(row.words), "said")
+            said = cell("", "said") if number or apart else cell(self.words(row.words), "said")
+            right += "".join(map(self.printer.part, row.worth(number)))
             mark = cell(row.mark if row.numbered or number == len(row.chain) - 1 else "")
             formulas = cell(self.math(left), "left") + cell(self.math(right), "right")
             yield f"{mark}{said}{formulas}" if row.numbered else f"{said}{formulas}{mark}"

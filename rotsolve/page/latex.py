@@ -60,15 +60,21 @@ class Latex(TexPrinter):
         yield BOLD.format(block.caption)
         for remark in block.remarks:
             yield from ("", self.words(remark))
-        yield from aligned([line for row in block.rows for line in self._formula_lines(row)])
+        lines: list[str] = []  # of one alignment, up to a step of which much is said
+        for row in block.rows:
+            if row.says_much:
+                yield from (*aligned(lines), "", f"{self.words(row.words)}:")
+                lines = []
+            lines += self._formula_lines(row)
+        yield from aligned(lines)
 
     def _formula_lines(self, row: FormulaRow) -> Iterator[str]:
-        """A line for each equality: the first says where it comes from, the last has the number."""
-        said = self.words(row.words)
+        """A line for each equality: behind the first stands where it comes from, the last has the number."""
+        said = "" if row.says_much else self.words(row.words)
         for number, (left, right) in enumerate(map(self.sides, row.chain)):
-            arrow = r"\Longrightarrow\quad " if number else ""
+            worth = "".join(f" {self.part(part)}" for part in row.worth(number))
             tag = rf" \tag{{{row.number}}}" if row.mark and number == len(row.chain) - 1 else ""
-            yield f"{arrow}{left} &{right}{'' if number else words_cell(said)}{tag}"
+            yield f"{left} &{right}{worth}{'' if number else words_cell(said)}{tag}"
 
     def answers(self, block: Answers) -> Iterator[str]:
         yield from aligned([line for row in block.rows for line in self._answer_lines(row)])

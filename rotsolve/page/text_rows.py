@@ -16,6 +16,7 @@ from rotsolve.page.columns import (
     boxed,
     clipped_around,
     column_lines,
+    fold,
     hold,
     labelled_lines,
     paragraph_lines,
@@ -26,7 +27,8 @@ from rotsolve.page.columns import (
 from rotsolve.page.printer import Printer
 
 WIDEST = 76  # columns of a matrix
-LONG = 40  # a first side of a chain behind which the arrows do not stand below each other
+NUMBERS = 100  # the column at which the numbers of steps end
+STEP = 6  # where the equalities of a step begin
 ROLES = {blocks.GOOD: "answer", blocks.BAD: "fault"}
 
 
@@ -139,20 +141,49 @@ class TextRows:
             yield TextLine(block.caption, "heading")
         for remark in block.remarks:
             yield from paragraph_lines(self.words(remark), 2, width)
-        starts = [len(self.words((blocks.equation(row.chain[0]),))) for row in block.rows if len(row.chain) > 1]
-        start = max((length for length in starts if length <= LONG), default=0)
-        yield from column_lines([self._formula_row(row, start) for row in block.rows], 2, width)
+        laws = [self._law_row(row) for row in block.rows if row.numbered]
+        yield from column_lines(laws, 2, width)
+        for row in (row for row in block.rows if not row.numbered):
+            yield from self._step_lines(row, width)
 
-    def _formula_row(self, row: blocks.FormulaRow, start: int) -> ColumnRow:
-        """A row of formulas, its first arrow at `start` where there is one."""
+    def _law_row(self, row: blocks.FormulaRow) -> ColumnRow:
+        """An equation with its number and the law that it states."""
+        remark = f"({self.words(row.remark)})" if row.remark else ""
+        return ColumnRow(f"{row.mark} {self.words(row.said)}", self.words(row.line(0)), remark)
+
+    def _step_lines(self, row: blocks.FormulaRow, width: int) -> Iterator[TextLine]:
+        """What a step does, and below it one equality a line, the number of the last at the right; a short one on one line."""
         said, remark = self.words(row.said), f"({self.words(row.remark)})" if row.remark else ""
-        chain = [self.words((blocks.equation(equality),)) for equality in row.chain]
-        if row.numbered:
-            return ColumnRow(f"{row.mark} {said}", chain[0], remark)
-        if len(chain) > 1:
-            chain[0] = chain[0].ljust(start, HELD)
-        steps = f"{HELD * 3} {blocks.ARROW}{HELD * 3}".join(chain)  # one blank, at which a long chain may be broken
-        return ColumnRow(said, steps, " ".join(filter(None, (row.mark, remark))))
+        end = min(width, NUMBERS)
+        first = f"  {said}{'' if said in ('', blocks.WITH) else ':'}"
+        whole = self.words(row.line(0))
+        if len(row.chain) == 1 and len(first) + 2 + len(whole) <= end - len(row.mark) - GAP:
+            yield from self._with_mark(f"{first}  {whole}", row.mark, remark, end, width)
+            return
+        yield from paragraph_lines(first.strip(), 2, width) if said else ()
+        *lines, last = [line for place in range(len(row.chain)) for line in self._equality_lines(row, place, width)]
+        yield from map(TextLine, map(release, lines))
+        yield from self._with_mark(last, row.mark, remark, end, width)
+
+    def _equality_lines(self, row: blocks.FormulaRow, place: int, width: int) -> Iterator[str]:
+        """One equality of a step; what it comes to stands below it where there is no room behind it."""
+        whole, room = self.words(row.line(place)), width - STEP
+        if len(whole) <= room or not row.worth(place):
+            yield from (" " * STEP + part for part in fold(whole, room))
+            return
+        yield from (" " * STEP + part for part in fold(self.words((blocks.equation(row.chain[place]),)), room))
+        yield from (" " * (STEP + 4) + part for part in wrap(self.words((blocks.Math(row.worth(place)),)), room - 4, 2))
+
+    @staticmethod
+    def _with_mark(line: str, mark: str, remark: str, end: int, width: int) -> Iterator[TextLine]:
+        """A line with its number at the right, and a remark behind it, or below it where there is no room."""
+        numbered = f"{line.ljust(end - len(mark))}{mark}" if mark and len(line) + GAP + len(mark) <= end else line
+        numbered += f"{' ' * GAP}{mark}" if mark and numbered == line else ""
+        if remark and not mark and len(line) + GAP + len(remark) <= width:
+            yield TextLine(release(f"{line}{' ' * GAP}{remark}"))
+            return
+        yield TextLine(release(numbered))
+        yield from paragraph_lines(remark, STEP + 2, width) if remark else ()
 
     def answers(self, block: blocks.Answers, indent: int, width: int) -> Iterator[TextLine]:
         yield from column_lines([line for row in block.rows for line in self.answer_rows(row)], 2, width, "answer")

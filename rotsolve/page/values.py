@@ -109,7 +109,7 @@ def _pointing(answer: Answer, number: str, digits: int) -> str:
     parts = (answer.direction, f"{angle}° to the horizontal" if answer.angle is not None else "")
     said = ", at ".join(filter(None, parts))
     less = number.startswith("−") or (not number and answer.formula is not None and begins_with_less(answer.formula))
-    return f"i.e. {said}" if said and less else said  # what the minus says, not one more reversal
+    return f"({said})" if said and less else said  # what the minus says, not one more reversal
 
 
 def begins_with_less(formula: Formula) -> bool:

@@ -115,13 +115,13 @@ class OfBodies(AtInstant, frozen=True):
         return self.instant.rate_of(path.quantity, name)
 
     def kinetic_energy(self, path: Path, term: Term | None) -> Formula:
-        """½ m v² + ½ I ω², or one of both; of a body joined to others, that of its own mass."""
+        """½ m v² + ½ I ω², or one of both; of a body joined to others, that of its own mass. About a fixed axis all of it is rotation."""
         name, component = path.owner, path.component
         share = self.share(name)
         if component is not None:
             self._refuse_on_shaft(path, "ask for the whole `kinetic_energy`")
         if component == "translational":
-            return total(share.translational())
+            return ZERO if share.motion.kind == "axis" else total(share.translational())
         if component == "rotational":
             return HALF * share.moment * square(share.motion.spin)
         return share.kinetic_energy() if joined(name, self.instant) else total(kinetic([self.body(name)]))

@@ -16,7 +16,7 @@ from rotsolve.space.pushes import ForceInSpace
 def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formula, Formula]:
     """The energy of rotation and of travel of a body; about a point at rest all is rotation."""
     moment, held = laws.moment, laws.moment.held
-    fixed = laws.fixed(name) and which != "translational" and not held.pointlike(name)
+    fixed = laws.fixed(name) and not held.pointlike(name)
     point = laws.about(name)[1] if fixed else CM
     velocity, _ = moment.of_mass(name, "velocity")
     travel = ZERO if fixed or which == "rotational" else multiply(HALF * held.mass(name), square_of(velocity))

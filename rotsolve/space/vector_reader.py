@@ -160,6 +160,9 @@ class VectorReader:
     def angular_momentum(self, path: Path, term: Term) -> Seen:
         """L = I ω about a point at rest; about the centre of mass; about another point with r × m v of the centre of mass."""
         name, own = path.owner, self.moment.attitude(path.owner)
+        if path.point is not None:
+            message = f"the share of a part in the angular momentum of `{name}` is not solved in space"
+            raise NotYet(message, path.span, f"ask for `{name}.angular_momentum`")
         place, _ = self.about(path, term)
         at_rest, own_point = self.dynamics.about(name)
         if place == at_rest:

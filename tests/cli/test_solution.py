@@ -42,7 +42,7 @@ def test_answers(solution: Solution) -> None:
     assert v.float == pytest.approx(-1 / 3, rel=1e-15)
     assert v.formula == parse("-sqrt(2 g h)")
     assert v.components["v_x"].value == "-0.33333"
-    assert str(v) == "v = −√(2 g h) = −0.33333 m/s, i.e. down\n  vₓ = −0.33333 m/s"
+    assert str(v) == "v = −√(2 g h) = −0.33333 m/s (down)\n  vₓ = −0.33333 m/s"
 
 
 def test_an_answer_without_number(solution: Solution) -> None:

@@ -68,6 +68,12 @@ CASES = {  # a scene, and what is known of it by hand
         "find: {a: bead.acceleration, F: bead.force.centrifugal relative to arm, r: bead.position, v: bead.velocity}\n",
         {"a": (-1.5, 0, 0), "F": (3, 0, 0), "r": (0.375, 0, 0), "v": (0, 0.75, 0)},
     ),
+    "of a body on a fixed axis all kinetic energy is rotation: M b² ω²/6": (
+        "gravity: none\nbodies: {rod: {shape: rod, mass: 3 kg, length: 1 m}}\n"
+        "connections: {axis: {hinge: rod.start, along: z, angular_velocity: 2 rad/s}}\n"
+        "find: {K: rod.kinetic_energy, R: rod.kinetic_energy.rotational, T: rod.kinetic_energy.translational}\n",
+        {"K": (2,), "R": (2,), "T": (0,)},
+    ),
     "all bodies together": (
         "bodies: {one: {shape: sphere, mass: 2 kg, radius: 1 m}, two: {shape: disc, mass: 3 kg, radius: 1 m}}\n"
         "states: {start: {one.velocity: [2 m/s, 0, 4 m/s], one.angular_velocity: [5 rad/s, 0, 1 rad/s], "
@@ -92,6 +98,12 @@ REFUSED = {  # a scene, and what is said of it
         "connections: {h: {hinge: t.center, along: z, angular_velocity: 3 rad/s}}\nactions: {push: {force: any, on: b}}\n"
         "states: {now: {b.velocity: [1 m/s, 0, 0]}}\nfind: {v: b.velocity relative to t at now}\n",
         "how `b` moves in `t` nothing tells",
+    ),
+    "the share of a part": (
+        "gravity: none\nbodies: {b: {points: {O: [0, 0, 0]}, parts: {p: {shape: particle, mass: 1 kg, at: [1 m, 0, 0]}, "
+        "q: {shape: particle, mass: 2 kg, at: [0, 1 m, 0]}}}}\n"
+        "connections: {h: {hinge: b.O, along: z, angular_velocity: 1 rad/s}}\nfind: {L: b.p.angular_momentum}\n",
+        "the share of a part in the angular momentum of `b` is not solved in space",
     ),
     **{
         f"{word} of all bodies together": (

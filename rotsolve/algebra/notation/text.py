@@ -15,6 +15,7 @@ from rotsolve.algebra.formula import (
     ELLIPTIC,
     Call,
     Constant,
+    Decimal,
     Formula,
     Integral,
     Negative,
@@ -42,7 +43,13 @@ Piece = tuple[str, int]
 
 def to_text(formula: Formula, *, unicode: bool = True) -> str:
     """The formula as a line of text: textbook style, or with `unicode=False` ASCII with every `*` written."""
-    return (_unicode if unicode else _ascii)(formula)[0]
+    if not unicode:
+        return _ascii(formula)[0]
+    known = formula.__dict__  # a page asks for the text of a formula several times
+    if "text" not in known:
+        known["text"] = _unicode(formula)[0]
+    text: str = known["text"]
+    return text
 
 
 def number_to_text(value: Fraction) -> str:
@@ -160,6 +167,8 @@ def _unicode(formula: Formula) -> Piece:
     if positive is not None:
         return f"−{_wrap(_unicode(positive), PRODUCT)}", NEGATIVE
     match formula:
+        case Decimal(text):
+            return text, ATOM
         case Number(value):
             return _number(value, glyphs=True)
         case Symbol(name) | Constant(name):
@@ -197,7 +206,8 @@ def _unicode_product(factors: tuple[Formula, ...]) -> str:
         body = _wrap(piece, QUOTIENT if index == 0 and _is_fraction(factor) else CALL)
         if trails(factor) and not (index == len(factors) - 1 or is_function(factors[index + 1])):
             body = _unicode_closed(factor)
-        dot = "·" if body[0].isdigit() or body[0] in GLYPHS.values() else " "
+        after = index > 0 and isinstance(factors[index - 1], Decimal)
+        dot = "·" if after or body[0].isdigit() or body[0] in GLYPHS.values() else " "
         text = f"{text}{dot}{body}" if text else body
     return text
 

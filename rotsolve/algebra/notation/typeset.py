@@ -9,7 +9,19 @@ from collections.abc import Callable
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Call, Constant, Formula, Integral, Number, Power, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.formula import (
+    Call,
+    Constant,
+    Decimal,
+    Formula,
+    Integral,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
 from rotsolve.algebra.notation.letters import name_to_latex
 from rotsolve.algebra.notation.text import (
     ATOM,
@@ -65,6 +77,8 @@ def _set(formula: Formula, marks: Marks) -> Piece:
     if positive is not None:
         return marks.row(marks.signs.first + _bracketed(_set(positive, marks), PRODUCT, marks)), NEGATIVE
     match formula:
+        case Decimal(text):
+            return marks.number(text), ATOM
         case Number(value):
             text = number_to_text(value)
             if "/" not in text:
@@ -104,6 +118,7 @@ def _set_product(factors: tuple[Formula, ...], marks: Marks) -> str:
         if trails(factor) and not root and not last and not is_function(factors[index + 1]):
             body = marks.signs.brackets(body)
         dotted = _starts_with_digit(factor) or (index and isinstance(factor, Number))
+        dotted = dotted or (index > 0 and isinstance(factors[index - 1], Decimal))
         joint = marks.dot if dotted else marks.before if is_function(factor) else marks.beside
         text = f"{text}{joint}{body}" if text else body
     return text
@@ -112,6 +127,8 @@ def _set_product(factors: tuple[Formula, ...], marks: Marks) -> str:
 def _starts_with_digit(formula: Formula) -> bool:
     """Whether the text begins with a digit on the line, which must not stand right behind a factor."""
     match formula:
+        case Decimal():
+            return True
         case Number(value):
             return value >= 0 and "/" not in number_to_text(value)
         case Power(base, _):

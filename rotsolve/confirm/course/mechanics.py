@@ -37,9 +37,9 @@ def kinetic_energy(at: Node, path: Path, term: Term | None) -> Reckoned:
         from rotsolve.confirm.carried import about_shaft
 
         turning += 0.5 * at.model.whirled[path.owner] ** 2 * about_shaft(path.owner, at.model, at.pose)
-    if path.component == "rotational":
-        return number(travel + turning if at.axis(path.owner) is not None else turning)
-    return number(travel if path.component == "translational" else travel + turning)
+    if at.axis(path.owner) is not None:
+        turning, travel = travel + turning, 0 * travel
+    return number({"rotational": turning, "translational": travel}.get(path.component or "", travel + turning))
 
 
 def height_energy(at: Node, path: Path, term: Term | None) -> Reckoned:

@@ -316,15 +316,13 @@ class Reading:
         return sum(self.kinetic(name, path.component or "") for name in names)
 
     def kinetic(self, name: str, which: str) -> float:
-        """½ ω · I ω + ½ m v²; that of rotation about a point at rest is all of it."""
+        """½ ω · I ω + ½ m v²; of what turns about a point at rest all of it is rotation."""
         own, omega, speed = self.rig.solid(name), self.omega(name), self.now.arrow(SPEED, name)
         turning = inner_product(omega, times_arrow(self.world.efforts.tensor(name), omega)) / 2
         travel = own.mass * inner_product(speed, speed) / 2
-        if which == "translational":
-            return travel
-        if which == "rotational" and self.rig.on_ground(name) is None:
-            return turning
-        return turning + travel
+        if self.rig.on_ground(name) is not None and any(map(any, own.tensor)):
+            turning, travel = turning + travel, 0.0
+        return {"translational": travel, "rotational": turning}.get(which, turning + travel)
 
     def energy(self, path: Path, term: Term) -> float:
         """K + m g h."""

@@ -1,0 +1,176 @@
+"""Inserted: a formula with the numbers of its letters put in, as at the end of a stage: ω = √(g sin θ/L) = √(9.8·0.8660/4) rad/s."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.formula import (
+    ELLIPTIC,
+    Call,
+    Decimal,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Product,
+    Sum,
+    Symbol,
+)
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import NONE, Dimension, DimensionError, base_unit_text, dimension_of
+from rotsolve.algebra.units.quantities import parse_unit
+from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.core.derivation import Answer, Derivation, Equality, Move
+from rotsolve.page.abbreviations import Abbreviation
+from rotsolve.page.blocks import WITH, Amount, Math, Phrase
+from rotsolve.page.values import certified_digits
+
+LONGEST = 72  # columns of a formula with numbers that is worth reading
+EXACT = 6  # digits of a given that is written as it is
+SEEN_THROUGH = frozenset(("sqrt", "abs", "asin", "acos", "atan", "atan2"))  # functions whose arguments are shown
+
+
+class NotShown(ValueError):
+    """A letter has no number, or an integral would have to be worked out."""
+
+
+class InsertedNumbers:
+    """The numbers of the letters of a derivation, step by step, with so many digits."""
+
+    def __init__(self, derivation: Derivation, shorts: Iterable[Abbreviation], digits: int) -> None:
+        self.digits = digits
+        self.givens = {given.name: given.value for given in derivation.givens if given.value is not None}
+        self.answers = {to_text(answer.symbol): answer for answer in derivation.answers if answer.value is not None}
+        self.dimensions = {given.name: given.dimension for given in derivation.givens if given.dimension is not None}
+        self.roots: dict[str, Certified] = {}
+        self.steps: dict[str, Formula] = {short.letter.name: short.meaning for short in shorts}
+
+    def values(self, move: Move) -> tuple[int, tuple[Amount, ...]]:
+        """What a step that gives an answer comes to: with numbers put in, and the number; and behind which of its lines that stands."""
+        last = move.chain[-1]
+        if not isinstance(last.left, Symbol) or last.relation != "=":
+            return -1, ()
+        if move.sources == WITH:
+            return -1, self.worth(last)
+        self.steps.setdefault(last.left.name, last.right)
+        answer = self.answers.get(to_text(last.left))
+        if answer is None or answer.formula is None or isinstance(last.right, Number) or not last.right.symbols():
+            return -1, ()
+        number, note = certified_digits(answer.value, self.digits)
+        if not number or note or not self.known(last.right):
+            return -1, ()
+        place = self.plainest(move.chain)
+        return place, (*self.shown(move.chain[place].right, answer), Amount(number, answer.unit))
+
+    def meaning(self, short: Abbreviation) -> Phrase:
+        """D = m + M + … = 5 kg, of a letter that the page gives to a sum."""
+        one = short.equality
+        return (Math((one.left, "=", one.right, *(part for value in self.worth(one) for part in ("=", value)))),)
+
+    def worth(self, one: Equality) -> tuple[Amount, ...]:
+        """The number of a sum in givens, with its unit; nothing where letters have none."""
+        try:
+            number, note = certified_digits(self.number(one.right), self.digits)
+            dimension = dimension_of(one.right, self.dimensions)
+        except (NotShown, Undefined, DimensionError):
+            return ()
+        return (Amount(number, unit_of(dimension)),) if number and not note else ()
+
+    def known(self, formula: Formula) -> bool:
+        """Whether all letters of a formula have numbers by now."""
+        try:
+            self.number(formula)
+        except (NotShown, Undefined):
+            return False
+        return True
+
+    def plainest(self, chain: tuple[Equality, ...]) -> int:
+        """The line with the shortest right side of those that tell the letter of the last one by others."""
+        letter = chain[-1].left
+        told = [k for k, one in enumerate(chain) if one.left == letter and not letter.symbols() & one.right.symbols()]
+        return min(told, key=lambda k: len(to_text(chain[k].right)))
+
+    def shown(self, formula: Formula, answer: Answer) -> tuple[Amount, ...]:
+        """The formula with numbers in coherent units, and their unit; nothing where that would be no help."""
+        if isinstance(formula, (Symbol, Number, Negative)) and not formula.children():
+            return ()
+        try:
+            put_in = self.put_in(formula)
+        except (NotShown, Undefined):
+            return ()
+        if len(to_text(put_in)) > LONGEST or not any(isinstance(node, Decimal) for node in put_in.walk()):
+            return ()
+        unit = None if put_in.holds(*INVERSE) else coherent_unit(answer)
+        return (Amount(Product((put_in,)) if isinstance(put_in, Sum) and unit is not None else put_in, unit),)
+
+    def put_in(self, node: Formula) -> Formula:
+        """A formula with decimals for its letters; a sine or an exponential of numbers is one number."""
+        if isinstance(node, Symbol):
+            return self.decimal(self.exact_text(node.name) or "", node)
+        if isinstance(node, Integral):
+            raise NotShown
+        if isinstance(node, Call) and (node.function not in SEEN_THROUGH or node.function in ELLIPTIC):
+            return self.decimal("", node)
+        children = node.children()
+        return node.with_children(tuple(map(self.put_in, children))) if children else node
+
+    def exact_text(self, name: str) -> str | None:
+        """The decimals of a given that are short enough to be written as they are."""
+        value = self.givens.get(name)
+        if not isinstance(value, Number):
+            return None
+        return exact_decimals(value.value)
+
+    def decimal(self, text: str, node: Formula) -> Formula:
+        """A number for a node, certified to the digits of the page."""
+        if not text:
+            text, note = certified_digits(self.number(node), self.digits)
+            if not text or note:
+                raise NotShown
+        size = Decimal(text.lstrip("−-"))
+        return Negative(size) if text[0] in "−-" else size
+
+    def number(self, node: Formula) -> Certified:
+        """The value of a formula in givens and in letters that steps have told."""
+        told = node.symbols() - set(self.givens)
+        return evaluate(node, self.givens, roots={name: self.root(name) for name in told})
+
+    def root(self, name: str) -> Certified:
+        """The value of a letter that a step has told."""
+        if name not in self.roots:
+            told = self.steps.get(name)
+            if told is None:
+                raise NotShown
+            self.roots[name] = self.number(told)
+        return self.roots[name]
+
+
+INVERSE = frozenset(("asin", "acos", "atan", "atan2"))
+
+
+def exact_decimals(value: Fraction) -> str | None:
+    """A rational number as a short exact decimal: 9.8, 0.05, 12; None where it has none."""
+    sign, size = "−" if value < 0 else "", abs(value)
+    for places in range(EXACT + 1):
+        scaled = size * 10**places
+        if scaled.denominator == 1:
+            digits = str(scaled.numerator).rjust(places + 1, "0")
+            if len(digits.strip("0")) > EXACT or len(digits) > EXACT + 1:
+                return None
+            return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
+    return None
+
+
+def coherent_unit(answer: Answer) -> Unit | None:
+    """The unit in which a formula with coherent numbers comes: that of the answer where it is one."""
+    if answer.unit is not None and answer.unit.factor == Number(Fraction(1)):
+        return answer.unit
+    return None if answer.dimension is None else unit_of(answer.dimension)
+
+
+def unit_of(dimension: Dimension) -> Unit | None:
+    """The coherent unit of a dimension; None for a mere number."""
+    return None if dimension == NONE else parse_unit(base_unit_text(dimension))

@@ -1,0 +1,134 @@
+"""Plan: which laws a derivation goes by, for what, and in which order, said before it begins; from its laws and steps alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.derivation import Derivation, LawLine, Section
+from rotsolve.core.equation import (
+    ANGULAR_MOMENTUM_IN_SPACE,
+    BLOWS,
+    CONSERVATION,
+    DERIVATIVE,
+    INERTIA,
+    NEWTON,
+    PARALLEL_AXES,
+    RATE_IN_AXES,
+    ROTATION,
+    RULE,
+    RULE_OF_WAYS,
+    SECOND_LAW,
+    STEADY_TRAVEL,
+    STEADY_TURN,
+    STRETCH,
+    TRAVEL_AT_ANY_TIME,
+    TRAVEL_BY_MEAN,
+    TURN_AT_ANY_TIME,
+    TURN_BY_MEAN,
+    TWISTS,
+    WORK_AND_ENERGY,
+)
+from rotsolve.core.writing import and_joined
+from rotsolve.page.blocks import Phrase
+from rotsolve.page.wording import enumerated
+
+FEWEST = 2  # laws of a derivation that needs a plan
+FOR = " for {}"
+APART = frozenset(law.name for law in (INERTIA, PARALLEL_AXES))
+TIES = frozenset(law.name for law in (RULE, RULE_OF_WAYS, STRETCH))  # what ties motions together
+SAID = {  # how a plan speaks of a law, with its bodies behind it where it is written for each; of others by their labels
+    SECOND_LAW.name: "Newton's second law for {}",
+    ROTATION.name: "Newton's law for rotation for {}",
+    CONSERVATION.name: "the conservation of energy",
+    WORK_AND_ENERGY.name: "work and energy",
+    DERIVATIVE.name: "the derivative of the energy",
+    BLOWS.name: "impulse and change of momentum for {}",
+    TWISTS.name: "angular impulse and change of angular momentum for {}",
+    RATE_IN_AXES.name: "the rate of the angular momentum in axes that turn, τ = dL/dt + Ω × L, for {}",
+    ANGULAR_MOMENTUM_IN_SPACE.name: "the angular momentum of {} by its components",
+    **dict.fromkeys(
+        (
+            law.name
+            for law in (STEADY_TRAVEL, STEADY_TURN, TRAVEL_BY_MEAN, TURN_BY_MEAN, TRAVEL_AT_ANY_TIME, TURN_AT_ANY_TIME)
+        ),
+        "the equations of constant acceleration for {}",
+    ),
+}
+
+
+def plan_of(derivation: Derivation) -> tuple[Phrase, ...]:
+    """The plan, sentence by sentence; nothing where there is little to plan."""
+    sections = [section for section in derivation.sections if section.laws]
+    if sum(len(section.laws) for section in sections) < FEWEST:
+        return ()
+    if len(sections) == 1:
+        return tuple(plan_sentences(sections[0], derivation))
+    return tuple(plan_stage(number, section, derivation) for number, section in enumerate(sections, 1))
+
+
+def plan_sentences(section: Section, derivation: Derivation) -> Iterator[Phrase]:
+    """What a scene of one instant or phase is solved by, and what ties its motions together."""
+    laws, ties = principles(section.laws), ties_of(section.laws)
+    if laws:
+        yield (capital(f"{and_joined(laws)}."),)
+    if laws and ties:
+        yield (f"The motions are tied together: {and_joined(ties)}.",)
+    if len(set(newtonian(section))) > 1:
+        yield (f"That makes {len(section.laws)} equations for as many unknowns.",)
+
+
+def newtonian(section: Section) -> Iterator[str]:
+    """Labels of Newton's laws in a section."""
+    return (law.law for law in section.laws if law.family == NEWTON)
+
+
+def plan_stage(number: int, section: Section, derivation: Derivation) -> Phrase:
+    """One stage of several: "2. From after to top: the conservation of energy; this gives ω."."""
+    laws = principles(section.laws) or plain_labels(section.laws)
+    found = found_in(section, derivation)
+    gives = ("; this gives ", *enumerated([(one,) for one in found])) if found else ()
+    head = f"{number}. {section.title}{': ' if section.title else ''}"
+    return (f"{head}{and_joined(laws)}", *gives, ".")
+
+
+def found_in(section: Section, derivation: Derivation) -> list[Formula]:
+    """The answers that a section finds."""
+    asked = [answer.symbol for answer in derivation.answers]
+    ends = [one.left for move in section.moves for one in move.chain[-1:]]
+    ends += [law.equation.left for law in section.laws]
+    return [symbol for symbol in asked if isinstance(symbol, Symbol) and symbol in ends]
+
+
+def principles(laws: Sequence[LawLine]) -> list[str]:
+    """The laws of motion, conservation and kinematics, each once, those of the same bodies side by side."""
+    bodies: dict[str, list[str]] = {}
+    for law in laws:
+        if law.family or law.name in SAID:
+            own = bodies.setdefault(SAID.get(law.name) or law.law.split(", ")[0], [])
+            own += [body for body in law.bodies[:1] if body not in own]
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for said, own in bodies.items():
+        alike.setdefault(tuple(own) if said.endswith(FOR) else (said,), []).append(said)
+    return [
+        f"{and_joined([said.removesuffix(FOR) for said in group])}{FOR.format(and_joined(own))}"
+        if group[0].endswith(FOR)
+        else and_joined(group).format(and_joined(bodies[group[0]]))
+        for own, group in alike.items()
+    ]
+
+
+def ties_of(laws: Sequence[LawLine]) -> list[str]:
+    """What ties motions together, each once: "the string does not slip"."""
+    return list(dict.fromkeys(law.law.split(", ")[0] for law in laws if law.name in TIES))
+
+
+def plain_labels(laws: Sequence[LawLine]) -> list[str]:
+    """What remains: what quantities are by their definitions."""
+    own = [law for law in laws if law.name not in APART] or laws
+    return list(dict.fromkeys(law.law.split(", ")[0] for law in own))
+
+
+def capital(words: str) -> str:
+    """A sentence with its first letter large."""
+    return words[:1].upper() + words[1:]

@@ -1,0 +1,43 @@
+"""Wording: what is said of the steps of a derivation, from what kind of step it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Cited, Move
+from rotsolve.page.blocks import Phrase, joined_phrases
+
+
+def said_of_step(move: Move) -> Phrase:
+    """What a step does: "From (3)", "Put T from (4) and I from (2) into (1)"."""
+    if not move.into:
+        return (move.sources,) if move.sources else ()
+    if not move.put:
+        return (f"From {move.into}",)
+    return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}")
+
+
+def cited_phrases(put: Sequence[Cited]) -> list[Phrase]:
+    """What is put in, equation by equation: "T from (4)", "(5)", and an answer found before by its letter."""
+    by_mark: dict[str, list[Formula]] = {}
+    for one in put:
+        letters = by_mark.setdefault(one.mark, [])
+        letters += [one.letter] if one.letter is not None else []
+    phrases: list[Phrase] = [(letter,) for letter in by_mark.pop("", ())]
+    for mark in sorted(by_mark, key=mark_number):
+        told = enumerated([(letter,) for letter in by_mark[mark]])
+        phrases.append((*told, f" from {mark}") if told else (mark,))
+    return phrases
+
+
+def mark_number(mark: str) -> int:
+    """The number of an equation: 12 of (12)."""
+    return int(mark[1:-1])
+
+
+def enumerated(phrases: Sequence[Phrase]) -> Phrase:
+    """a, b and c."""
+    if len(phrases) < 2:
+        return phrases[0] if phrases else ()
+    return (*joined_phrases(phrases[:-1], ", "), " and ", *phrases[-1])
