@@ -100,7 +100,8 @@ class Move(Struct, frozen=True):
 class Section(Struct, frozen=True):
     """What belongs to one instant, phase or event: forces, laws, algebra, in the order in which a textbook shows them.
 
-    `title` is empty where the scene has one instant only. `remarks` are sentences such as why energy is conserved.
+    `title` is empty where the scene has one instant only. `remarks` are sentences such as why energy is conserved. What is `supposed` is
+    shown not to be so: the letters have other values there.
     """
 
     title: str
@@ -108,6 +109,7 @@ class Section(Struct, frozen=True):
     remarks: tuple[Words, ...] = ()
     laws: tuple[LawLine, ...] = ()
     moves: tuple[Move, ...] = ()
+    supposed: bool = False
 
 
 class Answer(Struct, frozen=True):

@@ -37,5 +37,5 @@ def section_of_slipping(shown: SlippingContact, first: int) -> tuple[Section, in
     words: Words = (f"{compared}more than the contact can give, so {body} slips",)
     friction, push = (composer.letters.symbols[force.asked.letter] for force in (shown.friction, shown.normal))
     move = Move("", (Equality(call("abs", friction), static * push, ">"),), None, words)
-    section = Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move))
+    section = Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move), supposed=True)
     return section, first + len(composer.numbers)

@@ -96,11 +96,12 @@ def section_blocks(section: Section, numbers: InsertedNumbers) -> Iterator[PageB
         law_rows = (FormulaRow((law.law,), (law.equation,), law.number, law.remark, True) for law in section.laws)
         yield Formulas("Laws", level, section.remarks, tuple(law_rows))
     if section.moves:
-        yield Formulas("Solve", level, (), tuple(step_row(move, numbers) for move in section.moves))
+        known = None if section.supposed else numbers
+        yield Formulas("Solve", level, (), tuple(step_row(move, known) for move in section.moves))
 
 
-def step_row(move: Move, numbers: InsertedNumbers) -> FormulaRow:
-    """A step of algebra: where it comes from, else why it is made; and what it comes to in numbers."""
-    said, (place, values) = said_of_step(move), numbers.values(move)
+def step_row(move: Move, numbers: InsertedNumbers | None) -> FormulaRow:
+    """A step of algebra: where it comes from, else why it is made; and what it comes to where there are `numbers`."""
+    said, (place, values) = said_of_step(move), (-1, ()) if numbers is None else numbers.values(move)
     remark = move.reason if said else ()
     return FormulaRow(said or move.reason, move.chain, move.number, remark, values=values, valued=place)

@@ -29,6 +29,7 @@ from rotsolve.page.blocks import WITH, Amount, Math, Phrase
 from rotsolve.page.values import certified_digits
 
 LONGEST = 72  # columns of a formula with numbers that is worth reading
+SAME = 1e-9  # beside which two numbers differ
 EXACT = 6  # digits of a given that is written as it is
 SEEN_THROUGH = frozenset(("sqrt", "abs", "asin", "acos", "atan", "atan2"))  # functions whose arguments are shown
 
@@ -60,7 +61,7 @@ class InsertedNumbers:
         if answer is None or answer.formula is None or isinstance(last.right, Number) or not last.right.symbols():
             return -1, ()
         number, note = certified_digits(answer.value, self.digits)
-        if not number or note or not self.known(last.right):
+        if not number or note or not self.comes_to(last.right, answer):
             return -1, ()
         place = self.plainest(move.chain)
         return place, (*self.shown(move.chain[place].right, answer), Amount(number, answer.unit))
@@ -79,13 +80,15 @@ class InsertedNumbers:
             return ()
         return (Amount(number, unit_of(dimension)),) if number and not note else ()
 
-    def known(self, formula: Formula) -> bool:
-        """Whether all letters of a formula have numbers by now."""
+    def comes_to(self, formula: Formula, answer: Answer) -> bool:
+        """Whether a formula has a number by now, which is that of the answer: not where a letter has another meaning."""
+        assert answer.value is not None
         try:
-            self.number(formula)
+            found = self.number(formula).float
         except (NotShown, Undefined):
             return False
-        return True
+        value = answer.value.float * (1.0 if answer.unit is None else evaluate(answer.unit.factor, {}).float)
+        return abs(found - value) <= SAME * abs(value)
 
     def plainest(self, chain: tuple[Equality, ...]) -> int:
         """The line with the shortest right side of those that tell the letter of the last one by others."""

@@ -86,7 +86,7 @@ def newtonian(section: Section) -> Iterator[str]:
 def plan_stage(number: int, section: Section, derivation: Derivation) -> Phrase:
     """One stage of several: "2. From after to top: the conservation of energy; this gives ω."."""
     laws = principles(section.laws) or plain_labels(section.laws)
-    found = found_in(section, derivation)
+    found = [] if section.supposed else found_in(section, derivation)
     gives = ("; this gives ", *enumerated([(one,) for one in found])) if found else ()
     head = f"{number}. {section.title}{': ' if section.title else ''}"
     return (f"{head}{and_joined(laws)}", *gives, ".")
@@ -113,7 +113,7 @@ def principles(laws: Sequence[LawLine]) -> list[str]:
     return [
         f"{and_joined([said.removesuffix(FOR) for said in group])}{FOR.format(and_joined(own))}"
         if group[0].endswith(FOR)
-        else and_joined(group).format(and_joined(bodies[group[0]]))
+        else and_joined(group).format(and_joined(bodies[group[0]] or ("",)))
         for own, group in alike.items()
     ]
 
