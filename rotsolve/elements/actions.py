@@ -46,8 +46,8 @@ class AppliedForce(Action, frozen=True):
     )
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = aimed()
-    over: bool = key("flag", "the pull leaves the wheel at its top", default=False)
-    under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False)
+    over: bool = key("flag", "the pull leaves the wheel at its top", default=False, plane=True)
+    under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False, plane=True)
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         """Also by its arm: a force that keeps its direction pulls a turning body at an ever other angle."""

@@ -184,8 +184,8 @@ class ActingElement(Element, frozen=True):
 class Action(ActingElement, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
-    from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",))
-    to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
+    from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",), plane=True)
+    to: str | None = key("name", "the state at which it ends", default=None, refers=("state",), plane=True)
 
     def touches(self) -> tuple[PointRef, ...]:
         """The point on which it acts."""

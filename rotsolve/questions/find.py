@@ -22,7 +22,7 @@ from rotsolve.core.vectors.tensor import AXES, ENTRIES
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Given, Term
-from rotsolve.paths.meaning import Meaning, whole_vector
+from rotsolve.paths.meaning import Meaning, NotYet, whole_vector
 from rotsolve.questions.terms import DIFFERENCE, magnitude, meaning_of
 
 if TYPE_CHECKING:
@@ -228,6 +228,7 @@ def rewritten(question: Asked, altered: Alteration) -> Asked:
 
 def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: Beside | None) -> Asked:
     """The formula of a `find` line, and the letter that stands for it."""
+    refuse_modified_whole(find, scene)
     meanings = [meaning_of(term, scene, beside) for term in find.terms]
     formula = find_formula(find, [meaning.formula for meaning, _ in meanings], earlier)
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
@@ -255,6 +256,15 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
         note = conversion(find, given)
         return Asked(find, formula, question.letter, dimension, label="conversion of units" if note else "", said=note)
     return question if own is None else of_one_path(question, own)
+
+
+def refuse_modified_whole(find: Find, scene: SceneEquations) -> None:
+    """Refuse a modifier in front of more than one quantity, which would be left out; of an unknown letter it says which root is meant."""
+    letter = find.formula.name if isinstance(find.formula, Symbol) else ""
+    sought = any(given.asked for given in scene.configuration.problem.givens if given.name == letter)
+    if find.modifier not in ("", "size of") and find.where is None and not sought:
+        message = f"`{find.modifier}` in `{find.text.strip()}` is solved of a single quantity, or of an earlier answer over its open letter"
+        raise NotYet(message, find.span)
 
 
 def find_formula(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> Formula:

@@ -10,6 +10,7 @@ from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Path, Term
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, path_text
 
@@ -58,6 +59,7 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
     start, end = term.start, term.end
     if scene.configuration.problem.space:
         if term.at == ANY_TIME:
+            refuse_modifier(term)
             from rotsolve.questions.functions_of_time import phases_of
 
             phase = phases_of(term, scene)[0].name
@@ -66,7 +68,10 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
             return scene.small_swings(term)  # type: ignore[attr-defined, no-any-return]
         if start or term.during:
             return scene.between(term)  # type: ignore[attr-defined, no-any-return]
-        return scene.steady_extreme(term) if term.modifier in EXTREMES else at_state(term, scene)  # type: ignore[attr-defined]
+        if term.modifier in EXTREMES:
+            return scene.steady_extreme(term)  # type: ignore[attr-defined, no-any-return]
+        refuse_modifier(term)
+        return at_state(term, scene)
     if term.at == ANY_TIME:
         from rotsolve.questions.functions_of_time import meaning_at_any_time
 
@@ -103,7 +108,15 @@ def from_to(
         return change_or_loss(term, start, end, scene)
     if term.modifier == "mean" and start and end:
         return mean(term, start, end, scene, beside)
+    refuse_modifier(term)
     return at_state(term, scene)
+
+
+def refuse_modifier(term: Term) -> None:
+    """Refuse what is asked over a time, `lost` or `mean`, where one state is named."""
+    if term.modifier not in ("", "size of", ANGLE_OF):
+        message = f"`{term.modifier} {path_text(term.path)}` is asked over a time, and no two states are named"
+        raise NotYet(message, term.path.span, "say `from` one state `to` another")
 
 
 def at_state(term: Term, scene: SceneEquations) -> tuple[Meaning, str]:

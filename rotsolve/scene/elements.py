@@ -41,6 +41,8 @@ def read_keys(scope: Scope, cls: type[Element], name: str, entries: dict[str, tu
             scope.later(key, word)
         if declared.space and not scope.space:
             in_space_only(scope, key, word)
+        if declared.plane and scope.space:
+            in_plane_only(scope, key, word)
         found = read_value(scope, declared, node, word, name)
         if found is not None:
             result[attributes[word]] = found

@@ -153,7 +153,9 @@ def refuse_open(search: Search, find: Find) -> None:
 
 def answer_with_condition(search: Search, find: Find) -> bool:
     """Answer a question with a condition, or for an extremum over a letter; False where it is neither."""
-    steady = find.where is None and search.scene.configuration.problem.space  # of several steady motions one
+    steady = (
+        find.where is None and search.scene.configuration.problem.space and find.terms
+    )  # of several steady motions one
     if (find.where is None and not find.extreme) or steady:
         return False
     from rotsolve.search.conditions import answer_where

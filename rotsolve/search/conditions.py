@@ -212,8 +212,9 @@ def on_the_verge_in_space(search: Search, find: Find) -> None:
     found, letter = answered.found.formula, question.letter
     if found is None:
         return
-    gap = search.solver.with_found(limit.left - limit.right)
-    slope = search.signs.decide(differentiate(gap, letter).substitute({letter: found}))
+    beside = f"{letter} beside"  # since the letter itself has been found now
+    gap = search.solver.with_found((limit.left - limit.right).substitute({letter: Symbol(beside)}))
+    slope = search.signs.decide(search.solver.with_found(differentiate(gap, beside).substitute({beside: found})))
     side = {1: "smallest", -1: "largest"}.get(slope or 0, "")
     if side and side != modifier_of(find):
         search.take_back(answered)

@@ -39,6 +39,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import EXTREMES
+from rotsolve.paths.meaning import NotYet
 from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import (
     BODY,
@@ -116,6 +117,10 @@ class SpaceMoment(TellingMoment):
         )
         if alpha == NOTHING:
             alpha = triple([differentiate(part, TIME) for part in omega])
+        if self.later and omega != NOTHING:
+            help = "turn it by a `hinge` with its `angular_velocity`, or ask at the first state"
+            message = f"how `{name}`, which is led, stands at `{self.when}` is not solved: time has passed"
+            raise NotYet(message, self.held.bodies[name].span, help)
         rows = self.turned(name)
         back = transposed(rows)
         omega, alpha = (triple([self.now(part) for part in vector]) for vector in (omega, alpha))
@@ -474,6 +479,10 @@ class SpaceMoment(TellingMoment):
         """The velocity or acceleration of the centre of mass of a free body, in space axes."""
         led = {(kind, axis): value for kind, axis, value in self.held.bodies[name].moved}
         order = ("position", "velocity", "acceleration")
+        if self.later and word == "velocity" and any(kind == "acceleration" for kind, _ in led):
+            help = "tell its `velocity` as a formula of `time`"
+            message = f"how fast `{name}`, which is led with an acceleration, goes at `{self.when}` is not solved: time has passed"
+            raise NotYet(message, self.held.bodies[name].span, help)
         for back in range(order.index(word), -1, -1):
             if any((order[back], axis) in led for axis in AXES):
                 parts = [led.get((order[back], axis), ZERO) for axis in AXES]
@@ -515,7 +524,6 @@ class SpaceMoment(TellingMoment):
         told = self.vector_told(name, "position")
         if told is not None and told[2] == frame:
             return told[0]
-        from rotsolve.paths.meaning import NotYet
         from rotsolve.space.places import point_in_space, reference_place
 
         try:

@@ -29,6 +29,7 @@ from rotsolve.space.arrangement import NODAL
 from rotsolve.space.energies import height_above, kinetic_energies, power_of
 from rotsolve.space.inertia import CM, in_axes, moment_along
 from rotsolve.space.telling import turns_untold
+from rotsolve.space.understood import refuse_dropped
 from rotsolve.space.vector_reader import VectorReader, tidied_part
 
 PRINCIPAL = "principal moment of inertia, a root λ of det(I − λ 1) = 0"
@@ -55,6 +56,7 @@ class SpaceReader(VectorReader):
     def meaning(self, path: Path, term: Term | None = None) -> Meaning:
         """What a path stands for; raises `NotYet` for what has no meaning here."""
         term = term or Term(path)
+        refuse_dropped(path, term)
         if term.modifier == ANGLE_OF and term.other is not None:
             return self.between(term, term.other)
         kind = QUANTITIES[path.quantity]
@@ -332,7 +334,7 @@ class SpaceReader(VectorReader):
         return total([self.held.mass(name) for name in ([path.owner] if path.owner else self.held.order)])
 
     def speed(self, path: Path, term: Term) -> Formula:
-        return tidied_part(length_of(self.velocity(path, term)[0]))
+        return tidied_part(length_of(self.vector(replace(path, quantity="velocity"), term)[0]))
 
     def period(self, path: Path, term: Term) -> Meaning:
         from rotsolve.space.free import period_of_turning

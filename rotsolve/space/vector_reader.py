@@ -209,7 +209,7 @@ class VectorReader:
 
             return inertial_force(self.moment, path, term.relative or frame_of(self.moment, path.owner), which)
         if which == "net":
-            acceleration, _ = self.acceleration(replace(path, point=None), term)
+            acceleration, axes = self.acceleration(replace(path, point=None), term)
             return scaled_by(self.held.mass(path.owner), acceleration), axes
         return self.forces_of(path.owner, which), axes
 

@@ -67,7 +67,7 @@ def test_the_reason_is_told() -> None:
     text = chosen("{which of: {ball: a, ring: ring.acceleration}, is: above 3 m/s^2}").to("text")
     assert "pick: ball (ball: 3.5 m/s² > 3 m/s²; ring: 2.45 m/s² ≤ 3 m/s²)" in text
     lines = [" ".join(line.split()) for line in text.splitlines()]
-    assert "ball a > x (3.5 m/s² > 3 m/s²)" in lines
+    assert "ball: a > x (3.5 m/s² > 3 m/s²)" in lines
     assert "x = 3 m/s²" in lines[2]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from msgspec.structs import replace
@@ -14,6 +14,7 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.units.quantities import parse_quantity, parse_unit
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.language.problem import Given
+from rotsolve.page.values import machine_number
 
 
 @dataclass(frozen=True)
@@ -21,6 +22,10 @@ class Digits:
     """A certified number as far as printing knows one."""
 
     digits: str
+
+    @property
+    def float(self) -> float:
+        return float(machine_number(self.digits))
 
     def figures(self, digits: int) -> tuple[str, int]:
         return self.digits, digits
@@ -33,6 +38,7 @@ class Fuzzy:
     certain: int
 
     sign: int | None = 1
+    float: ClassVar[float] = 1.23456789
 
     def figures(self, digits: int) -> tuple[str, int]:
         sure = min(digits, self.certain)

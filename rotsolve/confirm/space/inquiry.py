@@ -281,6 +281,8 @@ class Inquiry:
         terms = [self.of_term(for_part(term, part)) for term in find.terms]
         whole = find.formula == Symbol("#0") and len(terms) == 1
         found = terms[0] if whole else [self.combined(find, row) for row in way_by_way(terms)]
+        if find.modifier in EXTREMES and not find.terms:
+            raise NotConfirmed("an extreme over a letter")
         if find.modifier in EXTREMES:
             return [min(found) if find.modifier == "smallest" else max(found)]
         if find.modifier not in ("", "size of"):

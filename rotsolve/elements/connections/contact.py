@@ -34,13 +34,17 @@ class Contact(Touch, frozen=True):
         limits="nonnegative",
     )
     press: Formula | None = amount(
-        "force that presses two wheels together at their rims", "force", "F", "positive", default=None
+        "force that presses two wheels together at their rims", "force", "F", "positive", default=None, plane=True
     )
 
     spatial = True
     quantities = (*Touch.quantities, "freedoms")
 
     def joint_in_space(self) -> Joint:
+        """Without friction, which is refused by name."""
+        if self.friction != Friction():
+            help = "leave out `friction`, or say `rolls`"
+            raise Unsolvable(f"friction of `{self.name}` is not solved in space", span=self.contact[0].span, help=help)
         return Joint(self.name, self.contact[1], self.contact[0], flat=True)
 
     def grip(self) -> Friction:

@@ -40,7 +40,7 @@ class Driven(Connection, frozen=True):
     quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "angle", "angular_velocity", "angular_acceleration")
 
     friction_torque: Formula | None = amount(
-        "friction torque, against the motion", "torque", "tau", "nonnegative", default=None
+        "friction torque, against the motion", "torque", "tau", "nonnegative", default=None, plane=True
     )
     angle: Formula | None = amount("driven angle", "angle", "theta", varies=True, default=None)
     angular_velocity: Formula | None = amount(
