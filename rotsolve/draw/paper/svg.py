@@ -1,0 +1,112 @@
+"""SVG: a picture as a browser shows it: text stays text, the same picture gives the same bytes, on dark and on light paper.
+
+Written with the standard library alone: to import a drawing library takes three times as long as to make a picture (docs/decisions.md).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.draw.paper.figure import ROLES, Circle, Figure, Label, Line, Mark, Point, arrow_heads
+from rotsolve.draw.paper.lettering import runs
+
+SPECIAL = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;"})
+LIGHT = {
+    "ink": "#1c1c1e", "faint": "#6a6a70", "paper": "#ffffff", "body": "#dfe6ee", "ground": "#eeeae2",
+    "force": "#b3261e", "sense": "#1f6f43", "spin": "#1d4f91",
+}  # fmt: skip
+DARK = {
+    "ink": "#ececee", "faint": "#a0a0a8", "paper": "#17181b", "body": "#3a4450", "ground": "#2e2b26",
+    "force": "#ff8a80", "sense": "#7bd6a2", "spin": "#8ab8f5",
+}  # fmt: skip
+FONTS = "'STIX Two Text','Latin Modern Roman',Georgia,'Times New Roman',serif"
+BASELINE = 0.34  # of a text's size, from its middle down to its line
+
+
+def colours(table: dict[str, str]) -> str:
+    return ";".join(f"--{name}:{colour}" for name, colour in table.items())
+
+
+def style(adapts: bool) -> str:
+    """The style sheet: a class for each role; dark colours where the reader's paper is dark, if the picture stands for itself."""
+    rules = [f".rotsolve{{{colours(LIGHT)};font-family:{FONTS}}}"]
+    if adapts:
+        rules.append(f"@media (prefers-color-scheme:dark){{.rotsolve{{{colours(DARK)}}}}}")
+    rules.append(".rotsolve path,.rotsolve circle{fill:none;stroke-linejoin:round;stroke-linecap:round}")
+    for role in ROLES:
+        ink = f"stroke:var(--{role.ink});stroke-width:{role.width:g}" if role.ink and role.width else "stroke:none"
+        fill = f";fill:var(--{role.fill})" if role.fill else ""
+        dash = f";stroke-dasharray:{role.dash}" if role.dash else ""
+        rules.append(f".rotsolve .{role.name}{{{ink}{fill}{dash}}}")
+    rules += [
+        f".rotsolve .to-{name}{{fill:var(--{name});stroke:none}}" for name in ("ink", "faint", "force", "sense", "spin")
+    ]
+    rules.append(".rotsolve text{text-anchor:middle;stroke:none}.rotsolve i,.rotsolve .l{font-style:italic}")
+    return "".join(rules)
+
+
+def svg(figure: Figure, *, adapts: bool = True, number: int = 0) -> str:
+    """A picture as an SVG element; `adapts` to dark paper by itself, `number` tells its title from that of others on a page."""
+    left, low, right, high = figure.box()
+    wide, tall = right - left, high - low
+    name = f"rotsolve-{number}" if number else "rotsolve"
+    title = figure.title.translate(SPECIAL)
+    lines = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="rotsolve" role="img" width="{size(wide * 4 / 3)}" '
+        f'height="{size(tall * 4 / 3)}" viewBox="0 0 {size(wide)} {size(tall)}" aria-labelledby="{name}-t {name}-d">',
+        f'<title id="{name}-t">{title}</title>',
+        f'<desc id="{name}-d">{figure.description.translate(SPECIAL)}</desc>',
+        f"<style>{style(adapts)}</style>",
+    ]
+    if adapts:
+        lines.append('<rect width="100%" height="100%" style="fill:var(--paper)"/>')
+    origin = (left, high)
+    for mark in figure.in_layers():
+        lines += mark_lines(mark, origin)
+    lines += [label_line(label, origin) for label in figure.labels]
+    return "\n".join([*lines, "</svg>", ""])
+
+
+def size(value: float) -> str:
+    """A number with two digits behind the point, and no more of them than it needs."""
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text
+
+
+def place(point: Point, origin: Point) -> str:
+    return f"{size(point[0] - origin[0])} {size(origin[1] - point[1])}"
+
+
+def mark_lines(mark: Mark, origin: Point) -> Iterator[str]:
+    """A line or a circle, with the heads of arrows."""
+    if isinstance(mark, Circle):
+        x, y = place(mark.centre, origin).split()
+        yield f'<circle class="{mark.role.name}" cx="{x}" cy="{y}" r="{size(mark.radius)}"/>'
+        return
+    yield f'<path class="{mark.role.name}" d="{path(mark, origin)}"/>'
+    for triangle in arrow_heads(mark):
+        corners = " ".join(place(corner, origin) for corner in triangle)
+        yield f'<path class="to-{mark.role.ink}" style="fill:var(--{mark.role.ink})" d="M{corners}Z"/>'
+
+
+def path(line: Line, origin: Point) -> str:
+    points = list(line.points)
+    return f"M{' '.join(place(point, origin) for point in points)}{'Z' if line.closed else ''}"
+
+
+def label_line(label: Label, origin: Point) -> str:
+    """Words, with the pieces that lean or stand below the line."""
+    x, y = label.at[0] - origin[0], origin[1] - label.at[1] + BASELINE * label.size
+    pieces, low = [], False
+    prose = label.latex[:1] != "$"
+    for run in runs(label.text, prose):
+        shift = f' dy="{size(0.25 * label.size if run.below else -0.25 * label.size)}"' if run.below != low else ""
+        small = f' font-size="{size(0.72 * label.size)}"' if run.below else ""
+        leans = ' class="l"' if run.leans else ""
+        said = run.text.translate(SPECIAL)
+        pieces.append(f"<tspan{leans}{shift}{small}>{said}</tspan>" if shift or small or leans else said)
+        low = run.below
+    return (
+        f'<text x="{size(x)}" y="{size(y)}" font-size="{size(label.size)}" style="fill:var(--{label.ink})">'
+        f"{''.join(pieces)}</text>"
+    )

@@ -1,0 +1,72 @@
+"""Ghosts: how bodies stand at a later state, dashed, where that is told by an angle or a way."""
+
+from __future__ import annotations
+
+import math
+
+from rotsolve.draw.paper.figure import Point, moved
+from rotsolve.draw.plane.bodies import Figured
+from rotsolve.draw.plane.ground import told
+from rotsolve.draw.plane.outlines import turned
+from rotsolve.draw.plane.sheet import Sheet
+from rotsolve.draw.plane.stage import Stage
+from rotsolve.language.problem import Condition
+
+LEAST = 0.06  # radians by which a body must be turned for that to be seen
+
+
+def draw_ghosts(stage: Stage, sheet: Sheet) -> None:
+    """The next state that tells of each body how it stands then."""
+    acting = stage.model.acting
+    drawn: set[str] = set()
+    for state in acting.states[acting.index + 1 :]:
+        for line in state.conditions:
+            path = line.path
+            if path is None or path.owner not in stage.bodies or path.owner in drawn or line.value is None:
+                continue
+            body = stage.bodies[path.owner]
+            if path.quantity == "angle" and path.point is None and draw_turned(body, line, stage, sheet):
+                drawn.add(path.owner)
+            elif path.quantity == "displacement" and path.component is None and draw_moved(body, line, stage, sheet):
+                drawn.add(path.owner)
+
+
+def draw_turned(body: Figured, line: Condition, stage: Stage, sheet: Sheet) -> bool:
+    """A body that is held, turned about its hinge."""
+    if line.value is None or body.name not in stage.model.held:
+        return False
+    more = stage.value(line.value) - stage.model.lean(body.name) - stage.q[stage.model.seats[body.name].turn]
+    if abs(math.remainder(more, 2 * math.pi)) < LEAST:
+        return False
+    spot = stage.model.drawn(stage.model.held[body.name][1])
+    pivot = body.spot(spot)
+    for outline in body.outlines:
+        arm = turned(spot, body.turn + more)
+        sheet.outline(outline.turned((pivot[0] - arm[0], pivot[1] - arm[1]), body.turn + more), ghost=True)
+    return True
+
+
+def draw_moved(body: Figured, line: Condition, stage: Stage, sheet: Sheet) -> bool:
+    """A body that travels along a line, further on, with how far that is."""
+    way = stage.model.line(body.name)
+    words = told(stage, line.value)
+    if way is None or line.value is None or words is None:
+        return False
+    long = stage.value(line.value)
+    if not room_for(long, stage):
+        return False
+    for outline in body.shown():
+        sheet.outline(outline.turned((way[0] * long, way[1] * long), 0.0), ghost=True)
+    start = sheet.at(body.place)
+    side: Point = (way[1], -way[0])
+    off = sheet.scale * max(body.reach(side), body.reach((-side[0], -side[1]))) + 10.0
+    sheet.dimension(start, moved(start, way, long * sheet.scale), words, -off if way[0] >= 0 else off)
+    return True
+
+
+def room_for(long: float, stage: Stage) -> bool:
+    """Whether a way fits on the paper beside the bodies."""
+    points = [point for body in stage.bodies.values() for point in body.bound()]
+    xs, ys = [x for x, _ in points], [y for _, y in points]
+    whole = max(max(xs) - min(xs), max(ys) - min(ys), 1e-12)
+    return 0.08 * whole < abs(long) < 1.1 * whole

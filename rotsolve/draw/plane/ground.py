@@ -1,0 +1,260 @@
+"""Ground: how surfaces are drawn, as long as what lies on them needs, up to where strings leave them over a wheel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.confirm.bodies import radius_of
+from rotsolve.confirm.signs import normal, surface_of, uphill
+from rotsolve.draw.paper.figure import AXIS, DIMENSION, GROUND, SURFACE, Point, arc, moved
+from rotsolve.draw.paper.lettering import Words, formula, prose
+from rotsolve.draw.plane.sheet import Sheet
+from rotsolve.draw.plane.stage import Stage
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.surfaces import Corner, Curved, Dome, Hollow, Level, Slope, Track, Wall
+from rotsolve.language.bodies import Surface
+
+BEYOND, SHORT = 24.0, 3.0  # points of a surface beyond what lies on it; between its edge and a wheel
+DEEP = 34.0  # of the side of a table that is seen
+ARC = 30.0  # radius of the arc of an angle
+
+
+def told(stage: Stage, value: Formula | None) -> Words | None:
+    """A size in its letter, or as it is written where it is a number."""
+    if value is None:
+        return None
+    givens = {given.name: given for given in stage.model.problem.givens}
+    given = givens.get(value.name) if isinstance(value, Symbol) else None
+    if given is not None and given.automatic:
+        return prose(given.text.replace(" deg", "°").replace("deg", "°")) if given.text else None
+    return formula(value)
+
+
+def lying_on(name: str, stage: Stage) -> Iterator[Touch]:
+    """The contacts of bodies with a surface."""
+    for item in stage.model.acting.connections:
+        if isinstance(item, Touch):
+            surface = surface_of(item, stage.model)
+            if item.lying() in stage.bodies and surface is not None and surface.name == name:
+                if item.places()[0].owner not in stage.bodies:
+                    yield item
+
+
+def extent(surface: Surface, along: Point, stage: Stage, sheet: Sheet) -> tuple[float, float, bool, bool]:
+    """From where to where along a flat surface it is drawn, on paper; and whether it ends in an edge at either end."""
+    bounds = []
+    for item in lying_on(surface.name, stage):
+        body = stage.bodies[item.lying()]
+        touching = stage.point(item.pair()[0])
+        rod = touching is not None and not body.block and not stage.model.turns(body.name)
+        points = body.bound() if not rod or touching is None else [touching]
+        bounds += [x * along[0] + y * along[1] for x, y in map(sheet.at, points)]
+    if not bounds:
+        bounds = [0.0]
+    low, high = min(bounds) - BEYOND, max(bounds) + BEYOND
+    edges = [False, False]
+    for centre, radius, upwards in wheels_beyond(surface, along, stage):
+        edge = sheet.scale * (centre[0] * along[0] + centre[1] * along[1])
+        room = sheet.scale * radius + SHORT
+        if upwards:
+            high, edges[1] = edge - room, True
+        else:
+            low, edges[0] = edge + room, True
+    return low, high, edges[0], edges[1]
+
+
+def wheels_beyond(surface: Surface, along: Point, stage: Stage) -> Iterator[tuple[Point, float, bool]]:
+    """The wheels over which strings leave a surface: centre, radius, and whether that is on the way `along`."""
+    lying = {item.lying() for item in lying_on(surface.name, stage)}
+    for _, _, leg in stage.legs():
+        for ref, wheel, sign in ((leg.first, leg.second, 1.0), (leg.second, leg.first, -1.0)):
+            if ref.owner not in lying or leg.along is None or wheel.owner not in stage.bodies or wheel.owner in lying:
+                continue
+            ahead = sign * (leg.along[0] * along[0] + leg.along[1] * along[1])
+            if abs(ahead) > 0.99 and leg.sides[1 if sign > 0 else 0]:
+                radius = radius_of(stage.model.body(wheel.owner), wheel.point, stage.value) or 0.0
+                whole = radius_of(stage.model.body(wheel.owner), None, stage.value) or radius
+                yield stage.bodies[wheel.owner].place, max(radius, whole), ahead > 0
+
+
+def flat(surface: Surface, level: float, along: Point, out: Point, stage: Stage, sheet: Sheet) -> tuple[Point, Point]:
+    """The ends of a flat surface on paper."""
+    low, high, _, _ = extent(surface, along, stage, sheet)
+    foot = (out[0] * level * sheet.scale, out[1] * level * sheet.scale)
+    return moved(foot, along, low), moved(foot, along, high)
+
+
+def level_surface(surface: Level, where: float, stage: Stage, sheet: Sheet) -> None:
+    """A floor as far as the walls and edges that stand on it; a table has sides where strings leave it."""
+    low, high, left_edge, right_edge = extent(surface, (1.0, 0.0), stage, sheet)
+    y = where * sheet.scale
+    for wall, x in walls(stage):
+        x *= sheet.scale
+        low, high = (x, high) if wall.wall == "left" else (low, x)
+    points = [(low, y), (high, y)]
+    for corner, place, height in corners(stage):
+        x, up = place[0] * sheet.scale, height * sheet.scale
+        right = corner.side == "right"
+        points = [(low, y), (x, y), (x, y + up), (max(high, x + 2 * BEYOND), y + up)] if right else [(min(low, x - 2 * BEYOND), y + up), (x, y + up), (x, y), (high, y)]
+    points = [(low, y - DEEP)] * left_edge + points + [(high, y - DEEP)] * right_edge
+    sheet.hatched(points)
+    stage.drawn_ground += points
+
+
+def walls(stage: Stage) -> Iterator[tuple[Wall, float]]:
+    """The walls that stand, and where: their level counts out of them."""
+    for surface, where in stage.surfaces.values():
+        if isinstance(surface, Wall):
+            yield surface, where.at(stage.found) * normal(surface, stage.model)[0]
+
+
+def corners(stage: Stage) -> Iterator[tuple[Corner, Point, float]]:
+    """The edges that are climbed: where, and how high above the floor."""
+    for surface, where in stage.surfaces.values():
+        if isinstance(surface, Corner) and surface.corner is not None:
+            x, y = (part.at(stage.found) for part in where)
+            yield surface, (x, y), stage.value(surface.corner)
+
+
+def slope(surface: Slope, where: float, stage: Stage, sheet: Sheet) -> None:
+    """A wedge with its angle at the foot."""
+    out, up = normal(surface, stage.model), uphill(surface, stage.model)
+    foot, top = flat(surface, where, up, out, stage, sheet)
+    foot = moved(foot, up, -BEYOND)
+    right = up[0] > 0
+    if abs(up[1]) < 1e-6:
+        sheet.hatched([foot, top] if right else [top, foot])
+        return
+    base = (top[0], foot[1])
+    sheet.figure.line([foot, top, base], GROUND, closed=True)
+    sheet.figure.line([foot, top, base], SURFACE)
+    sheet.hatched([foot, base] if right else [base, foot])
+    words = told(stage, surface.slope)
+    angle = math.atan2(abs(up[1]), abs(up[0]))
+    long = min(ARC + 8.0, 0.5 * math.dist(foot, base))
+    if words is not None:
+        sheet.angle(foot, long, *((0.0, angle) if right else (math.pi, math.pi - angle)), words)
+    stage.drawn_ground += [foot, top, base]
+
+
+def wall(surface: Wall, where: float, stage: Stage, sheet: Sheet) -> None:
+    """A wall, down to the floor where there is one."""
+    out = normal(surface, stage.model)
+    low, high, _, _ = extent(surface, (0.0, 1.0), stage, sheet)
+    for other, level in stage.surfaces.values():
+        if isinstance(other, Level):
+            low = level.at(stage.found) * sheet.scale
+    x = where * out[0] * sheet.scale
+    sheet.hatched([(x, high), (x, low)] if out[0] > 0 else [(x, low), (x, high)])
+    stage.drawn_ground += [(x, low), (x, high)]
+
+
+def step(surface: Corner, where: Point, stage: Stage, sheet: Sheet) -> None:
+    """An edge, drawn by the floor below it where there is one; its height is told."""
+    x, y = sheet.at(where)
+    right, height = surface.side == "right", stage.value(surface.corner) * sheet.scale if surface.corner else 0.0
+    end = 2 * BEYOND if right else -2 * BEYOND
+    if not any(isinstance(other, Level) for other, _ in stage.surfaces.values()):
+        points = [(x, y - height), (x, y), (x + end, y)]
+        sheet.hatched(points if right else points[::-1])
+    words = told(stage, surface.corner)
+    if words is not None and height > 4.0:
+        feet = ((x, y - height), (x, y))
+        sheet.dimension(*feet, words, -0.7 * abs(end) if right else 0.7 * abs(end))
+    stage.drawn_ground += [(x, y - height), (x + end, y)]
+
+
+def bowl(surface: Hollow, where: Point, stage: Stage, sheet: Sheet) -> None:
+    """The lower half of a circle, or all of it where a body goes over its top."""
+    round_curve(surface, where, stage, sheet, loops(surface, stage))
+
+
+def loops(surface: Curved, stage: Stage) -> bool:
+    """Whether a state speaks of a place in the upper half of a hollow, or the track leads into it from elsewhere."""
+    for item in stage.model.problem.connections:
+        if isinstance(item, Touch) and any(ref.owner == surface.name for ref in item.places()):
+            if len(item.places()) > 1:
+                return True
+            for state in stage.model.problem.states:
+                for line in state.conditions:
+                    path = line.path
+                    if path is not None and path.owner == item.name and path.quantity == "angle" and line.value is not None:
+                        if math.sin(stage.value(line.value)) > 0.05:
+                            return True
+    return False
+
+
+def round_curve(surface: Curved, where: Point, stage: Stage, sheet: Sheet, whole: bool) -> None:
+    size = surface.radius()
+    if size is None:
+        return
+    centre, radius = sheet.at(where), stage.value(size) * sheet.scale
+    start, end = (-math.pi / 2, 1.5 * math.pi) if whole else (0.0, math.pi) if surface.outside else (math.pi, 2 * math.pi)
+    points = arc(centre, radius, start, end)
+    sheet.hatched(points, 1 if surface.outside else -1)
+    if surface.outside and not whole:
+        sheet.figure.line([*points], GROUND, closed=True)
+        sheet.hatched([(centre[0] - radius - BEYOND, centre[1]), (centre[0] + radius + BEYOND, centre[1])])
+    words = told(stage, size)
+    if words is not None:
+        way = math.radians(215.0) if not surface.outside else math.radians(155.0)
+        sheet.radius(centre, radius, way, words)
+        sheet.hub(centre)
+    stage.drawn_ground += points
+
+
+def hill(surface: Dome, where: Point, stage: Stage, sheet: Sheet) -> None:
+    """The upper half of a circle on the ground."""
+    round_curve(surface, where, stage, sheet, False)
+
+
+def track(surface: Track, where: Point, stage: Stage, sheet: Sheet) -> None:
+    """A curve that falls away from under the body: only its heights matter."""
+    for item in stage.model.acting.connections:
+        if not isinstance(item, Touch) or surface.name not in {ref.owner for ref in item.places()}:
+            continue
+        body = stage.bodies[item.lying()]
+        low = sheet.scale * body.reach((0.0, -1.0))
+        x, y = sheet.at(body.place)
+        right = -1.0 if body.body.moves == "left" else 1.0
+        wide, deep = max(110.0, sheet.scale * 2.0 * stage.sizes.whole), max(60.0, sheet.scale * 1.2 * stage.sizes.whole)
+        meets = stage.loop_foot
+        if meets is not None:
+            foot = sheet.at(meets)
+            wide, deep = abs(foot[0] - x), y - low - foot[1]
+        curve = [(x - right * 14.0, y - low + 0.5)]
+        curve += [(x + right * wide * t, y - low - deep * (1 - math.cos(math.pi * t)) / 2) for t in (k / 24 for k in range(25))]
+        sheet.hatched(curve if right > 0 else curve[::-1])
+        stage.drawn_ground += curve
+
+
+SURFACES: dict[type[Surface], Callable[[Any, Any, Stage, Sheet], None]] = {
+    Level: level_surface,
+    Slope: slope,
+    Wall: wall,
+    Corner: step,
+    Hollow: bowl,
+    Dome: hill,
+    Track: track,
+}
+
+
+def draw_surfaces(stage: Stage, sheet: Sheet) -> None:
+    """All surfaces on which something lies."""
+    for surface, where in stage.surfaces.values():
+        kind = next((kind for kind in type(surface).__mro__ if kind in SURFACES), None)
+        if kind is None:
+            continue
+        found = tuple(part.at(stage.found) for part in where) if isinstance(where, tuple) else where.at(stage.found)
+        SURFACES[kind](surface, found, stage, sheet)
+
+
+def upright_line(sheet: Sheet, at: Point, long: float) -> None:
+    """A line straight down from a paper point, from which an angle counts."""
+    sheet.figure.line([at, (at[0], at[1] - long)], AXIS)
+
+
+__all__ = ["ARC", "DIMENSION", "draw_surfaces", "told"]

@@ -1,0 +1,227 @@
+"""Outlines: what a body looks like in its own axes, by the shape of it, of its parts and of its holes. Lengths in metres."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Formula, Number
+from rotsolve.confirm.bodies import frame
+from rotsolve.confirm.numbers import value_of
+from rotsolve.draw.paper.figure import Point, moved, polar
+from rotsolve.elements.shapes.flat import Cornered, Rectangle
+from rotsolve.elements.shapes.integrated import Graded, Integrated, Lamina
+from rotsolve.elements.shapes.round import Annulus, CylindricalShell, Disc, Ring, Sphere, SphericalShell
+from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
+from rotsolve.elements.shapes.thin import Arc, Particle, Rod, Rope
+from rotsolve.language.bodies import Body, Part
+from rotsolve.language.shape import Shape
+
+WALL = 0.88  # the inner edge of a thin ring beside its outer one
+AROUND = 36  # points of a circle that is taken as a polygon
+STEPS = 24  # of a curve
+Value = Callable[[Formula], float]
+
+
+class Outline(Struct, frozen=True):
+    """A closed or open line in a body's own axes; or a circle of a radius about its only point, a dot where that is 0.
+
+    A `slender` one is as thick as paper makes it; what is `cut` out shows the paper.
+    """
+
+    points: tuple[Point, ...]
+    radius: float | None = None
+    slender: bool = False
+    cut: bool = False
+
+    def turned(self, by: Point, angle: float) -> Outline:
+        """Turned about the origin, then moved."""
+        return replace(self, points=tuple(moved(by, turned(point, angle)) for point in self.points))
+
+    def around(self) -> tuple[Point, ...]:
+        """The points that bound it."""
+        if self.radius is None:
+            return self.points
+        return tuple(
+            moved(self.points[0], polar(2 * math.pi * k / AROUND, self.radius)) for k in range(AROUND if self.radius else 1)
+        )
+
+
+Shown = Iterator[Outline]
+
+
+def turned(point: Point, angle: float) -> Point:
+    c, s = math.cos(angle), math.sin(angle)
+    return c * point[0] - s * point[1], s * point[0] + c * point[1]
+
+
+def disc(radius: float, *, cut: bool = False) -> Outline:
+    """A circle about the origin."""
+    return Outline(((0.0, 0.0),), radius, cut=cut)
+
+
+def polygon(points: Sequence[Point]) -> Outline:
+    return Outline(tuple(points))
+
+
+def box(width: float, height: float) -> Outline:
+    """A rectangle about the origin."""
+    x, y = width / 2, height / 2
+    return polygon([(-x, -y), (x, -y), (x, y), (-x, y)])
+
+
+DOT = disc(0.0)
+
+
+def of_particle(shape: Particle, value: Value) -> Shown:
+    yield Outline(((value(shape.radius), 0.0),), 0.0)
+
+
+def of_rod(shape: Rod, value: Value) -> Shown:
+    half = value(shape.extent()) / 2
+    yield Outline(((-half, 0.0), (half, 0.0)), slender=True)
+
+
+def of_rope(shape: Rope, value: Value) -> Shown:
+    """What it hangs over tells where it runs."""
+    return iter(())
+
+
+def of_arc(shape: Arc, value: Value) -> Shown:
+    radius, half = (value(part) if part is not None else 1.0 for part in (shape.radius, shape.opening))
+    half /= 2
+    yield Outline(tuple(polar(half * (2 * k / STEPS - 1), radius) for k in range(STEPS + 1)), slender=True)
+
+
+def of_disc(shape: Disc | Sphere, value: Value) -> Shown:
+    if shape.radius is not None:
+        yield disc(value(shape.radius))
+
+
+def of_walls(shape: Ring | Annulus | SphericalShell | CylindricalShell, value: Value) -> Shown:
+    """A ring, or a shell cut open: between two radii where they are told."""
+    radii = dict(getattr(shape, "radii", ()))
+    outer = radii.get("outer") or getattr(shape, "radius", None)
+    if outer is None:
+        return
+    yield disc(value(outer))
+    yield disc(value(radii["inner"]) if "inner" in radii else WALL * value(outer), cut=True)
+
+
+def of_corners(shape: Shape, value: Value) -> Shown:
+    yield polygon([(value(x), value(y)) for x, y in shape.outline()])
+
+
+def of_cone(shape: Cone, value: Value) -> Shown:
+    """Seen along its axis."""
+    if shape.radius is not None:
+        yield disc(value(shape.radius))
+        yield disc(0.0)
+
+
+def of_ellipsoid(shape: Ellipsoid, value: Value) -> Shown:
+    a, b = (value(side) for side in shape.sides[:2])
+    angles = (2 * math.pi * k / AROUND for k in range(AROUND))
+    yield polygon([(a * math.cos(angle), b * math.sin(angle)) for angle in angles])
+
+
+def of_lamina(shape: Lamina, value: Value) -> Shown:
+    """Along the lower limit of the inner coordinate, and back along the upper one."""
+    outer, inner = shape.region
+    if outer.variable.name in (inner.lower - inner.upper).symbols() or inner.variable.name in inner.lower.symbols():
+        outer, inner = inner, outer
+    if inner.variable.name in (outer.lower - outer.upper).symbols():
+        outer, inner = inner, outer
+    first, last = value(outer.lower), value(outer.upper)
+    steps = stepped(first, last)
+    name = outer.variable.name
+    sides = [
+        [(step, float(value(end.substitute({name: number(step)})))) for step in steps] for end in (inner.lower, inner.upper)
+    ]
+    polar_names = {outer.variable.name.lstrip("#"), inner.variable.name.lstrip("#")} & {"r", "phi"}
+    places = [*sides[0], *reversed(sides[1])]
+    if outer.variable.name.endswith(("y", "phi")):
+        places = [(second, one) for one, second in places]
+    yield polygon([polar(angle, size) for size, angle in places] if polar_names else places)
+
+
+def stepped(first: float, last: float) -> list[float]:
+    """Numbers from one to another, which keep so far inside that no rounding leads beyond."""
+    inside = 1e-9 * (last - first)
+    return [first + inside + (last - first - 2 * inside) * k / STEPS for k in range(STEPS + 1)]
+
+
+def number(value: float) -> Formula:
+    """A number as a formula."""
+    return Number(Fraction(value))
+
+
+def of_integrated(shape: Integrated, value: Value) -> Shown:
+    """Seen along its axis: as large as it is anywhere."""
+    along, radius = shape.profile  # type: ignore[attr-defined]
+    name, low, high = along.variable.name, value(along.lower), value(along.upper)
+    sizes = [value(radius.upper.substitute({name: number(step)})) for step in stepped(low, high)]
+    yield disc(max(sizes))
+
+
+def of_graded(shape: Graded, value: Value) -> Shown:
+    yield from of_shape(shape.shape, value)
+
+
+OUTLINES: dict[type[Shape], Callable[[Any, Value], Shown]] = {
+    Particle: of_particle,
+    Rod: of_rod,
+    Rope: of_rope,
+    Arc: of_arc,
+    Disc: of_disc,
+    Sphere: of_disc,
+    Ring: of_walls,
+    Annulus: of_walls,
+    SphericalShell: of_walls,
+    CylindricalShell: of_walls,
+    Rectangle: of_corners,
+    Cornered: of_corners,
+    Cuboid: of_corners,
+    Cone: of_cone,
+    Ellipsoid: of_ellipsoid,
+    Lamina: of_lamina,
+    Graded: of_graded,
+    Integrated: of_integrated,
+    Shape: of_corners,
+}
+
+
+def of_shape(shape: Shape, value: Value) -> Shown:
+    """What a shape looks like, by the nearest of its classes that has a row."""
+    kind = next(kind for kind in type(shape).__mro__ if kind in OUTLINES)
+    yield from OUTLINES[kind](shape, value)
+
+
+def of_body(body: Body, value: Value) -> Shown:
+    """A body by its shape, its rims (the largest first), its parts and its holes; nothing of one of which no size is told."""
+    if body.shape is not None:
+        yield from of_shape(body.shape, value)
+    rims = [size for _, size in body.radii] + ([body.radius] if body.radius is not None and body.shape is None else [])
+    for radius in sorted(map(value, rims), reverse=True):
+        yield disc(radius)
+    for part in body.parts:
+        yield from of_part(part, value)
+    for hole in body.holes:
+        yield from (replace(one, cut=True) for one in of_part(hole, value))
+
+
+def of_part(part: Part, value: Value) -> Shown:
+    """A part at its place; one of which no size is told is a dot."""
+    spot, turn = frame(part, value)
+    shown = list(of_body(part.body, value)) or [DOT]
+    yield from (one.turned(spot, turn) for one in shown)
+
+
+def valued(numbers: dict[str, float]) -> Value:
+    """What gives the number of a formula."""
+    return lambda formula: float(value_of(formula, numbers))
