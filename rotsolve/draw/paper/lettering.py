@@ -15,7 +15,7 @@ from rotsolve.algebra.notation.typeset import to_latex
 SIZE = 10.5  # of letters, in points
 NARROW, WIDE = frozenset("iljtf.,:;|!'()[]/ I·"), frozenset("mwMWΩ—@")
 RAISED = {sub: plain for plain, sub in SUBSCRIPTS.items()}
-RUN = re.compile(rf"(_[A-Za-z0-9]+|[{''.join(RAISED)}]+)")
+RUN = re.compile(rf"((?:_[A-Za-z0-9]+)+|[{''.join(RAISED)}]+)")
 WORD = re.compile(r"[A-Za-z]{2,}|[^A-Za-zα-ωΑ-Ω]+|[A-Za-zα-ωΑ-Ω]")
 
 
@@ -65,7 +65,7 @@ def runs(text: str, plain: bool = False) -> Iterator[Run]:
         if not piece:
             continue
         below = piece[0] == "_" or piece[0] in RAISED
-        said = "".join(RAISED.get(char, char) for char in piece.removeprefix("_")) if below else piece
+        said = "".join(RAISED.get(char, char) for char in piece.removeprefix("_").replace("_", ",")) if below else piece
         if below and not plain:
             yield Run(said, len(said) == 1 and said.isalpha(), True)
         elif plain:

@@ -12,6 +12,7 @@ from rotsolve.confirm.signs import normal, rests, surface_of
 from rotsolve.draw.paper.figure import Point, moved
 from rotsolve.draw.plane.outlines import Outline, Value, box, disc, of_body, polygon, turned
 from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Curved
@@ -19,7 +20,7 @@ from rotsolve.language.bodies import Body, Surface
 from rotsolve.language.elements import Connection
 
 BLOCK, CARRIER = (1.0, 0.78), (3.6, 0.42)  # width and height of a block, and of one on which others lie, in its own measure
-OF_WHEEL, OF_ALL = 1.25, 0.3  # of the radius of the smallest wheel with a string, of the largest thing
+OF_WHEEL, OF_ALL = 1.45, 0.3  # of the radius of the smallest wheel with a string, of the largest thing
 WHEEL, INNER = 0.5, 0.62  # radius of a wheel of which none is told; of one on the same axle as another
 PLATE = 28  # points of the outline of a body of no told form
 
@@ -68,7 +69,7 @@ class Measures(Struct, frozen=True):
 def measures(model: Model, value: Value) -> Measures:
     """By the sizes that are told."""
     extents, wheels = [], []
-    strung = {ref.owner for item in model.acting.connections if item.turned() == () for ref in item.touches()}
+    strung = {ref.owner for item in model.acting.connections if isinstance(item, String) for ref in item.touches()}
     for name in model.seats:
         body = model.body(name)
         points = [point for outline in of_body(body, value) for point in outline.around()]
@@ -144,7 +145,7 @@ def stand_in(
         return (box(BLOCK[0] * sizes.block, BLOCK[1] * sizes.block),), True
     if body.inertia is not None and body.shape is None and not holding:
         return (plate(body, value, sizes),), False
-    return (disc(0.0),), False
+    return (plate(body, value, sizes) if body.points else disc(0.0),), False
 
 
 def shares_axle(name: str, other: str, holding: Sequence[Connection]) -> bool:

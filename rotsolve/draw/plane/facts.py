@@ -52,7 +52,15 @@ class SceneFacts:
 
     def _asked(self, used: frozenset[str]) -> Iterator[tuple[str, str]]:
         """The names of questions that ask for a letter of the facts and nothing else."""
+        quantities = self.scene.registry.quantities
+        kinds = {quantities[key].kind for key in used if key in quantities}
+        owners = {quantities[key].owner for key in used if key in quantities}
         for find in self.stage.configuration.problem.finds:
+            if len(find.terms) != 1 or find.formula != Symbol("#0"):
+                continue
+            path = find.terms[0].path
+            if path.quantity not in kinds or path.owner not in owners:
+                continue
             try:
                 asked = question_for(find, self.scene)
             except (Unsolvable, ArithmeticError, LookupError, ValueError, AttributeError):

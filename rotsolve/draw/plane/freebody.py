@@ -15,8 +15,8 @@ from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.sheet import Sheet
 from rotsolve.draw.plane.stage import Stage
 
-ACROSS = 80.0  # points of paper for one body
-LONG, APART = 40.0, 5.5  # of an arrow; between two on one line
+ACROSS, SMALL = 84.0, 46.0  # points of paper for a rod or a group, and for another body
+LONG, APART = 42.0, 5.5  # of an arrow; between two on one line
 ROUND, WIDER = 13.0, 7.0  # radius of the arrow of a couple, and how much larger the next one is
 START, SWEEP = -0.6, 3.9  # radians of a couple's arrow
 LONGEST = 16  # letters of a size; a longer one is called by its noun
@@ -25,9 +25,13 @@ ACROSS_ALL, GAP = 470.0, 26.0  # width of a row of diagrams, and what is between
 
 def free_body_figures(known: SceneFacts) -> list[tuple[str, Figure]]:
     """A diagram for each body on which something acts, by its name."""
-    return [
-        (body.name, free_body_figure(body, known)) for body in known.facts.bodies if body.name in known.stage.bodies
-    ]
+    acting = [body for body in known.facts.bodies if body.name in known.stage.bodies and acts(body)]
+    return [(body.name, free_body_figure(body, known)) for body in acting]
+
+
+def acts(body: BodyFacts) -> bool:
+    """Whether anything acts on a body."""
+    return any(force.size != ZERO for force in body.forces) or any(couple.torque != ZERO for couple in body.couples)
 
 
 def free_body_figure(body: BodyFacts, known: SceneFacts) -> Figure:
@@ -51,7 +55,8 @@ def free_body_figure(body: BodyFacts, known: SceneFacts) -> Figure:
     couples = [couple for couple in body.couples if couple.torque != ZERO]
     for number, couple in enumerate(couples):
         couple_arrow(couple, stage, known, sheet, size_words(couple, known), number)
-    sheet.letters.name(prose(spoken(body.name).removeprefix("the ")), under(sheet), (0.0, -1.0), 6.0, "faint")
+    sheet.finished()
+    sheet.letters.name(prose(spoken(body.name).removeprefix("the ")), under(sheet), (0.0, -1.0), 3.0, "faint")
     return sheet.finished()
 
 
@@ -72,7 +77,8 @@ def scale_of(members: Sequence[Figured]) -> float:
     points = [point for member in members for point in member.bound()]
     xs, ys = [x for x, _ in points] or [0.0], [y for _, y in points] or [0.0]
     size = max(max(xs) - min(xs), max(ys) - min(ys))
-    return ACROSS / size if size > 0.0 else 1.0
+    slender = len(members) > 1 or any(outline.slender for member in members for outline in member.outlines)
+    return (ACROSS if slender else SMALL) / size if size > 0.0 else 1.0
 
 
 def description(body: BodyFacts) -> str:

@@ -59,8 +59,11 @@ def draw_moved(body: Figured, line: Condition, stage: Stage, sheet: Sheet) -> bo
         sheet.outline(outline.turned((way[0] * long, way[1] * long), 0.0), ghost=True)
     start = sheet.at(body.place)
     side: Point = (way[1], -way[0])
+    if abs(way[1]) < 0.9 and side[1] < 0:
+        side = (-side[0], -side[1])
     off = sheet.scale * max(body.reach(side), body.reach((-side[0], -side[1]))) + 10.0
-    sheet.dimension(start, moved(start, way, long * sheet.scale), words, -off if way[0] >= 0 else off)
+    left = side[0] * -way[1] + side[1] * way[0] > 0
+    sheet.dimension(start, moved(start, way, long * sheet.scale), words, off if left else -off)
     return True
 
 

@@ -6,31 +6,29 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.signs import normal, surface_of, uphill
 from rotsolve.draw.paper.figure import AXIS, DIMENSION, GROUND, SURFACE, Point, arc, moved
-from rotsolve.draw.paper.lettering import Words, formula, prose
+from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.sheet import Sheet
 from rotsolve.draw.plane.stage import Stage
+from rotsolve.draw.plane.wording import told_in
+from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Corner, Curved, Dome, Hollow, Level, Slope, Track, Wall
 from rotsolve.language.bodies import Surface
 
 BEYOND, SHORT = 24.0, 3.0  # points of a surface beyond what lies on it; between its edge and a wheel
 DEEP = 34.0  # of the side of a table that is seen
+ANCHOR = 66.0  # from a body to the ground to which a spring ties it
 ARC = 30.0  # radius of the arc of an angle
 
 
 def told(stage: Stage, value: Formula | None) -> Words | None:
     """A size in its letter, or as it is written where it is a number."""
-    if value is None:
-        return None
-    givens = {given.name: given for given in stage.model.problem.givens}
-    given = givens.get(value.name) if isinstance(value, Symbol) else None
-    if given is not None and given.automatic:
-        return prose(given.text.replace(" deg", "°").replace("deg", "°")) if given.text else None
-    return formula(value)
+    return told_in(value, stage.model.problem)
 
 
 def lying_on(name: str, stage: Stage) -> Iterator[Touch]:
@@ -48,12 +46,16 @@ def extent(surface: Surface, along: Point, stage: Stage, sheet: Sheet) -> tuple[
     bounds = []
     for item in lying_on(surface.name, stage):
         body = stage.bodies[item.lying()]
+        if props(item, stage):
+            continue
         touching = stage.point(item.pair()[0])
         rod = touching is not None and not body.block and not stage.model.turns(body.name)
         points = body.bound() if not rod or touching is None else [touching]
         bounds += [x * along[0] + y * along[1] for x, y in map(sheet.at, points)]
-    if not bounds:
-        bounds = [0.0]
+    for ref in anchored(surface, stage):
+        x, y = sheet.at(stage.bodies[ref].place)
+        bounds.append(x * along[0] + y * along[1] - ANCHOR)
+    bounds = bounds or [0.0]
     low, high = min(bounds) - BEYOND, max(bounds) + BEYOND
     edges = [False, False]
     for centre, radius, upwards in wheels_beyond(surface, along, stage):
@@ -64,6 +66,21 @@ def extent(surface: Surface, along: Point, stage: Stage, sheet: Sheet) -> tuple[
         else:
             low, edges[0] = edge + room, True
     return low, high, edges[0], edges[1]
+
+
+def anchored(surface: Surface, stage: Stage) -> Iterator[str]:
+    """The bodies on a surface that a spring ties to the ground on their left."""
+    lying = {item.lying() for item in lying_on(surface.name, stage)}
+    for item in stage.model.acting.connections:
+        if isinstance(item, Spring) and item.spring[0].owner not in stage.bodies and item.spring[1].owner in lying:
+            yield item.spring[1].owner
+
+
+def props(item: Touch, stage: Stage) -> bool:
+    """Whether a contact holds a level rod at one of its points: a trestle, no floor."""
+    body = stage.bodies[item.lying()]
+    level = shape_of(body.body).slender and abs(math.sin(body.turn)) < 0.05
+    return level and item.pair()[0].point not in (None, "center", "cm")
 
 
 def wheels_beyond(surface: Surface, along: Point, stage: Stage) -> Iterator[tuple[Point, float, bool]]:
@@ -91,6 +108,13 @@ def level_surface(surface: Level, where: float, stage: Stage, sheet: Sheet) -> N
     """A floor as far as the walls and edges that stand on it; a table has sides where strings leave it."""
     low, high, left_edge, right_edge = extent(surface, (1.0, 0.0), stage, sheet)
     y = where * sheet.scale
+    lying = list(lying_on(surface.name, stage))
+    for item in lying:
+        if props(item, stage):
+            place = stage.point(item.pair()[0])
+            sheet.prop(sheet.at(place) if place is not None else (0.0, y))
+    if lying and all(props(item, stage) for item in lying):
+        return
     for wall, x in walls(stage):
         x *= sheet.scale
         low, high = (x, high) if wall.wall == "left" else (low, x)
@@ -123,7 +147,8 @@ def slope(surface: Slope, where: float, stage: Stage, sheet: Sheet) -> None:
     """A wedge with its angle at the foot."""
     out, up = normal(surface, stage.model), uphill(surface, stage.model)
     foot, top = flat(surface, where, up, out, stage, sheet)
-    foot = moved(foot, up, -BEYOND)
+    strung = any(True for _ in wheels_beyond(surface, up, stage))
+    foot = moved(foot, up, -(BEYOND if strung else max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND))))
     right = up[0] > 0
     if abs(up[1]) < 1e-6:
         sheet.hatched([foot, top] if right else [top, foot])

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Negative, Symbol, negate
 from rotsolve.confirm.bodies import frame
 from rotsolve.core.vectors.heading import Heading, heading
-from rotsolve.core.writing import spoken
 from rotsolve.draw.paper.figure import AXIS, SENSE, SPIN, Point, moved, polar, quarter, unit_of
-from rotsolve.draw.paper.lettering import Words, formula, letter, prose
+from rotsolve.draw.paper.lettering import Words, letter
 from rotsolve.draw.plane.bodies import Figured
 from rotsolve.draw.plane.ground import told
 from rotsolve.draw.plane.sheet import ARROW, Sheet
 from rotsolve.draw.plane.stage import Stage
+from rotsolve.draw.plane.wording import named_in
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Curved
@@ -27,29 +27,53 @@ SENSE_ARC = 0.85  # radians of a round arrow
 NARROW = 9.0  # points below which a radius has no room for its letter
 
 
-def named(body: Body, stage: Stage) -> Words:
-    """What a body is called: by the letter of its mass or moment of inertia where the scene has one, else by its name."""
-    given = {item.name: item for item in stage.model.problem.givens}
-    for value in (body.mass, body.inertia):
-        letters = value.symbols() if value is not None else ()
-        if value is not None and letters and not any(given[name].automatic for name in letters if name in given):
-            return formula(value)
-    return prose(spoken(body.name).removeprefix("the "))
-
-
 def draw_names(stage: Stage, sheet: Sheet) -> None:
     """The name of each body: within a block, else beside the body."""
     for body in stage.bodies.values():
-        words = named(body.body, stage)
+        words = named_in(body.body, stage.model.problem)
         at = sheet.at(body.place)
         points = [sheet.at(point) for point in body.bound()]
         if body.block:
             sheet.letters.name(words, at, outside(body, stage), sheet.scale * body.reach(outside(body, stage)) + 3.0, inside=True)
         elif points:
+            if broad(body, sheet):
+                sheet.letters.name(words, sheet.at(middle_of(body)), (0.5, -0.5), 6.0, inside=True)
+                continue
             middle = (sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points))
             way = beside(body, stage)
+            if roomy(body, sheet):
+                sheet.letters.name(words, moved(sheet.at(body.place), (-0.3, -0.5), inner(body, sheet)), way, 4.0, inside=True)
+                continue
+            if shape_of(body.body).slender and any(told(stage, ref.argument) for ref in mentioned(body.name, stage)):
+                end = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "end"))))
+                middle = moved(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
             reach = max((x - middle[0]) * way[0] + (y - middle[1]) * way[1] for x, y in points)
             sheet.letters.name(words, middle, way, max(reach, 3.0) + 3.0)
+
+
+def middle_of(body: Figured) -> Point:
+    """The middle of what bounds a body."""
+    points = body.bound()
+    return sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points)
+
+
+def broad(body: Figured, sheet: Sheet) -> bool:
+    """Whether a body of straight edges has room for its name within."""
+    first = body.outlines[0]
+    if first.radius is not None or first.slender or len(first.points) < 3:
+        return False
+    xs, ys = [x for x, _ in first.points], [y for _, y in first.points]
+    return min(max(xs) - min(xs), max(ys) - min(ys)) * sheet.scale > 30.0
+
+
+def inner(body: Figured, sheet: Sheet) -> float:
+    """The radius of a round body on paper."""
+    return (body.outlines[0].radius or 0.0) * sheet.scale
+
+
+def roomy(body: Figured, sheet: Sheet) -> bool:
+    """Whether a round body has room for its name within."""
+    return inner(body, sheet) > 26.0 and len([1 for outline in body.outlines if outline.radius != 0.0]) == 1
 
 
 def outside(body: Figured, stage: Stage) -> Point:
@@ -61,9 +85,30 @@ def outside(body: Figured, stage: Stage) -> Point:
 def beside(body: Figured, stage: Stage) -> Point:
     """Across a rod, above it; of other bodies down to the right."""
     if shape_of(body.body).slender:
-        x, y = quarter(polar(body.turn))
-        return (x, y) if y > 0.02 or (abs(y) <= 0.02 and x > 0) else (-x, -y)
+        return open_side(body, stage)
     return (0.75, -0.65) if outside(body, stage)[0] > 0 else (-0.75, -0.65)
+
+
+def open_side(body: Figured, stage: Stage) -> Point:
+    """The side of a rod for its name: above it, or left of an upright one, save where another body is; its length goes to the other side."""
+    x, y = quarter(polar(body.turn))
+    side = (x, y) if y > 0.02 or (abs(y) <= 0.02 and x < 0) else (-x, -y)
+    others = [other.place for other in stage.bodies.values() if other is not body and other.dot]
+    middle = middle_of(body)
+    across = [(ox - middle[0]) * side[0] + (oy - middle[1]) * side[1] for ox, oy in others]
+    crowded = abs(y) <= 0.02 and any(gap < -0.02 * stage.sizes.whole for gap in across)
+    ahead = velocity_way(body, stage)
+    crowded = crowded or ahead[0] * side[0] + ahead[1] * side[1] < -0.5
+    return (-side[0], -side[1]) if crowded else side
+
+
+def velocity_way(body: Figured, stage: Stage) -> Point:
+    """The direction of a velocity that the state tells of a body; nothing where it tells none."""
+    speeds = [line for line in told_of(body.name, stage) if line.path is not None and line.path.quantity in ("velocity", "speed")]
+    way = stage.model.line(body.name)
+    if not speeds or way is None or speeds[0].value is None:
+        return 0.0, 0.0
+    return (-way[0], -way[1]) if backwards(speeds[0].value, stage) else way
 
 
 # lengths
@@ -101,18 +146,27 @@ def draw_sides(body: Figured, stage: Stage, sheet: Sheet) -> None:
     """The length of a rod; width and height of a box."""
     shape = shape_of(body.body)
     parts = [(shape, (0.0, 0.0), 0.0), *((shape_of(part.body), *frame(part, stage.value)) for part in rods_of(body.body))]
+    seen: list[Words] = []
     for own, spot, turn in parts:
         reach = own.reach() if own.slender else None
         words = told(stage, reach)
         if reach is not None and words is not None:
             half = stage.value(reach) / 2
             ends = [sheet.at(body.spot(moved(spot, polar(turn), side * half))) for side in (-1.0, 1.0)]
-            sheet.dimension(*ends, words, -SPACE if upwards(ends) else SPACE)
+            if words in seen:
+                continue
+            seen.append(words)
+            side = open_side(body, stage) if own is shape else (0.0, 1.0)
+            along = (ends[1][0] - ends[0][0], ends[1][1] - ends[0][1])
+            left = quarter(along)[0] * side[0] + quarter(along)[1] * side[1] > 0
+            sheet.dimension(*ends, words, -SPACE if left else SPACE)
     sides = getattr(shape, "sides", ())
     corners = shape.outline()
     if len(corners) == 4 and len(sides) >= 2:
         places = [sheet.at(body.spot((stage.value(x), stage.value(y)))) for x, y in corners]
-        for side, (first, second) in zip(sides, ((0, 1), (1, 2)), strict=False):
+        ahead = velocity_way(body, stage)
+        pairs = ((2, 3) if ahead[1] < -0.5 else (0, 1), (3, 0) if ahead[0] > 0.5 else (1, 2))
+        for side, (first, second) in zip(sides, pairs, strict=False):
             words = told(stage, side)
             if words is not None:
                 sheet.dimension(places[first], places[second], words, -SPACE * 0.8)
@@ -125,12 +179,6 @@ def rods_of(body: Body) -> Iterator[Part]:
     return (part for part in body.parts if shape_of(part.body).slender)
 
 
-def upwards(ends: list[Point]) -> bool:
-    """Whether the left of the way from one end to another is above it, or on the left of an upright one."""
-    (ax, _), (bx, _) = ends
-    return bx >= ax - 0.5
-
-
 def draw_places(body: Figured, stage: Stage, sheet: Sheet) -> None:
     """How far from the start of a rod something is at `rod.at(x)`; points that the scene names by a letter."""
     seen: set[Formula] = set()
@@ -140,7 +188,7 @@ def draw_places(body: Figured, stage: Stage, sheet: Sheet) -> None:
             continue
         seen.add(ref.argument)
         start = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "start"))))
-        sheet.dimension(start, sheet.at(body.spot(stage.model.spot(ref))), words, SPACE * (0.9 + 0.75 * (len(seen) - 1)))
+        sheet.dimension(start, sheet.at(body.spot(stage.model.spot(ref))), words, SPACE * (0.9 + (len(seen) - 1)))
     for name, at in body.body.points:
         if len(name) <= 2:
             place = sheet.at(body.spot((stage.value(at[0]), stage.value(at[1]))))
@@ -253,9 +301,11 @@ def draw_travel(body: Figured, speed: Condition | None, stage: Stage, sheet: She
         way = curve_way(body, stage)
     if way is None or (body.body.moves is None and speed is None):
         return
+    back = speed is not None and speed.value is not None and backwards(speed.value, stage)
+    way = (-way[0], -way[1]) if back else way
     at = sheet.at(body.place)
     role = SPIN if speed is not None else SENSE
-    words = told(stage, speed.value) if speed is not None else None
+    words = speed_words(speed, stage)
     if speed is not None:
         reach = sheet.scale * body.reach(way) + 5.0
         sheet.arrow(moved(at, way, reach), way, ARROW, role, words)
@@ -264,6 +314,19 @@ def draw_travel(body: Figured, speed: Condition | None, stage: Stage, sheet: She
     off = sheet.scale * body.reach(side) + 8.0
     start = moved(moved(at, side, off), way, -ARROW / 2)
     sheet.arrow(start, way, ARROW, role, words)
+
+
+def backwards(value: Formula, stage: Stage) -> bool:
+    """Whether a velocity is told against the positive sense."""
+    return stage.value(value) < 0.0
+
+
+def speed_words(speed: Condition | None, stage: Stage) -> Words | None:
+    """The size of a velocity, which its arrow points along."""
+    if speed is None or speed.value is None:
+        return None
+    value = speed.value
+    return told(stage, negate(value) if backwards(value, stage) and isinstance(value, Negative) else value)
 
 
 def curve_way(body: Figured, stage: Stage) -> Point | None:
@@ -295,7 +358,8 @@ def draw_turn(body: Figured, speed: Condition | None, stage: Stage, sheet: Sheet
         return
     sense = float(stage.model.sense(body.name))
     role = SPIN if speed is not None else SENSE
-    words = told(stage, speed.value) if speed is not None else None
+    words = speed_words(speed, stage)
+    sense *= -1.0 if speed is not None and speed.value is not None and backwards(speed.value, stage) else 1.0
     pivot = stage.model.pivot(body.name)
     spot = stage.model.drawn(pivot) if pivot is not None else (0.0, 0.0)
     centre = sheet.at(body.spot(spot))
@@ -306,8 +370,11 @@ def draw_turn(body: Figured, speed: Condition | None, stage: Stage, sheet: Sheet
         sheet.round_arrow(centre, radius, start + sense * 0.25 * turn, sense * turn, role, words)
         return
     radius = max(math.dist(sheet.at(point), centre) for point in body.bound()) + 6.0
-    turn = max(0.5, min(1.2, 30.0 / radius))
     middle = math.radians(52.0 if outside(body, stage)[0] > 0 else 128.0)
+    x, y = sheet.at(middle_of(body))
+    if math.dist((x, y), centre) > 0.3 * radius:
+        middle = math.atan2(y - centre[1], x - centre[0]) - 0.2
+    turn = max(0.5, min(1.2, 30.0 / radius))
     sheet.round_arrow(centre, radius, middle - sense * turn / 2, sense * turn, role, words)
 
 

@@ -14,6 +14,7 @@ from rotsolve.algebra.formula import Formula, Number
 from rotsolve.confirm.bodies import frame
 from rotsolve.confirm.numbers import value_of
 from rotsolve.draw.paper.figure import Point, moved, polar
+from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.shapes.flat import Cornered, Rectangle
 from rotsolve.elements.shapes.integrated import Graded, Integrated, Lamina
 from rotsolve.elements.shapes.round import Annulus, CylindricalShell, Disc, Ring, Sphere, SphericalShell
@@ -31,13 +32,14 @@ Value = Callable[[Formula], float]
 class Outline(Struct, frozen=True):
     """A closed or open line in a body's own axes; or a circle of a radius about its only point, a dot where that is 0.
 
-    A `slender` one is as thick as paper makes it; what is `cut` out shows the paper.
+    A `slender` one is as thick as paper makes it, a `light` one a thin line; what is `cut` out shows the paper.
     """
 
     points: tuple[Point, ...]
     radius: float | None = None
     slender: bool = False
     cut: bool = False
+    light: bool = False
 
     def turned(self, by: Point, angle: float) -> Outline:
         """Turned about the origin, then moved."""
@@ -132,9 +134,7 @@ def of_ellipsoid(shape: Ellipsoid, value: Value) -> Shown:
 
 def of_lamina(shape: Lamina, value: Value) -> Shown:
     """Along the lower limit of the inner coordinate, and back along the upper one."""
-    outer, inner = shape.region
-    if outer.variable.name in (inner.lower - inner.upper).symbols() or inner.variable.name in inner.lower.symbols():
-        outer, inner = inner, outer
+    outer, inner = sorted(shape.region, key=lambda item: item.variable.name[1:] not in ("x", "phi"))
     if inner.variable.name in (outer.lower - outer.upper).symbols():
         outer, inner = inner, outer
     first, last = value(outer.lower), value(outer.upper)
@@ -143,17 +143,18 @@ def of_lamina(shape: Lamina, value: Value) -> Shown:
     sides = [
         [(step, float(value(end.substitute({name: number(step)})))) for step in steps] for end in (inner.lower, inner.upper)
     ]
-    polar_names = {outer.variable.name.lstrip("#"), inner.variable.name.lstrip("#")} & {"r", "phi"}
+    round_about = {outer.variable.name[1:], inner.variable.name[1:]} == {"r", "phi"}
     places = [*sides[0], *reversed(sides[1])]
-    if outer.variable.name.endswith(("y", "phi")):
+    if outer.variable.name[1:] in ("y", "phi"):
         places = [(second, one) for one, second in places]
-    yield polygon([polar(angle, size) for size, angle in places] if polar_names else places)
+    yield polygon([polar(angle, size) for size, angle in places] if round_about else places)
 
 
 def stepped(first: float, last: float) -> list[float]:
     """Numbers from one to another, which keep so far inside that no rounding leads beyond."""
     inside = 1e-9 * (last - first)
-    return [first + inside + (last - first - 2 * inside) * k / STEPS for k in range(STEPS + 1)]
+    shares = ((1 - math.cos(math.pi * k / STEPS)) / 2 for k in range(STEPS + 1))  # closer at the ends, where curves are steep
+    return [first + inside + (last - first - 2 * inside) * share for share in shares]
 
 
 def number(value: float) -> Formula:
@@ -209,10 +210,22 @@ def of_body(body: Body, value: Value) -> Shown:
     rims = [size for _, size in body.radii] + ([body.radius] if body.radius is not None and body.shape is None else [])
     for radius in sorted(map(value, rims), reverse=True):
         yield disc(radius)
+    yield from frame_of(body, value)
     for part in body.parts:
         yield from of_part(part, value)
     for hole in body.holes:
         yield from (replace(one, cut=True) for one in of_part(hole, value))
+
+
+def frame_of(body: Body, value: Value) -> Shown:
+    """The light rods that hold apart the balls and points of which a body consists."""
+    spots = [frame(part, value)[0] for part in body.parts]
+    if body.shape is not None or len(spots) < 2 or any(shape_of(part.body).slender or part.body.parts for part in body.parts):
+        return
+    if all(shape_of(part.body).pointlike or shape_of(part.body).round for part in body.parts):
+        middle = (sum(x for x, _ in spots) / len(spots), sum(y for _, y in spots) / len(spots))
+        around = sorted(spots, key=lambda spot: math.atan2(spot[1] - middle[1], spot[0] - middle[0]))
+        yield Outline((*around, around[0]), light=True)
 
 
 def of_part(part: Part, value: Value) -> Shown:

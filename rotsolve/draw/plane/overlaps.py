@@ -42,7 +42,7 @@ def side_by_side(stage: Stage) -> None:
         points = [point for name in members for point in stage.bodies[name].bound()]
         left, right = min(x for x, _ in points), max(x for x, _ in points)
         low, high = min(y for _, y in points), max(y for _, y in points)
-        gap = max(FREE * (right - left), 0.6 * stage.sizes.block, 0.2 * stage.sizes.whole)
+        gap = max(FREE * (right - left), 0.6 * stage.sizes.block, 0.35 * stage.sizes.whole)
         if edge is not None and len(names) > 1:
             anchored = any(stage.bodies[name].name in stage.model.held for name in members) or not tied_down(stage, members)
             by = (edge + gap - left, -(low + high) / 2 if anchored else 0.0)

@@ -2,31 +2,51 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from typing import Any
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.draw.paper.figure import FORCE, Figure, Point, moved
+from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc, moved
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.freebody import couple_arrow
 from rotsolve.draw.plane.ghosts import draw_ghosts
 from rotsolve.draw.plane.ground import draw_surfaces, told
 from rotsolve.draw.plane.marks import draw_angles, draw_lengths, draw_names, draw_senses
 from rotsolve.draw.plane.sheet import Sheet
+from rotsolve.draw.plane.strings import edge_along
 from rotsolve.draw.plane.stage import Stage
 from rotsolve.draw.plane.ties import draw_connections
 from rotsolve.core.facts import Couple, Force
+from rotsolve.elements.surfaces import Curved
+from rotsolve.language.bodies import Surface
 
-WIDE, TALL, LARGEST = 330.0, 230.0, 165.0  # points of paper for all bodies, and for one
+BLOCKS = 56.0  # points of paper for a block
+WIDE, TALL, LARGEST, ROUND = 330.0, 230.0, 165.0, 96.0  # points of paper for all bodies, for one, and for a round one
 PULL = 40.0  # length of the arrow of a force
 
 
 def scale_for(stage: Stage) -> float:
     """Points of paper for a metre: all bodies fit, and one alone is no larger than it need be."""
     points = [point for body in stage.bodies.values() for point in body.bound()]
+    points += [point for surface in stage.surfaces.values() for point in round_surface(*surface, stage)]
     wide, tall = spans(points)
-    single = max((max(spans(body.bound())) for body in stage.bodies.values() if body.bound()), default=0.0)
-    limits = [(WIDE, wide), (TALL, tall), (LARGEST, single)]
+    extents = [(body, max(spans(body.bound()))) for body in stage.bodies.values() if body.bound()]
+    single = max((size for _, size in extents), default=0.0)
+    circle = max((size for body, size in extents if body.outlines and body.outlines[0].radius), default=0.0)
+    alone = len(stage.bodies) == 1 and not stage.surfaces and not stage.model.acting.connections
+    blocks = max((size for body, size in extents if body.block), default=0.0)
+    limits = [(WIDE, wide), (BLOCKS if blocks <= 1.01 * stage.sizes.block else 3 * BLOCKS, blocks), (TALL, tall), (LARGEST, single), (LARGEST if alone else ROUND, circle)]
     return min((room / size for room, size in limits if size > 0.0), default=100.0 / (stage.sizes.whole or 1.0))
+
+
+def round_surface(surface: Surface, where: Any, stage: Stage) -> list[Point]:
+    """Points of a bowl or a dome."""
+    size = surface.radius() if isinstance(surface, Curved) else None
+    if size is None:
+        return []
+    centre, radius = (where[0].at(stage.found), where[1].at(stage.found)), stage.value(size)
+    return arc(centre, radius, *((0.0, math.pi) if surface.outside else (math.pi, 2 * math.pi)))  # type: ignore[attr-defined]
 
 
 def spans(points: Sequence[Point]) -> tuple[float, float]:
@@ -74,6 +94,9 @@ def draw_actions(stage: Stage, sheet: Sheet) -> None:
                     if words is not None:
                         sheet.letters.name(words, moved(at, (x, y), -PULL), (-x, -y), 3.0, FORCE.ink)
                 else:
+                    body = stage.bodies[fact.body]
+                    if body.block:
+                        at = moved(at, (x, y), sheet.scale * edge_along(body, (x, y)))
                     sheet.arrow(at, (x, y), PULL, FORCE, words)
             elif isinstance(fact, Couple):
                 couple_arrow(fact, stage, known, sheet, words, 0)

@@ -13,6 +13,7 @@ from rotsolve.draw.paper.figure import (
     HOLE,
     PIN,
     SOLID,
+    STRING,
     SUPPORT,
     SURFACE,
     Figure,
@@ -62,6 +63,8 @@ class Sheet:
             radius = outline.radius * self.scale
             small = outline.radius == 0.0
             self.figure.circle(points[0], DOT if small else radius, (GHOST if ghost else SOLID) if small else role)
+        elif outline.light:
+            self.figure.line(points, GHOST if ghost else STRING)
         elif outline.slender:
             self.figure.line(widened(points, STOUT), role, closed=True)
         else:
@@ -96,6 +99,13 @@ class Sheet:
             self.figure.line([at, moved(foot, side, 5.5), moved(foot, side, -5.5)], SUPPORT, closed=True)
             self.patch(foot, (-away[0], -away[1]), 24.0)
         self.figure.circle(at, HUB, PIN)
+
+    def prop(self, at: Point) -> None:
+        """An edge on which something lies."""
+        top = (at[0], at[1] - STOUT)
+        foot = (top[0], top[1] - STAND - 2.0)
+        self.figure.line([top, (foot[0] + 7.0, foot[1]), (foot[0] - 7.0, foot[1])], SUPPORT, closed=True)
+        self.patch(foot, (0.0, 1.0), 26.0)
 
     def hub(self, at: Point) -> None:
         """The axle of a wheel."""

@@ -30,7 +30,7 @@ from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.surfaces import Curved
+from rotsolve.elements.surfaces import Corner, Curved, Level
 from rotsolve.language.bodies import PointRef
 from rotsolve.motion.configuration import Configuration
 
@@ -77,6 +77,7 @@ class Stage:
         self.surfaces = {}
         for item in self.model.acting.connections:
             self._tie(item)
+        self._later()
         self._join()
         found = self.layout.solved()
         for name, (x, y) in self._unknown.items():
@@ -134,14 +135,19 @@ class Stage:
             if pair in coming and not self._tied_pair(pair):
                 self._coming(one, two, first, second)
             elif self._rides(pair):
-                at, to = (self.model.seats[ref.owner].first for ref in (one, two))
-                gap = (self.q[to] - self.q[at], self.q[to + 1] - self.q[at + 1])
-                self.layout.meet(off(first, gap), second)
+                (ax, ay), (bx, by) = (self._drawn_at(ref.owner) for ref in (one, two))
+                self.layout.meet(off(self.origin(one.owner), (bx - ax, by - ay)), self.origin(two.owner))
             else:
                 self.layout.meet(first, second)
         places = [ref.place for item in self.model.acting.connections for ref in item.touches() if ref.place is not None]
         for name, (_, ref) in self.model.held.items() if places else ():
             self.layout.meet(self.place_of(name, self.model.drawn(ref)), fixed(0.0, 0.0))
+
+    def _drawn_at(self, name: str) -> Point:
+        """Where the assembly has the origin of a body."""
+        seat = self.model.seats[name]
+        x, y = spun(seat.rigid.centre, self.q[seat.turn])
+        return self.q[seat.first] - x, self.q[seat.first + 1] - y
 
     def _tied_pair(self, pair: set[str]) -> bool:
         return any(pair <= set(union) for union in map(set, self.model.unions))
@@ -240,6 +246,27 @@ class Stage:
             self.surfaces[later.name] = (later, made)
             self.layout.meet(off(self.origin(name), at), made)
             self._foot_of = (made, radius)
+
+    def _later(self) -> None:
+        """What a body will touch only later: an edge ahead on its way, a level a little below it."""
+        for item in self.model.problem.connections:
+            if not isinstance(item, Touch) or item in self.model.acting.connections or item.lying() not in self.bodies:
+                continue
+            for ref in item.places():
+                surface = self.model.surfaces.get(ref.owner)
+                if surface is None or surface.name in self.surfaces:
+                    continue
+                body, (x, y) = self.bodies[item.lying()], self.origin(item.lying())
+                if isinstance(surface, Corner) and surface.corner is not None:
+                    ahead = (1.0 if surface.side == "right" else -1.0) * 2.0 * body.reach((1.0, 0.0))
+                    rise = self.value(surface.corner) - body.reach((0.0, -1.0))
+                    made = (self.layout.unknown(), self.layout.unknown())
+                    self.layout.meet(off((x, y), (ahead, rise)), made)
+                    self.surfaces[surface.name] = (surface, made)
+                elif isinstance(surface, Level):
+                    level = self.layout.unknown()
+                    self.layout.equal(level.plus(y, -1.0), -1.3 * body.reach((0.0, -1.0)))
+                    self.surfaces[surface.name] = (surface, level)
 
     def _foot(self, name: str, surface: Curved, edge: Place, height: float) -> None:
         """The floor before an edge, where another contact of the body names it."""

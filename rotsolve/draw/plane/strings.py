@@ -11,7 +11,9 @@ from rotsolve.confirm.pose import StringPart
 from rotsolve.confirm.routing import rim_arm
 from rotsolve.confirm.signs import normal
 from rotsolve.draw.paper.figure import BEHIND, STRING, SUPPORT, THICK, Point, arc, moved, polar, quarter, unit_of
+from rotsolve.draw.plane.bodies import Figured
 from rotsolve.draw.plane.ground import told
+from rotsolve.draw.plane.outlines import turned
 from rotsolve.draw.plane.sheet import Sheet
 from rotsolve.draw.plane.stage import Stage
 from rotsolve.elements.connections.drapes import Drapes
@@ -23,6 +25,7 @@ from rotsolve.language.bodies import PointRef
 LOOSE = 46.0  # points of a string to what is fixed anywhere
 COILS, COIL = 8, 4.6  # windings of a spring, and half their width
 STRUT = 17.0  # from the rim of a wheel to what holds it
+LONGEST = 150.0  # of a rope that hangs
 ROPE = 3.0  # of a rope that hangs, in the measure of a block, where its length is not told
 
 
@@ -49,7 +52,18 @@ def leg_end(ref: PointRef, side: int, leg: StringPart, stage: Stage, sheet: Shee
     if side and leg.along is not None:
         centre = body.spot(stage.model.spot(ref))
         return sheet.at(moved(centre, rim_arm(ref, leg.along, side, stage.model)))
-    return sheet.at(body.spot(stage.model.tied(ref)))
+    at, way = sheet.at(body.spot(stage.model.tied(ref))), leg.along
+    if not body.block or way is None:
+        return at
+    sign = 1.0 if ref is leg.first else -1.0
+    return moved(at, way, sign * sheet.scale * edge_along(body, (sign * way[0], sign * way[1])))
+
+
+def edge_along(body: Figured, way: Point) -> float:
+    """How far the outside of a block is from its middle, along a direction."""
+    x, y = body.outlines[0].points[2]
+    own = turned(way, -body.turn)
+    return min((size / abs(part) for size, part in ((x, own[0]), (y, own[1])) if abs(part) > 1e-9), default=0.0)
 
 
 def free_length(ref: PointRef, at: Point, way: Point, stage: Stage, sheet: Sheet) -> float:
@@ -145,7 +159,7 @@ def draw_spring(item: Spring, stage: Stage, sheet: Sheet) -> None:
     places = [None if (place := spring_place(ref, stage)) is None else sheet.at(place) for ref in item.spring]
     way = spring_way(item, stage.model) if None in places else (1.0, 0.0)
     first, second = places
-    long = max(LOOSE + 16.0, 3.0 * stage.sizes.block * sheet.scale)
+    long = LOOSE + 20.0
     if first is None and second is not None:
         second = edge_of(item.spring[1], second, (-way[0], -way[1]), stage, sheet)
         first = moved(second, way, -reaching(item.spring[0], second, (-way[0], -way[1]), long, stage, sheet))
@@ -179,7 +193,7 @@ def spring_place(ref: PointRef, stage: Stage) -> Point | None:
 def edge_of(ref: PointRef, at: Point, way: Point, stage: Stage, sheet: Sheet) -> Point:
     """Where a spring meets the outside of a block."""
     body = stage.bodies[ref.owner]
-    return moved(at, way, sheet.scale * body.reach(way)) if body.block else at
+    return moved(at, way, sheet.scale * edge_along(body, way)) if body.block else at
 
 
 def coil(first: Point, second: Point) -> list[Point]:
@@ -220,7 +234,8 @@ def draw_rope(item: Drapes, stage: Stage, sheet: Sheet) -> None:
     rope, over, *tied = item.drapes
     right = -1.0 if stage.model.body(rope.owner).moves == "left" else 1.0
     hanging = rope_lengths(item, stage)
-    long = [max(24.0, size * sheet.scale) for size in hanging]
+    shrunk = min(1.0, LONGEST / max(max(hanging) * sheet.scale, 1e-9))
+    long = [max(12.0, size * sheet.scale * shrunk) for size in hanging]
     if over.owner in stage.bodies:
         centre = sheet.at(stage.bodies[over.owner].place)
         radius = (radius_of(stage.model.body(over.owner), over.point, stage.value) or 0.0) * sheet.scale + 1.5

@@ -36,8 +36,16 @@ def draw_hinge(item: Hinge, stage: Stage, sheet: Sheet) -> None:
     grounded = len(item.hinge) == 1 or item.hinge[0].owner not in stage.bodies
     centre = sheet.at(middle_of(ref.owner, stage))
     above = centre[1] < at[1] - 1.0
+    light_arms(ref.owner, at, stage, sheet)
     stands = grounded and stage.model.problem.plane == "vertical" and at_edge(ref.owner, at, stage, sheet)
     sheet.pin(at, (0.0, 1.0) if above else (0.0, -1.0), stands)
+
+
+def light_arms(name: str, at: Point, stage: Stage, sheet: Sheet) -> None:
+    """The light rods that hold a point on its way round a hinge or an axle."""
+    if stage.bodies[name].dot:
+        for place in stage.bodies[name].bound():
+            sheet.figure.line([at, sheet.at(place)], STRING)
 
 
 def at_edge(name: str, at: Point, stage: Stage, sheet: Sheet) -> bool:
@@ -60,6 +68,7 @@ def draw_axle(item: Axle, stage: Stage, sheet: Sheet) -> None:
     carrier = carrier_of(item, stage.model)
     for ref in item.axle:
         if ref is not carrier:
+            light_arms(ref.owner, sheet.at(stage.bodies[ref.owner].spot(stage.model.drawn(ref))), stage, sheet)
             sheet.hub(sheet.at(stage.bodies[ref.owner].spot(stage.model.drawn(ref))))
 
 
@@ -70,7 +79,7 @@ def draw_weld(item: Weld, stage: Stage, sheet: Sheet) -> None:
 def draw_ride(item: Rides, stage: Stage, sheet: Sheet) -> None:
     """A sleeve round what it slides on."""
     rider, carrier = (stage.bodies[ref.owner] for ref in item.rides)
-    turn, at = carrier.turn, sheet.at(rider.place)
+    turn, at = carrier.turn, sheet.at(rider.bound()[0])
     along = polar(turn)
     box = widen(moved(at, along, -6.0), moved(at, along, 6.0), 5.0)
     sheet.figure.line(box, SUPPORT, closed=True)
