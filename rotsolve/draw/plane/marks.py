@@ -47,8 +47,9 @@ def draw_names(stage: Stage, sheet: Sheet) -> None:
             if shape_of(body.body).slender and any(told(stage, ref.argument) for ref in mentioned(body.name, stage)):
                 end = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "end"))))
                 middle = moved(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
-            reach = max((x - middle[0]) * way[0] + (y - middle[1]) * way[1] for x, y in points)
-            sheet.letters.name(words, middle, way, max(reach, 3.0) + 3.0)
+            if not shape_of(body.body).slender:
+                middle = max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
+            sheet.letters.name(words, middle, way, 6.0)
 
 
 def middle_of(body: Figured) -> Point:

@@ -45,10 +45,9 @@ def draw_name(solid: Solid, stage: SpaceStage, sheet: Sheet) -> None:
     points = [paper(point, sheet) for piece in solid.pieces for point in piece.points]
     if not points:
         return
-    middle = paper(solid.place, sheet)
     way = (0.8, -0.6)
-    reach = max((x - middle[0]) * way[0] + (y - middle[1]) * way[1] for x, y in points)
-    sheet.letters.name(named_in(solid.body, stage.problem), middle, way, max(reach, 3.0) + 2.0)
+    edge = max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
+    sheet.letters.name(named_in(solid.body, stage.problem), edge, way, 3.0)
 
 
 # lengths
@@ -218,7 +217,7 @@ def draw_nodding(solid: Solid, stage: SpaceStage, sheet: Sheet) -> None:
         return
     axis = normed(axis)
     pivot = next((stage.held_at(joint) for joint in stage.joints(solid.name) if not joint.rolls), solid.place)
-    long = max(math.dist(pivot, solid.place) + 1.15 * spread_along(solid, axis), 0.9 * solid.size)
+    long = max(math.dist(pivot, solid.place) + 1.15 * max(spread_along(solid, axis), 0.4 * solid.size), 0.9 * solid.size)
     if inner_product(less(solid.place, pivot), axis) < -1e-9:
         axis = scaled(-1.0, axis)
     tip = sum_of(pivot, scaled(long, axis))
@@ -292,7 +291,9 @@ def draw_weight(solid: Solid, stage: SpaceStage, sheet: Sheet) -> None:
     except FAULTS:
         return
     words = told(body.mass, stage)
-    weight = formula(body.mass * gravity) if words is not None and not words.prose else prose("weight")
+    if words is None:
+        return
+    weight = prose("weight") if words.prose else formula(body.mass * gravity)
     sheet.arrow(paper(solid.place, sheet), (0.0, -1.0), FORCED, FORCE, weight)
 
 

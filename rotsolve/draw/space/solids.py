@@ -117,8 +117,8 @@ def ball(axes: Sequence[float]) -> Shown:
     a, b, c = axes
     around = [
         (a * math.cos(t) * math.cos(p), b * math.cos(t) * math.sin(p), c * math.sin(t))
-        for t in (math.pi * (k / 18 - 0.5) for k in range(19))
-        for p in (2 * math.pi * k / 36 for k in range(36))
+        for t in (math.pi * (k / 12 - 0.5) for k in range(13))
+        for p in (2 * math.pi * k / 24 for k in range(24))
     ]
     yield Piece("hull", tuple(around))
     yield Piece("front", tuple((a * x, b * y, 0.0) for x, y, _ in ring((0.0, 0.0, 0.0), Z, 1.0)))
