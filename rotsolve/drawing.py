@@ -52,21 +52,23 @@ def run_draw(request: DrawRequest) -> int:
     with advancing("pictures") as tell:
         for number, file in enumerate(files, 1):
             try:
-                picture = WRITERS[request.format](drawn(read_source(scene_source(file, text), request.settings), request))
+                picture = WRITERS[request.format](
+                    picture_asked(read_source(scene_source(file, text), request.settings), request)
+                )
             except Exception as error:
                 outcome = failure_outcome(file, error)
                 say(outcome.message, follows=bool(failed))
                 failed.append(outcome.file)
                 code = max(code, outcome.code)
                 continue
-            code = max(code, put(picture, names[file]))
+            code = max(code, put_picture(picture, names[file]))
             tell(number / len(files))
     if failed and len(files) > 1:
         say(summary(failed, len(files)).replace("not solved", "not drawn"), follows=True)
     return code
 
 
-def drawn(problem: Problem, request: DrawRequest) -> Figure:
+def picture_asked(problem: Problem, request: DrawRequest) -> Figure:
     """The picture of one scene that is asked for."""
     return (free_body_picture if request.free_bodies else scene_picture)(problem, request.state)
 
@@ -79,18 +81,23 @@ def file_names(files: tuple[str, ...], request: DrawRequest) -> dict[str, str]:
         return dict.fromkeys(files, request.output)
     stems = Counter(Path(file).stem for file in files)
     return {
-        file: str(Path(request.output, f"{Path(file).stem if stems[Path(file).stem] == 1 else flat(file)}.{request.format}"))
+        file: str(
+            Path(
+                request.output,
+                f"{Path(file).stem if stems[Path(file).stem] == 1 else folder_name(file)}.{request.format}",
+            )
+        )
         for file in files
     }
 
 
-def flat(file: str) -> str:
+def folder_name(file: str) -> str:
     """The name of a file with that of its folder, where two files have one name."""
     path = Path(file)
     return f"{path.parent.name}-{path.stem}"
 
 
-def put(picture: str, name: str) -> int:
+def put_picture(picture: str, name: str) -> int:
     """Write a picture into its file, whose folder is made if need be, or to standard output."""
     if not name:
         sys.stdout.write(picture)

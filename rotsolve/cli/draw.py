@@ -40,12 +40,14 @@ FreeBodies = Annotated[bool, typer.Option("--free-bodies", help="Draw each body 
 At = Annotated[str, typer.Option("--state", metavar="NAME", help="Draw the scene at this state. [default: the first]")]
 
 
-def format_chosen(format: str | None, output: str | None) -> str:
+def ending_chosen(format: str | None, output: str | None) -> str:
     """How the files end that are asked for; a usage error where a name says something else."""
     by_name = next((end for end in ENDINGS.values() if (output or "").lower().endswith(end)), None)
     wanted = ENDINGS[format] if format else None
     if wanted and by_name and wanted != by_name:
-        raise typer.BadParameter(f"{output!r} does not end in {wanted}, as {format} pictures do", param_hint="'--output'")
+        raise typer.BadParameter(
+            f"{output!r} does not end in {wanted}, as {format} pictures do", param_hint="'--output'"
+        )
     if output and output.lower().endswith((".png", ".pdf")):
         message = f"{output!r}: pictures are .svg or .tex; a browser prints the one and LaTeX the other as a PDF"
         raise typer.BadParameter(message, param_hint="'--output'")
@@ -71,7 +73,7 @@ def draw_command(
 
     The bodies stand as the state says, to scale where sizes are given; a later state that tells how they stand then is dashed.
     """
-    ends = format_chosen(format, output)
+    ends = ending_chosen(format, output)
     from rotsolve.drawing import DrawRequest, run_draw
     from rotsolve.run.attempt import scenes
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TypeVar
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.writing import spoken
 from rotsolve.draw.paper.figure import Figure
-from rotsolve.draw.plane.numbers import numbers_for
-from rotsolve.draw.plane.stage import Stage
+from rotsolve.draw.plane.places.numbers import numbers_for
+from rotsolve.draw.plane.places.overlaps import plane_stage
+from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
@@ -28,33 +29,33 @@ def scene_picture(problem: Problem, state: str = "") -> Figure:
         from rotsolve.space.complete import configured_in_space
 
         spatial = configured_in_space(problem)
-        return draw_space(placed(SpaceStage, spatial, at, problem), problem.title, described(problem))
+        return draw_space(standing_at(SpaceStage, spatial, at, problem), problem.title, picture_words(problem))
     from rotsolve.draw.plane.scene import draw_scene
 
-    return draw_scene(plane_stage(problem, at), problem.title, described(problem))
+    return draw_scene(stage_of(problem, at), problem.title, picture_words(problem))
 
 
 def free_body_pictures(problem: Problem, state: str = "") -> list[tuple[str, Figure]]:
     """A diagram for each body on which something acts at a state, with the name of the body."""
     if problem.space:
         help = "the picture of the scene shows its weights and what the actions exert; `solve --show facts` says all forces"
-        raise refused("free-body diagrams are drawn of scenes in the plane, and this one is in space", problem, help)
+        raise undrawable("free-body diagrams are drawn of scenes in the plane, and this one is in space", problem, help)
     from rotsolve.draw.plane.facts import SceneFacts
     from rotsolve.draw.plane.freebody import free_body_figures
 
-    found = free_body_figures(SceneFacts(plane_stage(problem, state_named(problem, state))))
+    found = free_body_figures(SceneFacts(stage_of(problem, state_named(problem, state))))
     if not found:
-        raise refused("nothing acts on any body, so there is no free-body diagram", problem)
+        raise undrawable("nothing acts on any body, so there is no free-body diagram", problem)
     return found
 
 
 def free_body_picture(problem: Problem, state: str = "") -> Figure:
     """All free-body diagrams of a state in one picture."""
-    from rotsolve.draw.plane.freebody import side_by_side
+    from rotsolve.draw.plane.freebody import diagrams_in_rows
 
     found = free_body_pictures(problem, state)
     said = "; ".join(f"{figure.title}: {figure.description}" for _, figure in found)
-    return side_by_side([figure for _, figure in found], f"{problem.title}: free-body diagrams", said)
+    return diagrams_in_rows([figure for _, figure in found], f"{problem.title}: free-body diagrams", said)
 
 
 def picture_of(problem: Problem) -> Figure | None:
@@ -65,37 +66,43 @@ def picture_of(problem: Problem) -> Figure | None:
         return None
 
 
-def plane_stage(problem: Problem, state: str) -> Stage:
-    return placed(Stage, configured(problem), state, problem)
+def stage_of(problem: Problem, state: str) -> PlaneStage:
+    """A scene in the plane with a place for everything."""
+    return standing_at(plane_stage, configured(problem), state, problem)
 
 
-def placed(kind: type[Kind], configuration: Configuration, state: str, problem: Problem) -> Kind:
+def standing_at(
+    kind: Callable[[Configuration, dict[str, float], str], Kind],
+    configuration: Configuration,
+    state: str,
+    problem: Problem,
+) -> Kind:
     """A scene with a place for everything."""
     try:
-        return kind(configuration, numbers_for(configuration), state)  # type: ignore[call-arg]
+        return kind(configuration, numbers_for(configuration), state)
     except (NotConfirmed, ArithmeticError) as error:
-        raise refused(f"where the bodies are is not told well enough for a picture: {error}", problem) from None
+        raise undrawable(f"where the bodies are is not told well enough for a picture: {error}", problem) from None
 
 
 def state_named(problem: Problem, state: str) -> str:
     """The name of the state that is asked for, if the scene has it."""
     if not problem.bodies:
-        raise refused("the scene has no bodies to draw", problem)
+        raise undrawable("the scene has no bodies to draw", problem)
     names = [item.name for item in problem.states]
     if not state:
         return names[0] if names else ""
     if state not in names:
         named = [name for name in names if name]
         help = f"its states are {', '.join(named)}" if named else "it has one state only, without a name"
-        raise refused(f"the scene has no state `{state}`", problem, help)
+        raise undrawable(f"the scene has no state `{state}`", problem, help)
     return state
 
 
-def refused(message: str, problem: Problem, help: str = "") -> Unsolvable:
+def undrawable(message: str, problem: Problem, help: str = "") -> Unsolvable:
     return Unsolvable(message, help=help, lines=problem.lines, file=problem.file)
 
 
-def described(problem: Problem) -> str:
+def picture_words(problem: Problem) -> str:
     """What is in the scene, for readers who do not see the picture."""
     return ". ".join(filter(None, (", ".join(bodies_told(problem)), "; ".join(ties_told(problem)))))
 

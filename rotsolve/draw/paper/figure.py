@@ -15,7 +15,7 @@ SMOOTH = 7.0  # degrees between two points of an arc
 MARGIN = 9.0  # round a picture
 
 
-class Role(Struct, frozen=True):
+class InkRole(Struct, frozen=True):
     """How marks of a kind are drawn: width of the line, ink, filling, dashes, and which of them lie above others.
 
     Ink and filling are names of colours that a writer knows on light and on dark paper; '' is none.
@@ -29,24 +29,24 @@ class Role(Struct, frozen=True):
     layer: int = 0
 
 
-SURFACE = Role("surface", 1.1, layer=1)
-GROUND = Role("ground", 0.0, ink="", fill="ground", layer=0)
-HATCH = Role("hatch", 0.5, layer=0)
-BEHIND = Role("behind", 0.9, layer=2)  # a string where a body covers it
-BODY = Role("body", 1.1, fill="body", layer=3)
-HOLE = Role("hole", 0.9, fill="paper", layer=4)
-THICK = Role("thick", 3.4, layer=3)  # a rod
-GHOST = Role("ghost", 0.8, ink="faint", dash="4 2.5", layer=2)  # another state
-THIN = Role("thin", 0.6, layer=5)
-STRING = Role("string", 0.9, layer=5)
-SOLID = Role("solid", 0.7, fill="ink", layer=6)
-SUPPORT = Role("support", 0.9, fill="paper", layer=4)
-AXIS = Role("axis", 0.6, ink="faint", dash="7 2 1.5 2", layer=1)
-DIMENSION = Role("dimension", 0.5, ink="faint", layer=6)
-SENSE = Role("sense", 1.1, ink="sense", layer=7)
-FORCE = Role("force", 1.5, ink="force", layer=8)
-PIN = Role("pin", 0.9, fill="paper", layer=6)
-SPIN = Role("spin", 1.3, ink="spin", layer=8)  # of velocities and angular velocities that are given
+SURFACE = InkRole("surface", 1.1, layer=1)
+GROUND = InkRole("ground", 0.0, ink="", fill="ground", layer=0)
+HATCH = InkRole("hatch", 0.5, layer=0)
+BEHIND = InkRole("behind", 0.9, layer=2)  # a string where a body covers it
+BODY = InkRole("body", 1.1, fill="body", layer=3)
+HOLE = InkRole("hole", 0.9, fill="paper", layer=4)
+THICK = InkRole("thick", 3.4, layer=3)  # a rod
+GHOST = InkRole("ghost", 0.8, ink="faint", dash="4 2.5", layer=2)  # another state
+THIN = InkRole("thin", 0.6, layer=5)
+STRING = InkRole("string", 0.9, layer=5)
+SOLID = InkRole("solid", 0.7, fill="ink", layer=6)
+SUPPORT = InkRole("support", 0.9, fill="paper", layer=4)
+AXIS = InkRole("axis", 0.6, ink="faint", dash="7 2 1.5 2", layer=1)
+DIMENSION = InkRole("dimension", 0.5, ink="faint", layer=6)
+SENSE = InkRole("sense", 1.1, ink="sense", layer=7)
+FORCE = InkRole("force", 1.5, ink="force", layer=8)
+PIN = InkRole("pin", 0.9, fill="paper", layer=6)
+SPIN = InkRole("spin", 1.3, ink="spin", layer=8)  # of velocities and angular velocities that are given
 ROLES = (
     SURFACE, GROUND, HATCH, BEHIND, BODY, HOLE, THICK, GHOST, THIN, STRING, SOLID, SUPPORT, AXIS, DIMENSION, PIN, SENSE, FORCE, SPIN,
 )  # fmt: skip
@@ -56,7 +56,7 @@ class Line(Struct, frozen=True):
     """A line through points; `closed` ones may be filled; `heads` has '<' for an arrow at its start, '>' for one at its end."""
 
     points: tuple[Point, ...]
-    role: Role
+    role: InkRole
     closed: bool = False
     heads: str = ""
     tag: str = ""  # what it stands for, where a test or a reader asks
@@ -65,7 +65,7 @@ class Line(Struct, frozen=True):
 class Circle(Struct, frozen=True):
     centre: Point
     radius: float
-    role: Role
+    role: InkRole
 
 
 class Label(Struct, frozen=True):
@@ -91,12 +91,12 @@ class Figure(Struct):
     labels: list[Label] = field(default_factory=list)
 
     def line(
-        self, points: Sequence[Point], role: Role, *, closed: bool = False, heads: str = "", tag: str = ""
+        self, points: Sequence[Point], role: InkRole, *, closed: bool = False, heads: str = "", tag: str = ""
     ) -> None:
         """Adds a line."""
         self.marks.append(Line(tuple(points), role, closed, heads, tag))
 
-    def circle(self, centre: Point, radius: float, role: Role) -> None:
+    def circle(self, centre: Point, radius: float, role: InkRole) -> None:
         """Adds a circle."""
         self.marks.append(Circle(centre, radius, role))
 
@@ -120,21 +120,21 @@ class Figure(Struct):
         )
 
 
-def moved(point: Point, by: Point, times: float = 1.0) -> Point:
+def shifted_by(point: Point, by: Point, times: float = 1.0) -> Point:
     """A point that has gone along an arrow, so many times."""
     return point[0] + times * by[0], point[1] + times * by[1]
 
 
 def moved_mark(mark: Mark, by: Point) -> Mark:
     if isinstance(mark, Circle):
-        return Circle(moved(mark.centre, by), mark.radius, mark.role)
-    return Line(tuple(moved(point, by) for point in mark.points), mark.role, mark.closed, mark.heads, mark.tag)
+        return Circle(shifted_by(mark.centre, by), mark.radius, mark.role)
+    return Line(tuple(shifted_by(point, by) for point in mark.points), mark.role, mark.closed, mark.heads, mark.tag)
 
 
 def moved_label(label: Label, by: Point) -> Label:
     left, low, right, high = label.box
     box = (left + by[0], low + by[1], right + by[0], high + by[1])
-    return Label(label.text, label.latex, moved(label.at, by), box, label.ink, label.size)
+    return Label(label.text, label.latex, shifted_by(label.at, by), box, label.ink, label.size)
 
 
 def box_of(mark: Mark) -> Box:
@@ -153,22 +153,20 @@ def around(boxes: Sequence[Box]) -> Box:
     return min(lefts), min(lows), max(rights), max(highs)
 
 
-def apart(one: Box, other: Box, gap: float = 0.0) -> bool:
+def boxes_apart(one: Box, other: Box, gap: float = 0.0) -> bool:
     """Whether two boxes share nothing."""
-    return (
-        one[2] + gap <= other[0] or other[2] + gap <= one[0] or one[3] + gap <= other[1] or other[3] + gap <= one[1]
-    )
+    return one[2] + gap <= other[0] or other[2] + gap <= one[0] or one[3] + gap <= other[1] or other[3] + gap <= one[1]
 
 
-def polar(angle: float, size: float = 1.0) -> Point:
+def ray(angle: float, size: float = 1.0) -> Point:
     """The arrow of a direction, counterclockwise from the right in radians, and a size."""
     return size * math.cos(angle), size * math.sin(angle)
 
 
-def arc(centre: Point, radius: float, start: float, end: float) -> list[Point]:
+def arc_points(centre: Point, radius: float, start: float, end: float) -> list[Point]:
     """Points of an arc between two angles in radians, counterclockwise where the second is larger."""
     count = max(2, math.ceil(abs(math.degrees(end - start)) / SMOOTH))
-    return [moved(centre, polar(start + (end - start) * k / count, radius)) for k in range(count + 1)]
+    return [shifted_by(centre, ray(start + (end - start) * k / count, radius)) for k in range(count + 1)]
 
 
 def unit_of(vector: Point) -> Point:
@@ -190,6 +188,6 @@ def arrow_heads(line: Line) -> Iterator[tuple[Point, Point, Point]]:
     for tip, before in ends:
         along = unit_of((tip[0] - before[0], tip[1] - before[1]))
         size = HEAD if line.role.width >= 1.0 else 0.75 * HEAD
-        back, side = moved(tip, along, -size), quarter(along)
+        back, side = shifted_by(tip, along, -size), quarter(along)
         wide = NARROW * size / HEAD
-        yield tip, moved(back, side, wide), moved(back, side, -wide)
+        yield tip, shifted_by(back, side, wide), shifted_by(back, side, -wide)

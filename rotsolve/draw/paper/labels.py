@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 
 from msgspec import Struct, field
 
-from rotsolve.draw.paper.figure import Box, Circle, Figure, Label, Line, Mark, Point, apart, moved, polar, unit_of
+from rotsolve.draw.paper.figure import (
+    Box,
+    Circle,
+    Figure,
+    Label,
+    Line,
+    Mark,
+    Point,
+    boxes_apart,
+    ray,
+    shifted_by,
+    unit_of,
+)
 from rotsolve.draw.paper.lettering import SIZE, Words, width_of
 
 RINGS = (0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 95.0, 130.0)  # further and further from what is named
@@ -54,36 +67,41 @@ class Lettering(Struct):
 
     def place(self, figure: Figure) -> None:
         """Puts all labels into a picture, those with the least room first."""
-        lines = [piece for mark in figure.marks if mark.role.ink and mark.role.name != "hatch" for piece in pieces(mark)]
+        lines = [
+            piece
+            for mark in figure.marks
+            if mark.role.ink and mark.role.name != "hatch"
+            for piece in straight_pieces(mark)
+        ]
         for wish in sorted(self.wishes, key=lambda wish: not wish.inside):
-            figure.labels.append(placed(wish, lines, figure.labels))
+            figure.labels.append(best_label(wish, lines, figure.labels))
         self.wishes.clear()
 
 
-def pieces(mark: Mark) -> Iterator[Segment]:
+def straight_pieces(mark: Mark) -> Iterator[Segment]:
     """The straight pieces of a mark."""
     if isinstance(mark, Circle):
         count = round(360 / ROUGH)
-        points = [moved(mark.centre, polar(2 * math.pi * k / count, mark.radius)) for k in range(count + 1)]
-        yield from zip(points, points[1:], strict=False)
+        points = [shifted_by(mark.centre, ray(2 * math.pi * k / count, mark.radius)) for k in range(count + 1)]
+        yield from itertools.pairwise(points)
     elif isinstance(mark, Line):
         yield from zip(mark.points, mark.points[1:], strict=False)
         if mark.closed:
             yield mark.points[-1], mark.points[0]
 
 
-def placed(wish: Wish, lines: Sequence[Segment], others: Sequence[Label]) -> Label:
+def best_label(wish: Wish, lines: Sequence[Segment], others: Sequence[Label]) -> Label:
     """A label at the best of the places round what it names."""
     wide, high = width_of(wish.words.text, wish.size, wish.words.prose), HIGH * wish.size
     furthest = wish.reach + RINGS[-1] + wide
-    near = [piece for piece in lines if close(piece, wish.at, furthest)]
+    near = [piece for piece in lines if may_touch(piece, wish.at, furthest)]
     boxes = [label.box for label in others if close_box(label.box, wish.at, furthest + wide)]
     best: tuple[float, Point] | None = None
     for cost, middle in candidates(wish, wide, high):
         if best is not None and cost >= best[0]:
             break
         box = box_at(middle, wide, high)
-        if not all(apart(box, other, GAP) for other in boxes):
+        if not all(boxes_apart(box, other, GAP) for other in boxes):
             continue
         cost += COVERED * sum(crosses(piece, box) for piece in near)
         if best is None or cost < best[0]:
@@ -98,9 +116,9 @@ def candidates(wish: Wish, wide: float, high: float) -> list[tuple[float, Point]
     found = [(0.0, wish.at)] if wish.inside else []
     for ring in RINGS:
         for turn in TURNS:
-            x, y = polar(start + math.radians(turn))
+            x, y = ray(start + math.radians(turn))
             off = wish.reach + ring + abs(x) * wide / 2 + abs(y) * high / 2
-            found.append((FAR * ring + abs(turn) / SHY + wish.inside * 2.0, moved(wish.at, (x, y), off)))
+            found.append((FAR * ring + abs(turn) / SHY + wish.inside * 2.0, shifted_by(wish.at, (x, y), off)))
     return sorted(found, key=lambda item: item[0])
 
 
@@ -114,12 +132,10 @@ def box_at(middle: Point, wide: float, high: float) -> Box:
     return x - wide / 2, y - high / 2, x + wide / 2, y + high / 2
 
 
-def close(piece: Segment, at: Point, reach: float) -> bool:
+def may_touch(piece: Segment, at: Point, reach: float) -> bool:
     """Whether a piece may come within reach of a place."""
     (ax, ay), (bx, by) = piece
-    return (
-        min(ax, bx) - reach <= at[0] <= max(ax, bx) + reach and min(ay, by) - reach <= at[1] <= max(ay, by) + reach
-    )
+    return min(ax, bx) - reach <= at[0] <= max(ax, bx) + reach and min(ay, by) - reach <= at[1] <= max(ay, by) + reach
 
 
 def close_box(box: Box, at: Point, reach: float) -> bool:

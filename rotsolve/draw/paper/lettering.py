@@ -27,7 +27,7 @@ class Words(Struct, frozen=True):
     prose: bool = False
 
 
-class Run(Struct, frozen=True):
+class LetterRun(Struct, frozen=True):
     """A piece of a label: it leans where it is a letter, and may stand below the line."""
 
     text: str
@@ -40,16 +40,16 @@ def letter(name: str) -> Words:
     return Words(name_to_text(name), f"${name_to_latex(name)}$")
 
 
-def formula(value: Formula) -> Words:
+def formula_words(value: Formula) -> Words:
     """A formula."""
     if isinstance(value, Symbol):
         return letter(value.name)
     return Words(to_text(value), f"${to_latex(value)}$")
 
 
-def with_letters(value: Formula, letters: Mapping[str, Formula]) -> Words:
+def words_with_letters(value: Formula, letters: Mapping[str, Formula]) -> Words:
     """A formula of quantities, with the letters that are printed for them."""
-    return formula(value.substitute(letters))
+    return formula_words(value.substitute(letters))
 
 
 def prose(text: str) -> Words:
@@ -59,7 +59,7 @@ def prose(text: str) -> Words:
     return Words(text, escaped, True)
 
 
-def runs(text: str, plain: bool = False) -> Iterator[Run]:
+def letter_runs(text: str, plain: bool = False) -> Iterator[LetterRun]:
     """The pieces of a text: single letters lean, words and figures stand; what follows `_` or is a small figure stands below."""
     for piece in RUN.split(text):
         if not piece:
@@ -67,17 +67,17 @@ def runs(text: str, plain: bool = False) -> Iterator[Run]:
         below = piece[0] == "_" or piece[0] in RAISED
         said = "".join(RAISED.get(char, char) for char in piece.removeprefix("_").replace("_", ",")) if below else piece
         if below and not plain:
-            yield Run(said, len(said) == 1 and said.isalpha(), True)
+            yield LetterRun(said, len(said) == 1 and said.isalpha(), True)
         elif plain:
-            yield Run(piece, False, False)
+            yield LetterRun(piece, False, False)
         else:
             for word in WORD.findall(said):
-                yield Run(word, len(word) == 1 and word.isalpha(), False)
+                yield LetterRun(word, len(word) == 1 and word.isalpha(), False)
 
 
 def width_of(text: str, size: float = SIZE, plain: bool = False) -> float:
     """About how wide a text is, rather more than less."""
     return sum(
         size * (0.72 if run.below else 1.0) * sum(0.36 if c in NARROW else 0.92 if c in WIDE else 0.6 for c in run.text)
-        for run in runs(text, plain)
+        for run in letter_runs(text, plain)
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.draw.paper.figure import ROLES, Circle, Figure, Label, Line, Mark, Point, arrow_heads
-from rotsolve.draw.paper.lettering import runs
+from rotsolve.draw.paper.lettering import letter_runs
 
 SPECIAL = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;"})
 LIGHT = {
@@ -27,7 +27,7 @@ def colours(table: dict[str, str]) -> str:
     return ";".join(f"--{name}:{colour}" for name, colour in table.items())
 
 
-def style(adapts: bool) -> str:
+def style_sheet(adapts: bool) -> str:
     """The style sheet: a class for each role; dark colours where the reader's paper is dark, if the picture stands for itself."""
     rules = [f".rotsolve{{{colours(LIGHT)};font-family:{FONTS}}}"]
     if adapts:
@@ -51,47 +51,48 @@ def svg(figure: Figure, *, adapts: bool = True, number: int = 0) -> str:
     wide, tall = right - left, high - low
     name = f"rotsolve-{number}" if number else "rotsolve"
     title = figure.title.translate(SPECIAL)
+    room = f'width="{short_number(wide * 4 / 3)}" height="{short_number(tall * 4 / 3)}"'
+    box = f'viewBox="0 0 {short_number(wide)} {short_number(tall)}" aria-labelledby="{name}-t {name}-d"'
     lines = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" class="rotsolve" role="img" width="{size(wide * 4 / 3)}" '
-        f'height="{size(tall * 4 / 3)}" viewBox="0 0 {size(wide)} {size(tall)}" aria-labelledby="{name}-t {name}-d">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="rotsolve" role="img" {room} {box}>',
         f'<title id="{name}-t">{title}</title>',
         f'<desc id="{name}-d">{figure.description.translate(SPECIAL)}</desc>',
-        f"<style>{style(adapts)}</style>",
+        f"<style>{style_sheet(adapts)}</style>",
     ]
     if adapts:
         lines.append('<rect width="100%" height="100%" style="fill:var(--paper)"/>')
     origin = (left, high)
     for mark in figure.in_layers():
-        lines += mark_lines(mark, origin)
+        lines += svg_mark(mark, origin)
     lines += [label_line(label, origin) for label in figure.labels]
     return "\n".join([*lines, "</svg>", ""])
 
 
-def size(value: float) -> str:
+def short_number(value: float) -> str:
     """A number with two digits behind the point, and no more of them than it needs."""
     text = f"{value:.2f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
 
 
-def place(point: Point, origin: Point) -> str:
-    return f"{size(point[0] - origin[0])} {size(origin[1] - point[1])}"
+def svg_place(point: Point, origin: Point) -> str:
+    return f"{short_number(point[0] - origin[0])} {short_number(origin[1] - point[1])}"
 
 
-def mark_lines(mark: Mark, origin: Point) -> Iterator[str]:
+def svg_mark(mark: Mark, origin: Point) -> Iterator[str]:
     """A line or a circle, with the heads of arrows."""
     if isinstance(mark, Circle):
-        x, y = place(mark.centre, origin).split()
-        yield f'<circle class="{mark.role.name}" cx="{x}" cy="{y}" r="{size(mark.radius)}"/>'
+        x, y = svg_place(mark.centre, origin).split()
+        yield f'<circle class="{mark.role.name}" cx="{x}" cy="{y}" r="{short_number(mark.radius)}"/>'
         return
     yield f'<path class="{mark.role.name}" d="{path(mark, origin)}"/>'
     for triangle in arrow_heads(mark):
-        corners = " ".join(place(corner, origin) for corner in triangle)
+        corners = " ".join(svg_place(corner, origin) for corner in triangle)
         yield f'<path class="to-{mark.role.ink}" style="fill:var(--{mark.role.ink})" d="M{corners}Z"/>'
 
 
 def path(line: Line, origin: Point) -> str:
     points = list(line.points)
-    return f"M{' '.join(place(point, origin) for point in points)}{'Z' if line.closed else ''}"
+    return f"M{' '.join(svg_place(point, origin) for point in points)}{'Z' if line.closed else ''}"
 
 
 def label_line(label: Label, origin: Point) -> str:
@@ -99,14 +100,16 @@ def label_line(label: Label, origin: Point) -> str:
     x, y = label.at[0] - origin[0], origin[1] - label.at[1] + BASELINE * label.size
     pieces, low = [], False
     prose = label.latex[:1] != "$"
-    for run in runs(label.text, prose):
-        shift = f' dy="{size(0.25 * label.size if run.below else -0.25 * label.size)}"' if run.below != low else ""
-        small = f' font-size="{size(0.72 * label.size)}"' if run.below else ""
+    for run in letter_runs(label.text, prose):
+        shift = (
+            f' dy="{short_number(0.25 * label.size if run.below else -0.25 * label.size)}"' if run.below != low else ""
+        )
+        small = f' font-size="{short_number(0.72 * label.size)}"' if run.below else ""
         leans = ' class="l"' if run.leans else ""
         said = run.text.translate(SPECIAL)
         pieces.append(f"<tspan{leans}{shift}{small}>{said}</tspan>" if shift or small or leans else said)
         low = run.below
     return (
-        f'<text x="{size(x)}" y="{size(y)}" font-size="{size(label.size)}" style="fill:var(--{label.ink})">'
+        f'<text x="{short_number(x)}" y="{short_number(y)}" font-size="{short_number(label.size)}" style="fill:var(--{label.ink})">'
         f"{''.join(pieces)}</text>"
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rotsolve.draw.paper.figure import ROLES, Circle, Figure, Mark, Point, Role, arrow_heads
+from rotsolve.draw.paper.figure import ROLES, Circle, Figure, InkRole, Mark, Point, arrow_heads
 
 COLOURS = {
     "ink": "black", "faint": "black!60", "paper": "white", "body": "black!9", "ground": "black!6",
@@ -19,14 +19,14 @@ PREAMBLE = r"""\documentclass[border=4pt]{standalone}
 
 def tikz(figure: Figure) -> str:
     """A picture as a `tikzpicture`."""
-    styles = ",\n".join(f"  rs {role.name}/.style={{{style(role)}}}" for role in ROLES)
+    styles = ",\n".join(f"  rs {role.name}/.style={{{tikz_style(role)}}}" for role in ROLES)
     lines = [rf"% {figure.title}", r"\begin{tikzpicture}[x=1pt,y=1pt,line join=round,line cap=round,", styles + "]"]
     for mark in figure.in_layers():
-        lines += mark_lines(mark)
+        lines += tikz_mark(mark)
     for label in figure.labels:
-        size = rf"\fontsize{{{number(label.size - 1)}}}{{{number(label.size)}}}\selectfont"
+        size = rf"\fontsize{{{tikz_number(label.size - 1)}}}{{{tikz_number(label.size)}}}\selectfont"
         colour = "" if label.ink == "ink" else f",text={COLOURS[label.ink]}"
-        lines.append(rf"\node[inner sep=0pt{colour}] at {place(label.at)} {{{size} {label.latex}}};")
+        lines.append(rf"\node[inner sep=0pt{colour}] at {tikz_place(label.at)} {{{size} {label.latex}}};")
     return "\n".join([*lines, r"\end{tikzpicture}", ""])
 
 
@@ -35,7 +35,7 @@ def document(pictures: Sequence[Figure]) -> str:
     return PREAMBLE + "\n".join(tikz(picture) for picture in pictures) + "\\end{document}\n"
 
 
-def style(role: Role) -> str:
+def tikz_style(role: InkRole) -> str:
     """The options of a role."""
     ink = f"draw={COLOURS[role.ink]},line width={role.width:g}pt" if role.ink and role.width else "draw=none"
     fill = f",fill={COLOURS[role.fill]}" if role.fill else ""
@@ -44,21 +44,21 @@ def style(role: Role) -> str:
     return ink + fill + (f",dash pattern={pattern}" if pattern else "")
 
 
-def number(value: float) -> str:
+def tikz_number(value: float) -> str:
     text = f"{value:.2f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
 
 
-def place(point: Point) -> str:
-    return f"({number(point[0])},{number(point[1])})"
+def tikz_place(point: Point) -> str:
+    return f"({tikz_number(point[0])},{tikz_number(point[1])})"
 
 
-def mark_lines(mark: Mark) -> Iterator[str]:
+def tikz_mark(mark: Mark) -> Iterator[str]:
     """A line or a circle, with the heads of arrows."""
     if isinstance(mark, Circle):
-        yield rf"\path[rs {mark.role.name}] {place(mark.centre)} circle[radius={number(mark.radius)}pt];"
+        yield rf"\path[rs {mark.role.name}] {tikz_place(mark.centre)} circle[radius={tikz_number(mark.radius)}pt];"
         return
     end = " -- cycle" if mark.closed else ""
-    yield rf"\path[rs {mark.role.name}] {' -- '.join(map(place, mark.points))}{end};"
+    yield rf"\path[rs {mark.role.name}] {' -- '.join(map(tikz_place, mark.points))}{end};"
     for corners in arrow_heads(mark):
-        yield rf"\fill[{COLOURS[mark.role.ink]}] {' -- '.join(map(place, corners))} -- cycle;"
+        yield rf"\fill[{COLOURS[mark.role.ink]}] {' -- '.join(map(tikz_place, corners))} -- cycle;"

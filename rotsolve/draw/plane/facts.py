@@ -14,8 +14,8 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.derivation.letters import own_indices
-from rotsolve.draw.paper.figure import Point, moved
-from rotsolve.draw.plane.stage import Stage
+from rotsolve.draw.paper.figure import Point, shifted_by
+from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.motion.instant import Instant
 from rotsolve.questions.find import question_for
@@ -26,7 +26,7 @@ SOME = 0.35  # for what nothing tells, and no picture shows to scale
 class SceneFacts:
     """The facts of a scene at the state of a stage."""
 
-    def __init__(self, stage: Stage, scene: SceneEquations | None = None) -> None:
+    def __init__(self, stage: PlaneStage, scene: SceneEquations | None = None) -> None:
         self.stage = stage
         self.scene = scene or SceneEquations(stage.configuration)
 
@@ -103,7 +103,7 @@ class SceneFacts:
         found = (0.0, 0.0)
         for size, heading in vector.parts:
             angle = self.number(heading.formula())
-            found = moved(found, (math.cos(angle), math.sin(angle)), self.number(size))
+            found = shifted_by(found, (math.cos(angle), math.sin(angle)), self.number(size))
         return found
 
     def reference(self, host: str) -> Point:
@@ -113,7 +113,7 @@ class SceneFacts:
 
     def applied(self, force: Force) -> Point:
         """Where a force acts, on the stage: the arm is told as the body stands in the facts, which is as it stands here."""
-        return moved(self.reference(force.body), self.arrow(force.arm))
+        return shifted_by(self.reference(force.body), self.arrow(force.arm))
 
     def acting(self, body: BodyFacts) -> Iterator[tuple[Force, Point, Point]]:
         """The forces on a body with a size: each with where it acts and its unit vector."""

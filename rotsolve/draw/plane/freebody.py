@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.facts import BodyFacts, Couple, Force
 from rotsolve.core.writing import spoken
-from rotsolve.draw.paper.figure import AXIS, BODY, FORCE, SOLID, Figure, Point, moved, quarter
-from rotsolve.draw.paper.lettering import Words, prose, with_letters
-from rotsolve.draw.plane.bodies import Figured
+from rotsolve.draw.paper.figure import BODY, FORCE, SOLID, Figure, Point, quarter, shifted_by
+from rotsolve.draw.paper.lettering import Words, prose, words_with_letters
 from rotsolve.draw.plane.facts import SceneFacts
-from rotsolve.draw.plane.sheet import Sheet
-from rotsolve.draw.plane.stage import Stage
+from rotsolve.draw.plane.places.bodies import Figured
+from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.draw.plane.signs.sheet import ScenePaper
 
 ACROSS, SMALL = 84.0, 46.0  # points of paper for a rod or a group, and for another body
 LONG, APART = 42.0, 5.5  # of an arrow; between two on one line
@@ -37,8 +37,10 @@ def acts(body: BodyFacts) -> bool:
 def free_body_figure(body: BodyFacts, known: SceneFacts) -> Figure:
     """One body, and all that acts on it."""
     stage = known.stage
-    members = [stage.bodies[name] for name in stage.configuration.carried(body.name, stage.state) if name in stage.bodies]
-    sheet = Sheet(scale_of(members), f"Forces on {spoken(body.name)}", description(body))
+    members = [
+        stage.bodies[name] for name in stage.configuration.carried(body.name, stage.state) if name in stage.bodies
+    ]
+    sheet = ScenePaper(scale_of(members), f"Forces on {spoken(body.name)}", description(body))
     for member in members:
         for outline in member.shown():
             sheet.outline(outline)
@@ -47,7 +49,7 @@ def free_body_figure(body: BodyFacts, known: SceneFacts) -> Figure:
     taken: list[tuple[Point, Point]] = []
     for number, (force, place, way) in enumerate(known.acting(body)):
         start = free_start(sheet.at(place), way, taken)
-        taken.append((start, moved(start, way, LONG)))
+        taken.append((start, shifted_by(start, way, LONG)))
         words = size_words(force, known)
         sheet.arrow(start, way, LONG, FORCE, words, tag=f"{body.name} {number}")
         if force.role.weighs:
@@ -66,7 +68,7 @@ def rope_piece(at: Point) -> list[Point]:
     return [(x - 2, y - 20), (x + 2, y - 20), (x + 2, y + 20), (x - 2, y + 20)]
 
 
-def under(sheet: Sheet) -> Point:
+def under(sheet: ScenePaper) -> Point:
     """The middle below all that is drawn."""
     left, low, right, _ = sheet.figure.box(0.0)
     return (left + right) / 2, low
@@ -89,7 +91,7 @@ def description(body: BodyFacts) -> str:
 
 def size_words(item: Force | Couple, known: SceneFacts) -> Words:
     """The size of a force in the letters that a derivation prints, or what it is called where that is long."""
-    words = with_letters(item.size, known.letters)
+    words = words_with_letters(item.size, known.letters)
     return words if len(words.text) <= LONGEST else prose(item.noun)
 
 
@@ -97,7 +99,7 @@ def free_start(at: Point, way: Point, taken: Sequence[tuple[Point, Point]]) -> P
     """Where an arrow begins: at its point, or beside it where another lies on the same line."""
     side, best = quarter(way), at
     for shift in (0.0, APART, -APART, 2 * APART, -2 * APART, 3 * APART, -3 * APART):
-        best = moved(at, side, shift)
+        best = shifted_by(at, side, shift)
         if not any(same_line(best, way, arrow) for arrow in taken):
             break
     return best
@@ -112,7 +114,7 @@ def same_line(start: Point, way: Point, arrow: tuple[Point, Point]) -> bool:
 
 
 def couple_arrow(
-    couple: Couple, stage: Stage, known: SceneFacts, sheet: Sheet, words: Words | None, number: int
+    couple: Couple, stage: PlaneStage, known: SceneFacts, sheet: ScenePaper, words: Words | None, number: int
 ) -> None:
     """A round arrow about the reference of a body, along the turn of a couple."""
     turn = 1.0 if known.number(couple.torque) >= 0.0 else -1.0
@@ -124,7 +126,7 @@ def couple_arrow(
     sheet.round_arrow(centre, radius, start, turn * SWEEP, FORCE, words, tag=f"{couple.body} couple {number}")
 
 
-def side_by_side(figures: Sequence[Figure], title: str, description: str) -> Figure:
+def diagrams_in_rows(figures: Sequence[Figure], title: str, description: str) -> Figure:
     """Several pictures in rows, as one."""
     whole = Figure(title, description)
     x, top, deepest = 0.0, 0.0, 0.0
@@ -137,6 +139,3 @@ def side_by_side(figures: Sequence[Figure], title: str, description: str) -> Fig
         whole.labels += placed.labels
         x, deepest = x + right - left + GAP, min(deepest, top - (high - low))
     return whole
-
-
-__all__ = ["AXIS", "free_body_figures", "side_by_side"]

@@ -6,19 +6,23 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc, moved
+from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc_points, shifted_by
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.freebody import couple_arrow
-from rotsolve.draw.plane.ghosts import draw_ghosts
-from rotsolve.draw.plane.ground import draw_surfaces, told
-from rotsolve.draw.plane.marks import draw_angles, draw_lengths, draw_names, draw_senses
-from rotsolve.draw.plane.sheet import Sheet
-from rotsolve.draw.plane.strings import edge_along
-from rotsolve.draw.plane.stage import Stage
-from rotsolve.draw.plane.ties import draw_connections
-from rotsolve.core.facts import Couple, Force
-from rotsolve.elements.surfaces import Curved
+from rotsolve.draw.plane.places.contacts import normal_sign
+from rotsolve.draw.plane.places.kinds import curve_radius
+from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.draw.plane.signs.angles import draw_angles
+from rotsolve.draw.plane.signs.ghosts import draw_ghosts
+from rotsolve.draw.plane.signs.ground import draw_surfaces, told_words
+from rotsolve.draw.plane.signs.lengths import draw_lengths
+from rotsolve.draw.plane.signs.names import draw_names
+from rotsolve.draw.plane.signs.senses import draw_senses
+from rotsolve.draw.plane.signs.sheet import ScenePaper
+from rotsolve.draw.plane.signs.strings import edge_along
+from rotsolve.draw.plane.signs.ties import draw_connections
 from rotsolve.language.bodies import Surface
 
 BLOCKS = 56.0  # points of paper for a block
@@ -26,27 +30,33 @@ WIDE, TALL, LARGEST, ROUND = 330.0, 230.0, 165.0, 96.0  # points of paper for al
 PULL = 40.0  # length of the arrow of a force
 
 
-def scale_for(stage: Stage) -> float:
+def plane_scale(stage: PlaneStage) -> float:
     """Points of paper for a metre: all bodies fit, and one alone is no larger than it need be."""
     points = [point for body in stage.bodies.values() for point in body.bound()]
-    points += [point for surface in stage.surfaces.values() for point in round_surface(*surface, stage)]
+    points += [point for surface, where in stage.surfaces.values() for point in round_surface(surface, where, stage)]
     wide, tall = spans(points)
     extents = [(body, max(spans(body.bound()))) for body in stage.bodies.values() if body.bound()]
     single = max((size for _, size in extents), default=0.0)
     circle = max((size for body, size in extents if body.outlines and body.outlines[0].radius), default=0.0)
     alone = len(stage.bodies) == 1 and not stage.surfaces and not stage.model.acting.connections
     blocks = max((size for body, size in extents if body.block), default=0.0)
-    limits = [(WIDE, wide), (BLOCKS if blocks <= 1.01 * stage.sizes.block else 3 * BLOCKS, blocks), (TALL, tall), (LARGEST, single), (LARGEST if alone else ROUND, circle)]
+    limits = [
+        (WIDE, wide),
+        (BLOCKS if blocks <= 1.01 * stage.sizes.block else 3 * BLOCKS, blocks),
+        (TALL, tall),
+        (LARGEST, single),
+        (LARGEST if alone else ROUND, circle),
+    ]
     return min((room / size for room, size in limits if size > 0.0), default=100.0 / (stage.sizes.whole or 1.0))
 
 
-def round_surface(surface: Surface, where: Any, stage: Stage) -> list[Point]:
+def round_surface(surface: Surface, where: Any, stage: PlaneStage) -> list[Point]:
     """Points of a bowl or a dome."""
-    size = surface.radius() if isinstance(surface, Curved) else None
+    size = curve_radius(surface)
     if size is None:
         return []
-    centre, radius = (where[0].at(stage.found), where[1].at(stage.found)), stage.value(size)
-    return arc(centre, radius, *((0.0, math.pi) if surface.outside else (math.pi, 2 * math.pi)))  # type: ignore[attr-defined]
+    centre, radius = stage.middle(where), stage.value(size)
+    return arc_points(centre, radius, *((0.0, math.pi) if normal_sign(surface) > 0 else (math.pi, 2 * math.pi)))
 
 
 def spans(points: Sequence[Point]) -> tuple[float, float]:
@@ -56,9 +66,9 @@ def spans(points: Sequence[Point]) -> tuple[float, float]:
     return max(xs) - min(xs), max(ys) - min(ys)
 
 
-def draw_scene(stage: Stage, title: str = "", description: str = "") -> Figure:
+def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Figure:
     """The picture of a scene in the plane at the state of a stage."""
-    sheet = Sheet(scale_for(stage), title, description)
+    sheet = ScenePaper(plane_scale(stage), title, description)
     draw_surfaces(stage, sheet)
     draw_connections(stage, sheet)
     draw_ghosts(stage, sheet)
@@ -66,7 +76,7 @@ def draw_scene(stage: Stage, title: str = "", description: str = "") -> Figure:
         if body.seen:
             for outline in body.shown():
                 sheet.outline(outline)
-    draw_actions(stage, sheet)
+    draw_plane_actions(stage, sheet)
     draw_angles(stage, sheet)
     draw_lengths(stage, sheet)
     draw_senses(stage, sheet)
@@ -74,7 +84,7 @@ def draw_scene(stage: Stage, title: str = "", description: str = "") -> Figure:
     return sheet.finished()
 
 
-def draw_actions(stage: Stage, sheet: Sheet) -> None:
+def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The forces and couples of the actions, as their facts say."""
     if not stage.model.acting.actions:
         return
@@ -84,19 +94,19 @@ def draw_actions(stage: Stage, sheet: Sheet) -> None:
             facts = list(action.facts(known.instant))
         except Unsolvable:
             continue
-        words = told(stage, action.strength())
+        words = told_words(stage, action.strength())
         for fact in facts:
             if isinstance(fact, Force) and not fact.role.rubs:
                 x, y = known.arrow(fact.direction)
                 at = sheet.at(known.applied(fact))
                 if fact.role.presses:
-                    sheet.arrow(moved(at, (x, y), -PULL), (x, y), PULL, FORCE)
+                    sheet.arrow(shifted_by(at, (x, y), -PULL), (x, y), PULL, FORCE)
                     if words is not None:
-                        sheet.letters.name(words, moved(at, (x, y), -PULL), (-x, -y), 3.0, FORCE.ink)
+                        sheet.letters.name(words, shifted_by(at, (x, y), -PULL), (-x, -y), 3.0, FORCE.ink)
                 else:
                     body = stage.bodies[fact.body]
                     if body.block:
-                        at = moved(at, (x, y), sheet.scale * edge_along(body, (x, y)))
+                        at = shifted_by(at, (x, y), sheet.scale * edge_along(body, (x, y)))
                     sheet.arrow(at, (x, y), PULL, FORCE, words)
             elif isinstance(fact, Couple):
                 couple_arrow(fact, stage, known, sheet, words, 0)

@@ -6,15 +6,16 @@ import math
 from collections.abc import Callable, Iterator
 
 from rotsolve.confirm.signs import GROUND
-from rotsolve.confirm.space.arrows import Z, Arrow, arrow_length, crossed, inner_product, normed, scaled, sum_of
-from rotsolve.draw.paper.figure import AXIS, BODY, GROUND as EARTH, HATCH, HOLE, SOLID, STRING, SUPPORT, THIN, Figure, Point
+from rotsolve.confirm.space.arrows import Arrow, Z, arrow_length, crossed, inner_product, normed, scaled, sum_of
+from rotsolve.draw.paper.figure import AXIS, BODY, HATCH, HOLE, SOLID, STRING, SUPPORT, THIN, Figure, Point
+from rotsolve.draw.paper.figure import GROUND as EARTH
 from rotsolve.draw.paper.lettering import letter
-from rotsolve.draw.plane.overlaps import hull
-from rotsolve.draw.plane.sheet import DOT, STOUT, Sheet, widened
+from rotsolve.draw.plane.places.overlaps import hull
+from rotsolve.draw.plane.signs.sheet import DOT, STOUT, ScenePaper, widened
 from rotsolve.draw.space.marks import draw_marks
 from rotsolve.draw.space.solids import Piece
-from rotsolve.draw.space.stage import Solid, SpaceStage
-from rotsolve.draw.space.view import TOWARDS, depth, faces, seen, span
+from rotsolve.draw.space.stage import DrawnSolid, SpaceStage
+from rotsolve.draw.space.view import TOWARDS, depth, faces, seen, span_on_paper
 from rotsolve.language.bodies import Joint
 
 WIDE, TALL, LARGEST = 330.0, 215.0, 150.0  # points of paper for all, and for one body
@@ -25,7 +26,7 @@ FLOOR = 1.5  # of the floor round a body, in its size
 
 def draw_space(stage: SpaceStage, title: str = "", description: str = "") -> Figure:
     """The picture of a scene in space."""
-    sheet = Sheet(scale_for(stage), title, description)
+    sheet = ScenePaper(space_scale(stage), title, description)
     draw_floors(stage, sheet)
     draw_axes(stage, sheet)
     for solid in sorted(stage.solids.values(), key=lambda solid: depth(solid.place)):
@@ -38,24 +39,24 @@ def draw_space(stage: SpaceStage, title: str = "", description: str = "") -> Fig
     return sheet.finished()
 
 
-def scale_for(stage: SpaceStage) -> float:
+def space_scale(stage: SpaceStage) -> float:
     """Points of paper for a metre."""
     points = [seen(point) for solid in stage.solids.values() for piece in solid.pieces for point in piece.points]
     points += [seen(stage.held_at(joint)) for joint in stage.rig.joints.values() if joint.body.owner in stage.solids]
-    wide, tall = span(points)
+    wide, tall = span_on_paper(points)
     single = max((2 * solid.size for solid in stage.solids.values()), default=0.0)
     limits = ((WIDE, wide), (TALL, tall), (LARGEST, single))
     return min((room / size for room, size in limits if size > 0.0), default=90.0 / stage.whole)
 
 
-def on_paper(place: Arrow, sheet: Sheet) -> Point:
+def on_paper(place: Arrow, sheet: ScenePaper) -> Point:
     return sheet.at(seen(place))
 
 
 # bodies
 
 
-def draw_solid(solid: Solid, sheet: Sheet) -> None:
+def draw_solid(solid: DrawnSolid, sheet: ScenePaper) -> None:
     """The pieces of a body, those behind first."""
     for piece in sorted(solid.pieces, key=middle_depth):
         PIECES[piece.kind](piece, sheet)
@@ -68,29 +69,29 @@ def middle_depth(piece: Piece) -> tuple[float, float]:
     return (order, ahead) if piece.kind != "face" or piece.way is None else (1.5, ahead)
 
 
-def draw_face(piece: Piece, sheet: Sheet) -> None:
+def draw_face(piece: Piece, sheet: ScenePaper) -> None:
     if piece.way is None or faces(piece.way):
         sheet.figure.line([on_paper(point, sheet) for point in piece.points], BODY, closed=True)
 
 
-def draw_hull(piece: Piece, sheet: Sheet) -> None:
+def draw_hull(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.line(hull([on_paper(point, sheet) for point in piece.points]), BODY, closed=True)
 
 
-def draw_hole(piece: Piece, sheet: Sheet) -> None:
+def draw_hole(piece: Piece, sheet: ScenePaper) -> None:
     if piece.way is None or faces(piece.way):
         sheet.figure.line([on_paper(point, sheet) for point in piece.points], HOLE, closed=True)
 
 
-def draw_rod(piece: Piece, sheet: Sheet) -> None:
+def draw_rod(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.line(widened([on_paper(point, sheet) for point in piece.points], STOUT), BODY, closed=True)
 
 
-def draw_edge(piece: Piece, sheet: Sheet) -> None:
+def draw_edge(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.line([on_paper(point, sheet) for point in piece.points], STRING)
 
 
-def draw_front(piece: Piece, sheet: Sheet) -> None:
+def draw_front(piece: Piece, sheet: ScenePaper) -> None:
     """The half of an equator that is seen."""
     middle = scaled(1.0 / len(piece.points), sum_of(*piece.points))
     near = [point for point in piece.points if depth(point) >= depth(middle) - 1e-12]
@@ -98,11 +99,11 @@ def draw_front(piece: Piece, sheet: Sheet) -> None:
     sheet.figure.line([on_paper(point, sheet) for point in ordered], THIN)
 
 
-def draw_dot(piece: Piece, sheet: Sheet) -> None:
+def draw_dot(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.circle(on_paper(piece.points[0], sheet), DOT, SOLID)
 
 
-PIECES: dict[str, Callable[[Piece, Sheet], None]] = {
+PIECES: dict[str, Callable[[Piece, ScenePaper], None]] = {
     "face": draw_face,
     "hull": draw_hull,
     "hole": draw_hole,
@@ -116,15 +117,15 @@ PIECES: dict[str, Callable[[Piece, Sheet], None]] = {
 # what holds them
 
 
-def draw_axis_behind(solid: Solid, stage: SpaceStage, sheet: Sheet) -> None:
+def draw_axis_behind(solid: DrawnSolid, stage: SpaceStage, sheet: ScenePaper) -> None:
     """The axis about which a body turns, or its own axis where it tilts, beyond it on both sides."""
-    for at, way in axes_of(solid, stage):
+    for at, way in turning_axes_of(solid, stage):
         reach = BEYOND * max(solid.size, 0.3 * stage.whole)
         ends = [sum_of(at, scaled(side * reach, way)) for side in (-1.0, 1.0)]
         sheet.figure.line([on_paper(end, sheet) for end in ends], AXIS)
 
 
-def axes_of(solid: Solid, stage: SpaceStage) -> Iterator[tuple[Arrow, Arrow]]:
+def turning_axes_of(solid: DrawnSolid, stage: SpaceStage) -> Iterator[tuple[Arrow, Arrow]]:
     for joint in stage.joints(solid.name):
         way = stage.way(joint)
         if way is not None:
@@ -135,7 +136,7 @@ def axes_of(solid: Solid, stage: SpaceStage) -> Iterator[tuple[Arrow, Arrow]]:
             yield solid.place, normed(axis)
 
 
-def draw_joint(joint: Joint, stage: SpaceStage, sheet: Sheet) -> None:
+def draw_joint(joint: Joint, stage: SpaceStage, sheet: ScenePaper) -> None:
     """A ball on its foot, bearings on an axis, a sleeve round one; the arm from what carries it."""
     at = stage.held_at(joint)
     place = on_paper(at, sheet)
@@ -160,7 +161,7 @@ def draw_joint(joint: Joint, stage: SpaceStage, sheet: Sheet) -> None:
         bearing(place, seen(normed(way)), sheet, 9.0)
 
 
-def bearing(at: Point, way: Point, sheet: Sheet, half: float = 4.5) -> None:
+def bearing(at: Point, way: Point, sheet: ScenePaper, half: float = 4.5) -> None:
     """Two strokes on both sides of an axis."""
     long = math.hypot(*way)
     along = (way[0] / long, way[1] / long) if long > 1e-6 else (0.0, 1.0)
@@ -175,7 +176,7 @@ def bearing(at: Point, way: Point, sheet: Sheet, half: float = 4.5) -> None:
             sheet.figure.line([foot, tip], HATCH)
 
 
-def arm(joint: Joint, stage: SpaceStage, sheet: Sheet) -> None:
+def arm(joint: Joint, stage: SpaceStage, sheet: ScenePaper) -> None:
     """The light rod from the axis of what carries a body to where it holds that."""
     carrier = joint.carrier.owner
     bases = [stage.held_at(other) for other in stage.joints(carrier)] or [stage.solids[carrier].place]
@@ -187,7 +188,7 @@ def arm(joint: Joint, stage: SpaceStage, sheet: Sheet) -> None:
 # floors and axes
 
 
-def draw_floors(stage: SpaceStage, sheet: Sheet) -> None:
+def draw_floors(stage: SpaceStage, sheet: ScenePaper) -> None:
     """A piece of the surface on which a body rolls or lies, or of the level under what stands on a point."""
     for name in stage.solids:
         for joint in stage.joints(name):
@@ -207,7 +208,7 @@ def outward(joint: Joint, stage: SpaceStage) -> Arrow:
     return (stage.value(surface.normal.cos()), 0.0, stage.value(surface.normal.sin()))
 
 
-def floor_patch(foot: Arrow, out: Arrow, size: float, sheet: Sheet) -> None:
+def floor_patch(foot: Arrow, out: Arrow, size: float, sheet: ScenePaper) -> None:
     side: Arrow = (0.0, 1.0, 0.0)
     along = normed(crossed(side, out))
     corners = [
@@ -217,12 +218,15 @@ def floor_patch(foot: Arrow, out: Arrow, size: float, sheet: Sheet) -> None:
     sheet.figure.line([on_paper(corner, sheet) for corner in corners], HATCH, closed=True)
 
 
-def draw_axes(stage: SpaceStage, sheet: Sheet) -> None:
+def draw_axes(stage: SpaceStage, sheet: ScenePaper) -> None:
     """x, y and z at the point that is held at rest, where there is one, else in a corner."""
     held = [
         stage.held_at(joint)
         for joint in stage.rig.joints.values()
-        if joint.carrier.owner not in stage.solids and not joint.rolls and not joint.flat and joint.body.owner in stage.solids
+        if joint.carrier.owner not in stage.solids
+        and not joint.rolls
+        and not joint.flat
+        and joint.body.owner in stage.solids
     ]
     size = AXES * max((solid.size for solid in stage.solids.values()), default=1.0)
     if len(held) == 1:

@@ -10,10 +10,11 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.confirm.space.arrows import Arrow, Turned, X, Z, normed, scaled, sum_of, times_arrow
+from rotsolve.confirm.space.arrows import Arrow, Turned, Z, normed, scaled, sum_of, times_arrow
 from rotsolve.confirm.space.masses import axis_told, placing_of, spot_in_body
-from rotsolve.draw.plane.outlines import Value, of_lamina, stepped
-from rotsolve.draw.plane.outlines import number as as_formula
+from rotsolve.draw.plane.places.kinds import row_for
+from rotsolve.draw.plane.places.outlines import Value, lamina_outline, stepped
+from rotsolve.draw.plane.places.outlines import as_number as as_formula
 from rotsolve.draw.space.view import ring
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.shapes.integrated import Graded, Lamina, Revolution
@@ -24,7 +25,10 @@ from rotsolve.language.bodies import Body, Part
 from rotsolve.language.shape import Shape
 
 THIN, LONG = 0.86, 1.0  # the inner edge of a thin ring; a length that is left open, in radii
-TOP, AXLE = 0.55, 0.5  # of a body of which only an axis is told: radius of its disc and half length of its axle, in the scene's measure
+TOP, AXLE = (
+    0.55,
+    0.5,
+)  # of a body of which only an axis is told: radius of its disc and half length of its axle, in the scene's measure
 
 
 class Piece(Struct, frozen=True):
@@ -51,27 +55,27 @@ def face(points: Sequence[Arrow], way: Arrow | None = None) -> Piece:
     return Piece("face", tuple(points), way)
 
 
-def of_particle(shape: Particle, value: Value) -> Shown:
+def particle_solid(shape: Particle, value: Value) -> Shown:
     yield Piece("dot", ((value(shape.radius), 0.0, 0.0),))
 
 
-def of_rod(shape: Rod, value: Value) -> Shown:
+def rod_solid(shape: Rod, value: Value) -> Shown:
     half = value(shape.extent()) / 2
     yield Piece("rod", ((-half, 0.0, 0.0), (half, 0.0, 0.0)))
 
 
-def of_arc(shape: Arc, value: Value) -> Shown:
+def arc_solid(shape: Arc, value: Value) -> Shown:
     half = value(shape.opening) / 2 if shape.opening is not None else 1.0
     radius = value(shape.radius) if shape.radius is not None else 1.0
     yield Piece("rod", tuple(ring((0.0, 0.0, 0.0), Z, radius, -half, half)))
 
 
-def of_disc(shape: Disc, value: Value) -> Shown:
+def disc_solid(shape: Disc, value: Value) -> Shown:
     if shape.radius is not None:
         yield face(ring((0.0, 0.0, 0.0), Z, value(shape.radius)))
 
 
-def of_ring(shape: Ring | Annulus, value: Value) -> Shown:
+def ring_solid(shape: Ring | Annulus, value: Value) -> Shown:
     """A flat ring; what is behind shows through it."""
     radii = dict(getattr(shape, "radii", ()))
     outer = radii.get("outer") or getattr(shape, "radius", None)
@@ -90,7 +94,7 @@ def drum(radius: float, length: float) -> Shown:
     yield face(rings[1], Z)
 
 
-def of_cylinder(shape: Cylinder | CylindricalShell, value: Value) -> Shown:
+def cylinder_solid(shape: Cylinder | CylindricalShell, value: Value) -> Shown:
     radii = dict(getattr(shape, "radii", ()))
     outer = radii.get("outer") or shape.radius
     if outer is None:
@@ -98,14 +102,22 @@ def of_cylinder(shape: Cylinder | CylindricalShell, value: Value) -> Shown:
     radius = value(outer)
     length = value(shape.length) if shape.length is not None else LONG * radius
     yield from drum(radius, length)
-    hollow = isinstance(shape, CylindricalShell)
-    inner = value(radii["inner"]) if "inner" in radii else THIN * radius
-    for side in (-1.0, 1.0) if hollow else ():
-        hole = ring((0.0, 0.0, side * length / 2), Z, inner)
-        yield Piece("hole", tuple(hole), (0.0, 0.0, side))
 
 
-def of_sphere(shape: Sphere | SphericalShell, value: Value) -> Shown:
+def tube_solid(shape: CylindricalShell, value: Value) -> Shown:
+    """A cylinder with a hole in the end that is seen."""
+    yield from cylinder_solid(shape, value)
+    radii = dict(shape.radii)
+    outer = radii.get("outer") or shape.radius
+    if outer is not None:
+        radius = value(outer)
+        length = value(shape.length) if shape.length is not None else LONG * radius
+        inner = value(radii["inner"]) if "inner" in radii else THIN * radius
+        for side in (-1.0, 1.0):
+            yield Piece("hole", tuple(ring((0.0, 0.0, side * length / 2), Z, inner)), (0.0, 0.0, side))
+
+
+def sphere_solid(shape: Sphere | SphericalShell, value: Value) -> Shown:
     radii = dict(getattr(shape, "radii", ()))
     outer = radii.get("outer") or shape.radius
     if outer is not None:
@@ -124,7 +136,7 @@ def ball(axes: Sequence[float]) -> Shown:
     yield Piece("front", tuple((a * x, b * y, 0.0) for x, y, _ in ring((0.0, 0.0, 0.0), Z, 1.0)))
 
 
-def of_cone(shape: Cone, value: Value) -> Shown:
+def cone_solid(shape: Cone, value: Value) -> Shown:
     if shape.radius is None or shape.length is None:
         return
     base, tip = ring((0.0, 0.0, 0.0), Z, value(shape.radius)), (0.0, 0.0, value(shape.length))
@@ -132,7 +144,7 @@ def of_cone(shape: Cone, value: Value) -> Shown:
     yield face(base, (0.0, 0.0, -1.0))
 
 
-def of_cuboid(shape: Cuboid, value: Value) -> Shown:
+def cuboid_solid(shape: Cuboid, value: Value) -> Shown:
     half = [value(side) / 2 for side in shape.sides]
     for k, side in product(range(3), (-1.0, 1.0)):
         i, j = (k + 1) % 3, (k + 2) % 3
@@ -146,15 +158,15 @@ def of_cuboid(shape: Cuboid, value: Value) -> Shown:
         yield face(corners, (way[0], way[1], way[2]))
 
 
-def of_ellipsoid(shape: Ellipsoid, value: Value) -> Shown:
+def ellipsoid_solid(shape: Ellipsoid, value: Value) -> Shown:
     yield from ball([value(side) for side in shape.sides])
 
 
-def of_lamina_in_space(shape: Lamina, value: Value) -> Shown:
-    yield from (face([(x, y, 0.0) for x, y in outline.points]) for outline in of_lamina(shape, value))
+def lamina_solid(shape: Lamina, value: Value) -> Shown:
+    yield from (face([(x, y, 0.0) for x, y in outline.points]) for outline in lamina_outline(shape, value))
 
 
-def of_revolution(shape: Revolution, value: Value) -> Shown:
+def revolution_solid(shape: Revolution, value: Value) -> Shown:
     """Its profile turned about z."""
     along, radius = shape.profile
     name, heights = along.variable.name, stepped(value(along.lower), value(along.upper))
@@ -165,62 +177,62 @@ def of_revolution(shape: Revolution, value: Value) -> Shown:
     yield face(rings[-1], Z)
 
 
-def of_graded(shape: Graded, value: Value) -> Shown:
-    yield from of_shape(shape.shape, value)
+def graded_solid(shape: Graded, value: Value) -> Shown:
+    yield from shape_pieces(shape.shape, value)
 
 
-def of_corners(shape: Shape, value: Value) -> Shown:
+def corners_solid(shape: Shape, value: Value) -> Shown:
     corners = [(value(x), value(y), 0.0) for x, y in shape.outline()]
     if corners:
         yield face(corners)
 
 
 SOLIDS: dict[type[Shape], Callable[[Any, Value], Shown]] = {
-    Particle: of_particle,
-    Rod: of_rod,
-    Arc: of_arc,
-    Disc: of_disc,
-    Ring: of_ring,
-    Annulus: of_ring,
-    Cylinder: of_cylinder,
-    CylindricalShell: of_cylinder,
-    Sphere: of_sphere,
-    SphericalShell: of_sphere,
-    Cone: of_cone,
-    Cuboid: of_cuboid,
-    Ellipsoid: of_ellipsoid,
-    Lamina: of_lamina_in_space,
-    Revolution: of_revolution,
-    Graded: of_graded,
-    Shape: of_corners,
+    Particle: particle_solid,
+    Rod: rod_solid,
+    Arc: arc_solid,
+    Disc: disc_solid,
+    Ring: ring_solid,
+    Annulus: ring_solid,
+    Cylinder: cylinder_solid,
+    CylindricalShell: tube_solid,
+    Sphere: sphere_solid,
+    SphericalShell: sphere_solid,
+    Cone: cone_solid,
+    Cuboid: cuboid_solid,
+    Ellipsoid: ellipsoid_solid,
+    Lamina: lamina_solid,
+    Revolution: revolution_solid,
+    Graded: graded_solid,
+    Shape: corners_solid,
 }
 
 
-def of_shape(shape: Shape, value: Value) -> Shown:
+def shape_pieces(shape: Shape, value: Value) -> Shown:
     """What a shape looks like, by the nearest of its classes that has a row."""
-    kind = next(kind for kind in type(shape).__mro__ if kind in SOLIDS)
-    yield from SOLIDS[kind](shape, value)
+    draw = row_for(type(shape), SOLIDS)
+    yield from draw(shape, value) if draw is not None else ()
 
 
-def of_body(body: Body, value: Value) -> Shown:
+def body_pieces(body: Body, value: Value) -> Shown:
     """A body by its shape, its parts and its holes; nothing of one of which no size is told."""
     if body.shape is not None:
-        yield from of_shape(body.shape, value)
-    yield from frame_of(body, value)
+        yield from shape_pieces(body.shape, value)
+    yield from light_spokes(body, value)
     for part in body.parts:
-        yield from of_part(part, value)
+        yield from part_pieces(part, value)
     for hole in body.holes:
-        yield from (replace(piece, kind="hole") for piece in of_part(hole, value) if piece.kind == "face")
+        yield from (replace(piece, kind="hole") for piece in part_pieces(hole, value) if piece.kind == "face")
 
 
-def of_part(part: Part, value: Value) -> Shown:
+def part_pieces(part: Part, value: Value) -> Shown:
     """A part at its place; one of which no size is told is a point."""
     rows, place = placing_of(part, value)
-    shown = list(of_body(part.body, value)) or [Piece("dot", ((0.0, 0.0, 0.0),))]
+    shown = list(body_pieces(part.body, value)) or [Piece("dot", ((0.0, 0.0, 0.0),))]
     yield from (piece.turned(rows, place) for piece in shown)
 
 
-def frame_of(body: Body, value: Value) -> Shown:
+def light_spokes(body: Body, value: Value) -> Shown:
     """The light rods from its middle to the balls and points of which a body consists."""
     spots = [placing_of(part, value)[1] for part in body.parts]
     loose = all(shape_of(part.body).pointlike or shape_of(part.body).spherical for part in body.parts)
@@ -231,7 +243,7 @@ def frame_of(body: Body, value: Value) -> Shown:
             yield from (Piece("edge", ((0.0, 0.0, 0.0), spot)) for spot in spots)
 
 
-def stand_in(body: Body, value: Value, whole: float, axis: Arrow | None) -> Shown:
+def plain_solid(body: Body, value: Value, whole: float, axis: Arrow | None) -> Shown:
     """What is drawn for a body of which only inertia is told: a disc on an axle along its axis, else a ball that has none."""
     reach = [spot_in_body(body, name, value) for name, _ in body.points]
     size = max((math.hypot(*spot) for spot in reach), default=0.0) or whole
@@ -241,6 +253,3 @@ def stand_in(body: Body, value: Value, whole: float, axis: Arrow | None) -> Show
         return
     yield face(ring((0.0, 0.0, 0.0), way, TOP * size))
     yield Piece("edge", (scaled(-AXLE * size, normed(way)), scaled(AXLE * size, normed(way))))
-
-
-__all__ = ["X", "Piece", "of_body", "stand_in"]

@@ -12,8 +12,8 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.space.arrows import ALONG, STILL, Arrow, Turned, scaled, sum_of, times_arrow
 from rotsolve.confirm.space.rig import Lines, Rig
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.draw.plane.outlines import Value
-from rotsolve.draw.space.solids import Piece, of_body, stand_in
+from rotsolve.draw.plane.places.outlines import Value
+from rotsolve.draw.space.solids import Piece, body_pieces, plain_solid
 from rotsolve.draw.space.view import RIGHT, seen
 from rotsolve.language.bodies import Body, Joint, PointRef
 from rotsolve.language.problem import State
@@ -24,7 +24,7 @@ BESIDE = 0.45  # between two groups, in the width of the larger one
 FAULTS = (NotConfirmed, ArithmeticError, ValueError, LookupError)
 
 
-class Solid(Struct):
+class DrawnSolid(Struct):
     """A body as it is drawn: its pieces where it stands, how it is turned, and its centre of mass."""
 
     name: str
@@ -35,7 +35,9 @@ class Solid(Struct):
 
     def moved(self, by: Arrow) -> None:
         self.place = sum_of(self.place, by)
-        self.pieces = tuple(replace(piece, points=tuple(sum_of(point, by) for point in piece.points)) for piece in self.pieces)
+        self.pieces = tuple(
+            replace(piece, points=tuple(sum_of(point, by) for point in piece.points)) for piece in self.pieces
+        )
 
     @property
     def size(self) -> float:
@@ -62,9 +64,14 @@ class SpaceStage:
     def whole(self) -> float:
         """The measure of the scene: the largest body, or arm of a point of one, that is told."""
         sizes = [
-            math.dist(point, STILL) for body in self.problem.bodies for piece in of_body(body, self.value) for point in piece.points
+            math.dist(point, STILL)
+            for body in self.problem.bodies
+            for piece in body_pieces(body, self.value)
+            for point in piece.points
         ]
-        sizes += [math.hypot(*(self.value(part) for part in at)) for body in self.problem.bodies for _, at in body.points]
+        sizes += [
+            math.hypot(*(self.value(part) for part in at)) for body in self.problem.bodies for _, at in body.points
+        ]
         return max((size for size in sizes if size > 0.0), default=1.0)
 
     def rows(self, name: str) -> Turned:
@@ -74,15 +81,15 @@ class SpaceStage:
         except FAULTS:
             return ALONG
 
-    def _solid(self, body: Body) -> Solid:
+    def _solid(self, body: Body) -> DrawnSolid:
         rows = self.rows(body.name)
         try:
             centre, place = self.rig.solid(body.name).centre, self.stance.place(body.name)
         except FAULTS:
             centre, place = STILL, STILL
-        origin = sum_of(place, scaled(-1.0, turned_by(rows, centre)))
-        pieces = list(of_body(body, self.value)) or list(self._stand_in(body))
-        return Solid(body.name, body, tuple(piece.turned(rows, origin) for piece in pieces), rows, place)
+        origin = sum_of(place, scaled(-1.0, turned_out(rows, centre)))
+        pieces = list(body_pieces(body, self.value)) or list(self._stand_in(body))
+        return DrawnSolid(body.name, body, tuple(piece.turned(rows, origin) for piece in pieces), rows, place)
 
     def _stand_in(self, body: Body) -> list[Piece]:
         massless = body.mass is not None and body.tensor is None and body.inertia is None and not self._weighs(body)
@@ -94,7 +101,7 @@ class SpaceStage:
             axis = self.rig.axis(body.name)
         except FAULTS:
             axis = None
-        return list(stand_in(body, self.value, self.whole, axis))
+        return list(plain_solid(body, self.value, self.whole, axis))
 
     def _weighs(self, body: Body) -> bool:
         try:
@@ -134,7 +141,7 @@ class SpaceStage:
             own = self.rig.axis(name)
         except FAULTS:
             return None
-        return None if own is None else turned_by(self.solids[name].rows, own)
+        return None if own is None else turned_out(self.solids[name].rows, own)
 
     # side by side
 
@@ -142,7 +149,9 @@ class SpaceStage:
         """Bodies that joints tie together, or whose places are told."""
         groups: list[list[str]] = []
         for name in self.solids:
-            carrier = next((joint.carrier.owner for joint in self.joints(name) if joint.carrier.owner in self.solids), "")
+            carrier = next(
+                (joint.carrier.owner for joint in self.joints(name) if joint.carrier.owner in self.solids), ""
+            )
             placed = any(line.path is not None and line.path.quantity == "position" for line in self.lines.of(name))
             home = next((group for group in groups if carrier in group or (placed and group is groups[0])), None)
             if home is None:
@@ -169,6 +178,6 @@ class SpaceStage:
             edge = right
 
 
-def turned_by(rows: Turned, arrow: Arrow) -> Arrow:
+def turned_out(rows: Turned, arrow: Arrow) -> Arrow:
     """An arrow of a body's own axes, in space."""
     return times_arrow(rows, arrow)

@@ -50,7 +50,7 @@ def crossed_unit(a: Arrow, b: Arrow) -> Arrow:
     return normed((x, y, z))
 
 
-def span(places: Sequence[Point]) -> tuple[float, float]:
+def span_on_paper(places: Sequence[Point]) -> tuple[float, float]:
     """Width and height of points on paper."""
     if not places:
         return 0.0, 0.0

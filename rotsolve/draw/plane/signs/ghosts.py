@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 
-from rotsolve.draw.paper.figure import Point, moved
-from rotsolve.draw.plane.bodies import Figured
-from rotsolve.draw.plane.ground import told
-from rotsolve.draw.plane.outlines import turned
-from rotsolve.draw.plane.sheet import Sheet
-from rotsolve.draw.plane.stage import Stage
+from rotsolve.draw.paper.figure import Point, shifted_by
+from rotsolve.draw.plane.places.bodies import Figured
+from rotsolve.draw.plane.places.outlines import spun
+from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.draw.plane.signs.ground import told_words
+from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.language.problem import Condition
 
 LEAST = 0.06  # radians by which a body must be turned for that to be seen
 
 
-def draw_ghosts(stage: Stage, sheet: Sheet) -> None:
+def draw_ghosts(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The next state that tells of each body how it stands then."""
     acting = stage.model.acting
     drawn: set[str] = set()
@@ -25,13 +25,13 @@ def draw_ghosts(stage: Stage, sheet: Sheet) -> None:
             if path is None or path.owner not in stage.bodies or path.owner in drawn or line.value is None:
                 continue
             body = stage.bodies[path.owner]
-            if path.quantity == "angle" and path.point is None and draw_turned(body, line, stage, sheet):
-                drawn.add(path.owner)
-            elif path.quantity == "displacement" and path.component is None and draw_moved(body, line, stage, sheet):
+            if (path.quantity == "angle" and path.point is None and draw_turned(body, line, stage, sheet)) or (
+                path.quantity == "displacement" and path.component is None and draw_moved(body, line, stage, sheet)
+            ):
                 drawn.add(path.owner)
 
 
-def draw_turned(body: Figured, line: Condition, stage: Stage, sheet: Sheet) -> bool:
+def draw_turned(body: Figured, line: Condition, stage: PlaneStage, sheet: ScenePaper) -> bool:
     """A body that is held, turned about its hinge."""
     if line.value is None or body.name not in stage.model.held:
         return False
@@ -41,15 +41,15 @@ def draw_turned(body: Figured, line: Condition, stage: Stage, sheet: Sheet) -> b
     spot = stage.model.drawn(stage.model.held[body.name][1])
     pivot = body.spot(spot)
     for outline in body.outlines:
-        arm = turned(spot, body.turn + more)
+        arm = spun(spot, body.turn + more)
         sheet.outline(outline.turned((pivot[0] - arm[0], pivot[1] - arm[1]), body.turn + more), ghost=True)
     return True
 
 
-def draw_moved(body: Figured, line: Condition, stage: Stage, sheet: Sheet) -> bool:
+def draw_moved(body: Figured, line: Condition, stage: PlaneStage, sheet: ScenePaper) -> bool:
     """A body that travels along a line, further on, with how far that is."""
     way = stage.model.line(body.name)
-    words = told(stage, line.value)
+    words = told_words(stage, line.value)
     if way is None or line.value is None or words is None:
         return False
     long = stage.value(line.value)
@@ -63,11 +63,11 @@ def draw_moved(body: Figured, line: Condition, stage: Stage, sheet: Sheet) -> bo
         side = (-side[0], -side[1])
     off = sheet.scale * max(body.reach(side), body.reach((-side[0], -side[1]))) + 10.0
     left = side[0] * -way[1] + side[1] * way[0] > 0
-    sheet.dimension(start, moved(start, way, long * sheet.scale), words, off if left else -off)
+    sheet.dimension(start, shifted_by(start, way, long * sheet.scale), words, off if left else -off)
     return True
 
 
-def room_for(long: float, stage: Stage) -> bool:
+def room_for(long: float, stage: PlaneStage) -> bool:
     """Whether a way fits on the paper beside the bodies."""
     points = [point for body in stage.bodies.values() for point in body.bound()]
     xs, ys = [x for x, _ in points], [y for _, y in points]

@@ -5,33 +5,33 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 from rotsolve.confirm.seating import joints_of
-from rotsolve.draw.paper.figure import Point, moved
-
-if TYPE_CHECKING:
-    from rotsolve.draw.plane.bodies import Figured
-    from rotsolve.draw.plane.stage import Stage
+from rotsolve.draw.paper.figure import Point, shifted_by
+from rotsolve.draw.plane.places.bodies import Figured
+from rotsolve.draw.plane.places.rules import arrange
+from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.motion.configuration import Configuration
 
 ROUNDS = 14  # of going apart
 FREE = 0.25  # between two groups, in the width of the larger one
 TOUCHING = 1e-3  # of its size, by which a body may overlap one that it touches
 
 
-def pushed_apart(stage: Stage) -> None:
-    """Moves groups side by side, then lengthens the strings of what still overlaps."""
+def plane_stage(configuration: Configuration, numbers: dict[str, float], state: str) -> PlaneStage:
+    """A scene at a state: groups side by side, and the strings of what would overlap so long that it does not."""
+    stage = PlaneStage(configuration, numbers, state)
     for _ in range(ROUNDS):
-        side_by_side(stage)
+        stage.shifts.clear()
+        arrange(stage)
+        groups_beside(stage)
         pair = next(overlapping(stage), None)
         if pair is None or not lengthened(stage, pair):
-            return
-        stage.shifts.clear()
-        stage.arrange()
-        stage.__dict__.pop("groups", None)
+            break
+    return stage
 
 
-def side_by_side(stage: Stage) -> None:
+def groups_beside(stage: PlaneStage) -> None:
     """Groups that nothing ties to each other stand from left to right, on one level with their middles."""
     names: dict[int, list[str]] = {}
     for name, group in stage.groups.items():
@@ -44,21 +44,23 @@ def side_by_side(stage: Stage) -> None:
         low, high = min(y for _, y in points), max(y for _, y in points)
         gap = max(FREE * (right - left), 0.6 * stage.sizes.block, 0.35 * stage.sizes.whole)
         if edge is not None and len(names) > 1:
-            anchored = any(stage.bodies[name].name in stage.model.held for name in members) or not tied_down(stage, members)
+            anchored = any(stage.bodies[name].name in stage.model.held for name in members) or not tied_down(
+                stage, members
+            )
             by = (edge + gap - left, -(low + high) / 2 if anchored else 0.0)
             for name in members:
-                stage.shifts[name] = moved(stage.shifts.get(name, (0.0, 0.0)), by)
-                stage.bodies[name].place = moved(stage.bodies[name].place, by)
+                stage.shifts[name] = shifted_by(stage.shifts.get(name, (0.0, 0.0)), by)
+                stage.bodies[name].place = shifted_by(stage.bodies[name].place, by)
             right += by[0]
         edge = right
 
 
-def tied_down(stage: Stage, members: Sequence[str]) -> bool:
+def tied_down(stage: PlaneStage, members: Sequence[str]) -> bool:
     """Whether something lies on a surface."""
     return any(item.lying() in members for item in stage.model.acting.connections if item.lying())
 
 
-def overlapping(stage: Stage) -> Iterator[tuple[str, str]]:
+def overlapping(stage: PlaneStage) -> Iterator[tuple[str, str]]:
     """Pairs of bodies that overlap although nothing in the scene has them at one place."""
     excused = excused_pairs(stage)
     hulls = {name: hull(body.bound()) for name, body in stage.bodies.items() if body.seen}
@@ -67,13 +69,13 @@ def overlapping(stage: Stage) -> Iterator[tuple[str, str]]:
             yield one, other
 
 
-def excused_pairs(stage: Stage) -> set[frozenset[str]]:
+def excused_pairs(stage: PlaneStage) -> set[frozenset[str]]:
     """Bodies that the scene itself has at one place: joined, on one axle, touching, one inside another, meeting in an event."""
     pairs = {frozenset((one.owner, two.owner)) for one, two in joints_of(stage.model)}
+    distant = (*stage.kinds.strings, *stage.kinds.springs, *stage.kinds.belts)
     for item in stage.model.acting.connections:
         owners = [ref.owner for ref in item.touches() if ref.owner in stage.bodies]
-        string = item.word in ("string", "spring", "belt")
-        pairs |= set() if string else {frozenset(pair) for pair in combinations(owners, 2)}
+        pairs |= set() if item in distant else {frozenset(pair) for pair in combinations(owners, 2)}
     for event in stage.model.problem.events:
         owners = [ref.owner for ref in event.points(stage.model.problem.connections)]
         pairs |= {frozenset(pair) for pair in combinations(owners, 2)}
@@ -87,20 +89,22 @@ def excused_pairs(stage: Stage) -> set[frozenset[str]]:
     }
 
 
-def lengthened(stage: Stage, pair: tuple[str, str]) -> bool:
+def lengthened(stage: PlaneStage, pair: tuple[str, str]) -> bool:
     """Lets one of two bodies hang lower: the one that is lower already, by the string on which it hangs alone."""
     lower = sorted(pair, key=lambda name: stage.bodies[name].place[1])
     for name in lower:
         for item, number, leg in stage.legs():
             if name in (leg.first.owner, leg.second.owner) and leg.along is not None:
                 key = f"{item.name} {number}"
-                step = max(0.8 * stage.sizes.block, 0.6 * height(stage.bodies[pair[0]]), 0.6 * height(stage.bodies[pair[1]]))
+                step = max(
+                    0.8 * stage.sizes.block, 0.6 * tall(stage.bodies[pair[0]]), 0.6 * tall(stage.bodies[pair[1]])
+                )
                 stage.longer[key] = stage.longer.get(key, 0.0) + step
                 return True
     return False
 
 
-def height(body: Figured) -> float:
+def tall(body: Figured) -> float:
     ys = [y for _, y in body.bound()]
     return max(ys) - min(ys) if ys else 0.0
 
@@ -114,14 +118,14 @@ def hull(points: Sequence[Point]) -> list[Point]:
     for run in (ordered, ordered[::-1]):
         side: list[Point] = []
         for point in run:
-            while len(side) > 1 and cross(side[-2], side[-1], point) <= 0.0:
+            while len(side) > 1 and turning_side(side[-2], side[-1], point) <= 0.0:
                 side.pop()
             side.append(point)
         halves.append(side[:-1])
     return halves[0] + halves[1]
 
 
-def cross(origin: Point, one: Point, other: Point) -> float:
+def turning_side(origin: Point, one: Point, other: Point) -> float:
     return (one[0] - origin[0]) * (other[1] - origin[1]) - (one[1] - origin[1]) * (other[0] - origin[0])
 
 
@@ -134,8 +138,10 @@ def meet(one: Sequence[Point], other: Sequence[Point]) -> bool:
             long = math.hypot(*edge)
             if long and all(edge[0] * (y - start[1]) - edge[1] * (x - start[0]) <= room * long for x, y in second):
                 return False
-            if long and len(first) == 2 and all(
-                edge[0] * (y - start[1]) - edge[1] * (x - start[0]) >= -room * long for x, y in second
+            if (
+                long
+                and len(first) == 2
+                and all(edge[0] * (y - start[1]) - edge[1] * (x - start[0]) >= -room * long for x, y in second)
             ):
                 return False
     return math.hypot(one[0][0] - other[0][0], one[0][1] - other[0][1]) <= room if len(one) == len(other) == 1 else True

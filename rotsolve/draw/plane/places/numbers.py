@@ -28,7 +28,7 @@ def numbers_for(configuration: Configuration) -> dict[str, float]:
     for turn in range(TRIES):
         numbers = {**known, **dict(guessed(problem, known, usual, turn))}
         first = first or numbers
-        if all(fits(gap, numbers) for gap in limits):
+        if all(may_hold(gap, numbers) for gap in limits):
             return numbers
     return first or known
 
@@ -53,9 +53,7 @@ def usual_length(problem: Problem, known: Mapping[str, float]) -> float:
     return lengths[len(lengths) // 2] if lengths else 1.0
 
 
-def guessed(
-    problem: Problem, known: Mapping[str, float], usual: float, turn: int
-) -> Iterator[tuple[str, float]]:
+def guessed(problem: Problem, known: Mapping[str, float], usual: float, turn: int) -> Iterator[tuple[str, float]]:
     """Numbers for the letters that have none; each `turn` tries others."""
     open_ = [given for given in problem.givens if given.name not in known]
     for place, given in enumerate(open_):
@@ -70,7 +68,7 @@ def guess(given: Given, usual: float, place: int) -> float:
     return 0.3 if given.dimension == NONE else 1.0 + 0.17 * (place % 7)
 
 
-def fits(gap: Formula, numbers: Mapping[str, float]) -> bool:
+def may_hold(gap: Formula, numbers: Mapping[str, float]) -> bool:
     """Whether a condition of the scene holds, as far as numbers tell."""
     try:
         return float(value_of(gap, numbers)) >= 0.0

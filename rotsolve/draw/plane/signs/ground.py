@@ -9,12 +9,12 @@ from typing import Any
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.signs import normal, surface_of, uphill
-from rotsolve.draw.paper.figure import AXIS, DIMENSION, GROUND, SURFACE, Point, arc, moved
+from rotsolve.draw.paper.figure import GROUND, SURFACE, Point, arc_points, shifted_by
 from rotsolve.draw.paper.lettering import Words
-from rotsolve.draw.plane.sheet import Sheet
-from rotsolve.draw.plane.stage import Stage
-from rotsolve.draw.plane.wording import told_in
-from rotsolve.elements.connections.springs import Spring
+from rotsolve.draw.plane.places.kinds import by_kind, edge_height, row_for
+from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.draw.plane.signs.sheet import ScenePaper
+from rotsolve.draw.plane.signs.wording import told_as
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Corner, Curved, Dome, Hollow, Level, Slope, Track, Wall
@@ -26,22 +26,23 @@ ANCHOR = 66.0  # from a body to the ground to which a spring ties it
 ARC = 30.0  # radius of the arc of an angle
 
 
-def told(stage: Stage, value: Formula | None) -> Words | None:
+def told_words(stage: PlaneStage, value: Formula | None) -> Words | None:
     """A size in its letter, or as it is written where it is a number."""
-    return told_in(value, stage.model.problem)
+    return told_as(value, stage.model.problem)
 
 
-def lying_on(name: str, stage: Stage) -> Iterator[Touch]:
+def lying_on(name: str, stage: PlaneStage) -> Iterator[Touch]:
     """The contacts of bodies with a surface."""
-    for item in stage.model.acting.connections:
-        if isinstance(item, Touch):
-            surface = surface_of(item, stage.model)
-            if item.lying() in stage.bodies and surface is not None and surface.name == name:
-                if item.places()[0].owner not in stage.bodies:
-                    yield item
+    for item in stage.kinds.contacts:
+        surface = surface_of(item, stage.model)
+        if item.lying() in stage.bodies and surface is not None and surface.name == name:
+            if item.places()[0].owner not in stage.bodies:
+                yield item
 
 
-def extent(surface: Surface, along: Point, stage: Stage, sheet: Sheet) -> tuple[float, float, bool, bool]:
+def surface_extent(
+    surface: Surface, along: Point, stage: PlaneStage, sheet: ScenePaper
+) -> tuple[float, float, bool, bool]:
     """From where to where along a flat surface it is drawn, on paper; and whether it ends in an edge at either end."""
     bounds = []
     for item in lying_on(surface.name, stage):
@@ -68,22 +69,22 @@ def extent(surface: Surface, along: Point, stage: Stage, sheet: Sheet) -> tuple[
     return low, high, edges[0], edges[1]
 
 
-def anchored(surface: Surface, stage: Stage) -> Iterator[str]:
+def anchored(surface: Surface, stage: PlaneStage) -> Iterator[str]:
     """The bodies on a surface that a spring ties to the ground on their left."""
     lying = {item.lying() for item in lying_on(surface.name, stage)}
-    for item in stage.model.acting.connections:
-        if isinstance(item, Spring) and item.spring[0].owner not in stage.bodies and item.spring[1].owner in lying:
+    for item in stage.kinds.springs:
+        if item.spring[0].owner not in stage.bodies and item.spring[1].owner in lying:
             yield item.spring[1].owner
 
 
-def props(item: Touch, stage: Stage) -> bool:
+def props(item: Touch, stage: PlaneStage) -> bool:
     """Whether a contact holds a level rod at one of its points: a trestle, no floor."""
     body = stage.bodies[item.lying()]
     level = shape_of(body.body).slender and abs(math.sin(body.turn)) < 0.05
     return level and item.pair()[0].point not in (None, "center", "cm")
 
 
-def wheels_beyond(surface: Surface, along: Point, stage: Stage) -> Iterator[tuple[Point, float, bool]]:
+def wheels_beyond(surface: Surface, along: Point, stage: PlaneStage) -> Iterator[tuple[Point, float, bool]]:
     """The wheels over which strings leave a surface: centre, radius, and whether that is on the way `along`."""
     lying = {item.lying() for item in lying_on(surface.name, stage)}
     for _, _, leg in stage.legs():
@@ -97,16 +98,18 @@ def wheels_beyond(surface: Surface, along: Point, stage: Stage) -> Iterator[tupl
                 yield stage.bodies[wheel.owner].place, max(radius, whole), ahead > 0
 
 
-def flat(surface: Surface, level: float, along: Point, out: Point, stage: Stage, sheet: Sheet) -> tuple[Point, Point]:
+def flat_ends(
+    surface: Surface, level: float, along: Point, out: Point, stage: PlaneStage, sheet: ScenePaper
+) -> tuple[Point, Point]:
     """The ends of a flat surface on paper."""
-    low, high, _, _ = extent(surface, along, stage, sheet)
+    low, high, _, _ = surface_extent(surface, along, stage, sheet)
     foot = (out[0] * level * sheet.scale, out[1] * level * sheet.scale)
-    return moved(foot, along, low), moved(foot, along, high)
+    return shifted_by(foot, along, low), shifted_by(foot, along, high)
 
 
-def level_surface(surface: Level, where: float, stage: Stage, sheet: Sheet) -> None:
+def level_surface(surface: Level, where: float, stage: PlaneStage, sheet: ScenePaper) -> None:
     """A floor as far as the walls and edges that stand on it; a table has sides where strings leave it."""
-    low, high, left_edge, right_edge = extent(surface, (1.0, 0.0), stage, sheet)
+    low, high, left_edge, right_edge = surface_extent(surface, (1.0, 0.0), stage, sheet)
     y = where * sheet.scale
     lying = list(lying_on(surface.name, stage))
     for item in lying:
@@ -115,40 +118,44 @@ def level_surface(surface: Level, where: float, stage: Stage, sheet: Sheet) -> N
             sheet.prop(sheet.at(place) if place is not None else (0.0, y))
     if lying and all(props(item, stage) for item in lying):
         return
-    for wall, x in walls(stage):
+    for x, right in standing_walls(stage):
         x *= sheet.scale
-        low, high = (x, high) if wall.wall == "left" else (low, x)
+        low, high = (low, x) if right else (x, high)
     points = [(low, y), (high, y)]
-    for corner, place, height in corners(stage):
+    for place, height, right in edges_above(stage):
         x, up = place[0] * sheet.scale, height * sheet.scale
-        right = corner.side == "right"
-        points = [(low, y), (x, y), (x, y + up), (max(high, x + 2 * BEYOND), y + up)] if right else [(min(low, x - 2 * BEYOND), y + up), (x, y + up), (x, y), (high, y)]
+        points = (
+            [(low, y), (x, y), (x, y + up), (max(high, x + 2 * BEYOND), y + up)]
+            if right
+            else [(min(low, x - 2 * BEYOND), y + up), (x, y + up), (x, y), (high, y)]
+        )
     points = [(low, y - DEEP)] * left_edge + points + [(high, y - DEEP)] * right_edge
     sheet.hatched(points)
     stage.drawn_ground += points
 
 
-def walls(stage: Stage) -> Iterator[tuple[Wall, float]]:
-    """The walls that stand, and where: their level counts out of them."""
+def standing_walls(stage: PlaneStage) -> Iterator[tuple[float, bool]]:
+    """Where walls stand, and whether on the right: their level counts out of them."""
     for surface, where in stage.surfaces.values():
-        if isinstance(surface, Wall):
-            yield surface, where.at(stage.found) * normal(surface, stage.model)[0]
+        if surface.upright:
+            out = normal(surface, stage.model)[0]
+            yield where.at(stage.found) * out, out < 0.0
 
 
-def corners(stage: Stage) -> Iterator[tuple[Corner, Point, float]]:
-    """The edges that are climbed: where, and how high above the floor."""
+def edges_above(stage: PlaneStage) -> Iterator[tuple[Point, float, bool]]:
+    """The edges that are climbed: where, how high above the floor, and whether to the right."""
     for surface, where in stage.surfaces.values():
-        if isinstance(surface, Corner) and surface.corner is not None:
-            x, y = (part.at(stage.found) for part in where)
-            yield surface, (x, y), stage.value(surface.corner)
+        height = edge_height(surface)
+        if height is not None:
+            yield stage.middle(where), stage.value(height), getattr(surface, "side", "right") == "right"
 
 
-def slope(surface: Slope, where: float, stage: Stage, sheet: Sheet) -> None:
+def draw_slope(surface: Slope, where: float, stage: PlaneStage, sheet: ScenePaper) -> None:
     """A wedge with its angle at the foot."""
     out, up = normal(surface, stage.model), uphill(surface, stage.model)
-    foot, top = flat(surface, where, up, out, stage, sheet)
+    foot, top = flat_ends(surface, where, up, out, stage, sheet)
     strung = any(True for _ in wheels_beyond(surface, up, stage))
-    foot = moved(foot, up, -(BEYOND if strung else max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND))))
+    foot = shifted_by(foot, up, -(BEYOND if strung else max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND))))
     right = up[0] > 0
     if abs(up[1]) < 1e-6:
         sheet.hatched([foot, top] if right else [top, foot])
@@ -157,7 +164,7 @@ def slope(surface: Slope, where: float, stage: Stage, sheet: Sheet) -> None:
     sheet.figure.line([foot, top, base], GROUND, closed=True)
     sheet.figure.line([foot, top, base], SURFACE)
     sheet.hatched([foot, base] if right else [base, foot])
-    words = told(stage, surface.slope)
+    words = told_words(stage, surface.slope)
     angle = math.atan2(abs(up[1]), abs(up[0]))
     long = min(ARC + 8.0, 0.5 * math.dist(foot, base))
     if words is not None:
@@ -165,65 +172,71 @@ def slope(surface: Slope, where: float, stage: Stage, sheet: Sheet) -> None:
     stage.drawn_ground += [foot, top, base]
 
 
-def wall(surface: Wall, where: float, stage: Stage, sheet: Sheet) -> None:
+def wall(surface: Wall, where: float, stage: PlaneStage, sheet: ScenePaper) -> None:
     """A wall, down to the floor where there is one."""
     out = normal(surface, stage.model)
-    low, high, _, _ = extent(surface, (0.0, 1.0), stage, sheet)
+    low, high, _, _ = surface_extent(surface, (0.0, 1.0), stage, sheet)
     for other, level in stage.surfaces.values():
-        if isinstance(other, Level):
+        if other.level:
             low = level.at(stage.found) * sheet.scale
     x = where * out[0] * sheet.scale
     sheet.hatched([(x, high), (x, low)] if out[0] > 0 else [(x, low), (x, high)])
     stage.drawn_ground += [(x, low), (x, high)]
 
 
-def step(surface: Corner, where: Point, stage: Stage, sheet: Sheet) -> None:
+def step(surface: Corner, where: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
     """An edge, drawn by the floor below it where there is one; its height is told."""
     x, y = sheet.at(where)
     right, height = surface.side == "right", stage.value(surface.corner) * sheet.scale if surface.corner else 0.0
     end = 2 * BEYOND if right else -2 * BEYOND
-    if not any(isinstance(other, Level) for other, _ in stage.surfaces.values()):
+    if not any(other.level for other, _ in stage.surfaces.values()):
         points = [(x, y - height), (x, y), (x + end, y)]
         sheet.hatched(points if right else points[::-1])
-    words = told(stage, surface.corner)
+    words = told_words(stage, surface.corner)
     if words is not None and height > 4.0:
         feet = ((x, y - height), (x, y))
         sheet.dimension(*feet, words, -0.7 * abs(end) if right else 0.7 * abs(end))
     stage.drawn_ground += [(x, y - height), (x + end, y)]
 
 
-def bowl(surface: Hollow, where: Point, stage: Stage, sheet: Sheet) -> None:
+def bowl(surface: Hollow, where: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
     """The lower half of a circle, or all of it where a body goes over its top."""
     round_curve(surface, where, stage, sheet, loops(surface, stage))
 
 
-def loops(surface: Curved, stage: Stage) -> bool:
+def loops(surface: Curved, stage: PlaneStage) -> bool:
     """Whether a state speaks of a place in the upper half of a hollow, or the track leads into it from elsewhere."""
-    for item in stage.model.problem.connections:
-        if isinstance(item, Touch) and any(ref.owner == surface.name for ref in item.places()):
+    for item in by_kind(stage.model.problem.connections).contacts:
+        if any(ref.owner == surface.name for ref in item.places()):
             if len(item.places()) > 1:
                 return True
             for state in stage.model.problem.states:
                 for line in state.conditions:
                     path = line.path
-                    if path is not None and path.owner == item.name and path.quantity == "angle" and line.value is not None:
-                        if math.sin(stage.value(line.value)) > 0.05:
-                            return True
+                    if (
+                        path is not None
+                        and path.owner == item.name
+                        and path.quantity == "angle"
+                        and line.value is not None
+                    ) and math.sin(stage.value(line.value)) > 0.05:
+                        return True
     return False
 
 
-def round_curve(surface: Curved, where: Point, stage: Stage, sheet: Sheet, whole: bool) -> None:
+def round_curve(surface: Curved, where: Point, stage: PlaneStage, sheet: ScenePaper, whole: bool) -> None:
     size = surface.radius()
     if size is None:
         return
     centre, radius = sheet.at(where), stage.value(size) * sheet.scale
-    start, end = (-math.pi / 2, 1.5 * math.pi) if whole else (0.0, math.pi) if surface.outside else (math.pi, 2 * math.pi)
-    points = arc(centre, radius, start, end)
+    start, end = (
+        (-math.pi / 2, 1.5 * math.pi) if whole else (0.0, math.pi) if surface.outside else (math.pi, 2 * math.pi)
+    )
+    points = arc_points(centre, radius, start, end)
     sheet.hatched(points, 1 if surface.outside else -1)
     if surface.outside and not whole:
         sheet.figure.line([*points], GROUND, closed=True)
         sheet.hatched([(centre[0] - radius - BEYOND, centre[1]), (centre[0] + radius + BEYOND, centre[1])])
-    words = told(stage, size)
+    words = told_words(stage, size)
     if words is not None:
         way = math.radians(215.0) if not surface.outside else math.radians(155.0)
         sheet.radius(centre, radius, way, words)
@@ -231,15 +244,15 @@ def round_curve(surface: Curved, where: Point, stage: Stage, sheet: Sheet, whole
     stage.drawn_ground += points
 
 
-def hill(surface: Dome, where: Point, stage: Stage, sheet: Sheet) -> None:
+def hill(surface: Dome, where: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
     """The upper half of a circle on the ground."""
     round_curve(surface, where, stage, sheet, False)
 
 
-def track(surface: Track, where: Point, stage: Stage, sheet: Sheet) -> None:
+def track(surface: Track, where: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
     """A curve that falls away from under the body: only its heights matter."""
-    for item in stage.model.acting.connections:
-        if not isinstance(item, Touch) or surface.name not in {ref.owner for ref in item.places()}:
+    for item in stage.kinds.contacts:
+        if surface.name not in {ref.owner for ref in item.places()}:
             continue
         body = stage.bodies[item.lying()]
         low = sheet.scale * body.reach((0.0, -1.0))
@@ -251,14 +264,17 @@ def track(surface: Track, where: Point, stage: Stage, sheet: Sheet) -> None:
             foot = sheet.at(meets)
             wide, deep = abs(foot[0] - x), y - low - foot[1]
         curve = [(x - right * 14.0, y - low + 0.5)]
-        curve += [(x + right * wide * t, y - low - deep * (1 - math.cos(math.pi * t)) / 2) for t in (k / 24 for k in range(25))]
+        curve += [
+            (x + right * wide * t, y - low - deep * (1 - math.cos(math.pi * t)) / 2)
+            for t in (k / 24 for k in range(25))
+        ]
         sheet.hatched(curve if right > 0 else curve[::-1])
         stage.drawn_ground += curve
 
 
-SURFACES: dict[type[Surface], Callable[[Any, Any, Stage, Sheet], None]] = {
+SURFACES: dict[type[Surface], Callable[[Any, Any, PlaneStage, ScenePaper], None]] = {
     Level: level_surface,
-    Slope: slope,
+    Slope: draw_slope,
     Wall: wall,
     Corner: step,
     Hollow: bowl,
@@ -267,19 +283,11 @@ SURFACES: dict[type[Surface], Callable[[Any, Any, Stage, Sheet], None]] = {
 }
 
 
-def draw_surfaces(stage: Stage, sheet: Sheet) -> None:
+def draw_surfaces(stage: PlaneStage, sheet: ScenePaper) -> None:
     """All surfaces on which something lies."""
     for surface, where in stage.surfaces.values():
-        kind = next((kind for kind in type(surface).__mro__ if kind in SURFACES), None)
-        if kind is None:
+        draw = row_for(type(surface), SURFACES)
+        if draw is None:
             continue
         found = tuple(part.at(stage.found) for part in where) if isinstance(where, tuple) else where.at(stage.found)
-        SURFACES[kind](surface, found, stage, sheet)
-
-
-def upright_line(sheet: Sheet, at: Point, long: float) -> None:
-    """A line straight down from a paper point, from which an angle counts."""
-    sheet.figure.line([at, (at[0], at[1] - long)], AXIS)
-
-
-__all__ = ["ARC", "DIMENSION", "draw_surfaces", "told"]
+        draw(surface, found, stage, sheet)

@@ -31,22 +31,22 @@ class Affine(Struct, frozen=True):
 Place = tuple[Affine, Affine]
 
 
-def fixed(x: float, y: float) -> Place:
+def told_place(x: float, y: float) -> Place:
     """A place that is told."""
     return Affine({}, x), Affine({}, y)
 
 
-def off(place: Place, by: tuple[float, float]) -> Place:
+def place_off(place: Place, by: tuple[float, float]) -> Place:
     """A place beside another."""
     return Affine(place[0].slope, place[0].value + by[0]), Affine(place[1].slope, place[1].value + by[1])
 
 
-def between(first: Place, second: Place) -> Place:
+def gap_between_places(first: Place, second: Place) -> Place:
     """The way from one place to another."""
     return second[0].plus(first[0], -1.0), second[1].plus(first[1], -1.0)
 
 
-def component(way: Place, direction: tuple[float, float]) -> Affine:
+def part_along(way: Place, direction: tuple[float, float]) -> Affine:
     """How much of a way lies along a direction."""
     return Affine({}).plus(way[0], direction[0]).plus(way[1], direction[1])
 
@@ -70,7 +70,7 @@ class Layout(Struct):
 
     def meet(self, first: Place, second: Place, weight: float = MUST) -> None:
         """Wants two places to be one."""
-        for part in between(first, second):
+        for part in gap_between_places(first, second):
             self.equal(part, 0.0, weight)
 
     def solved(self) -> list[float]:
@@ -84,7 +84,7 @@ class Layout(Struct):
                 row[n] += factor * gap
                 for j, other in left.slope.items():
                     row[j] += factor * other
-        return eliminated(matrix)
+        return least_squares(matrix)
 
     def groups(self, weight: float = WISH) -> list[int]:
         """For each unknown the number of its group: unknowns that equations of so much weight tie together."""
@@ -96,7 +96,7 @@ class Layout(Struct):
         return group
 
 
-def eliminated(matrix: list[list[float]]) -> list[float]:
+def least_squares(matrix: list[list[float]]) -> list[float]:
     """The solution of a positive definite system, by elimination; the last column is its right side."""
     n = len(matrix)
     for k in range(n):

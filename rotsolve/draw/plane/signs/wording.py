@@ -6,12 +6,12 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import TIME
 from rotsolve.core.writing import spoken
-from rotsolve.draw.paper.lettering import Words, formula, letter, prose
+from rotsolve.draw.paper.lettering import Words, formula_words, letter, prose
 from rotsolve.language.bodies import Body
 from rotsolve.language.problem import Problem
 
 
-def told_in(value: Formula | None, problem: Problem) -> Words | None:
+def told_as(value: Formula | None, problem: Problem) -> Words | None:
     """A size in its letter, or as it is written where it is a number; nothing of what the scene leaves out."""
     if value is None:
         return None
@@ -23,7 +23,7 @@ def told_in(value: Formula | None, problem: Problem) -> Words | None:
         return prose(given.text.replace(" deg", "°").replace("deg", "°")) if given.text else None
     if any(givens[name].automatic for name in value.symbols() if name in givens):
         return None
-    return formula(in_letters(value))
+    return formula_words(in_letters(value))
 
 
 def in_letters(value: Formula) -> Formula:
@@ -41,5 +41,5 @@ def named_in(body: Body, problem: Problem) -> Words:
     for value in (body.mass, body.inertia):
         letters = value.symbols() if value is not None else ()
         if value is not None and letters and not any(given[name].automatic for name in letters if name in given):
-            return formula(value)
+            return formula_words(value)
     return prose(spoken(body.name).removeprefix("the "))
