@@ -25,7 +25,7 @@ def arrange(stage: PlaneStage) -> None:
     for string, number, leg in stage.legs():
         run(f"{string.name} {number}", leg, stage)
     for spring in stage.kinds.springs:
-        stretch(spring, stage)
+        lay_spring(spring, stage)
     for gear in stage.kinds.gears:
         wheels_beside(gear.gear[0], gear.gear[1], stage, inside=gear.inside)
     for belt in stage.kinds.belts:
@@ -65,7 +65,7 @@ def leg_length(name: str, leg: StringPart, stage: PlaneStage) -> float:
     return stage.longer.get(name, 0.0) + max(wishes)
 
 
-def stretch(item: Spring, stage: PlaneStage) -> None:
+def lay_spring(item: Spring, stage: PlaneStage) -> None:
     """A spring between two bodies lies along its direction."""
     first, second = (stage.tied(ref) for ref in item.spring)
     if first is None or second is None or any(ref.place is not None for ref in item.spring):

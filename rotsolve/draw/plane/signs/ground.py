@@ -35,9 +35,10 @@ def lying_on(name: str, stage: PlaneStage) -> Iterator[Touch]:
     """The contacts of bodies with a surface."""
     for item in stage.kinds.contacts:
         surface = surface_of(item, stage.model)
-        if item.lying() in stage.bodies and surface is not None and surface.name == name:
-            if item.places()[0].owner not in stage.bodies:
-                yield item
+        if surface is None or surface.name != name or item.lying() not in stage.bodies:
+            continue
+        if item.places()[0].owner not in stage.bodies:
+            yield item
 
 
 def surface_extent(
