@@ -10,7 +10,7 @@ from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc_points, shifted_by
 from rotsolve.draw.plane.facts import SceneFacts
-from rotsolve.draw.plane.freebody import couple_arrow
+from rotsolve.draw.plane.freebody import couple_arrow, free_start
 from rotsolve.draw.plane.places.contacts import normal_sign
 from rotsolve.draw.plane.places.kinds import curve_radius
 from rotsolve.draw.plane.places.stage import PlaneStage
@@ -88,7 +88,7 @@ def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The forces and couples of the actions, as their facts say."""
     if not stage.model.acting.actions:
         return
-    known = SceneFacts(stage)
+    known, taken = SceneFacts(stage), list[tuple[Point, Point]]()
     for action in stage.model.acting.actions:
         try:
             facts = list(action.facts(known.instant))
@@ -107,6 +107,8 @@ def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
                     body = stage.bodies[fact.body]
                     if body.block:
                         at = shifted_by(at, (x, y), sheet.scale * edge_along(body, (x, y)))
+                    at = free_start(at, (x, y), taken)
+                    taken.append((at, shifted_by(at, (x, y), PULL)))
                     sheet.arrow(at, (x, y), PULL, FORCE, words)
             elif isinstance(fact, Couple):
                 couple_arrow(fact, stage, known, sheet, words, 0)

@@ -109,9 +109,20 @@ def join(stage: PlaneStage) -> None:
             stage.layout.meet(place_off(stage.origin(one.owner), (bx - ax, by - ay)), stage.origin(two.owner))
         else:
             stage.layout.meet(first, second)
+    share_axles(stage)
     told = any(ref.place is not None for item in stage.model.acting.connections for ref in item.touches())
     for name, (_, ref) in stage.model.held.items() if told else ():
         stage.layout.meet(stage.place_of(name, stage.model.drawn(ref)), told_place(0.0, 0.0))
+
+
+def share_axles(stage: PlaneStage) -> None:
+    """A point that goes round on the axle of a wheel has its circle about the middle of that; wheels on one axle are drawn side by side."""
+    for item in stage.model.acting.connections:
+        refs = [ref for ref in item.touches() if ref.owner in stage.bodies] if item.axial else []
+        for ref in refs[1:]:
+            if stage.bodies[ref.owner].dot:
+                wheel, own = (stage.place_of(one.owner, stage.model.drawn(one)) for one in (refs[0], ref))
+                stage.layout.meet(wheel, own)
 
 
 def meetings_to_come(stage: PlaneStage) -> list[set[str]]:

@@ -12,6 +12,7 @@ from rotsolve.draw.plane.signs.ground import told_words
 from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.language.problem import Condition
 
+BESIDE = 11.0  # from a body to the line that tells how far it goes
 LEAST = 0.06  # radians by which a body must be turned for that to be seen
 
 
@@ -57,13 +58,12 @@ def draw_moved(body: Figured, line: Condition, stage: PlaneStage, sheet: ScenePa
         return False
     for outline in body.shown():
         sheet.outline(outline.turned((way[0] * long, way[1] * long), 0.0), ghost=True)
-    start = sheet.at(body.place)
     side: Point = (way[1], -way[0])
     if abs(way[1]) < 0.9 and side[1] < 0:
         side = (-side[0], -side[1])
-    off = sheet.scale * max(body.reach(side), body.reach((-side[0], -side[1]))) + 10.0
+    start = sheet.at(shifted_by(body.place, side, body.reach(side)))
     left = side[0] * -way[1] + side[1] * way[0] > 0
-    sheet.dimension(start, shifted_by(start, way, long * sheet.scale), words, off if left else -off)
+    sheet.dimension(start, shifted_by(start, way, long * sheet.scale), words, BESIDE if left else -BESIDE)
     return True
 
 

@@ -51,7 +51,7 @@ def surface_extent(
         if props(item, stage):
             continue
         touching = stage.point(item.pair()[0])
-        rod = touching is not None and not body.block and not stage.model.turns(body.name)
+        rod = shape_of(body.body).slender
         points = body.bound() if not rod or touching is None else [touching]
         bounds += [x * along[0] + y * along[1] for x, y in map(sheet.at, points)]
     for ref in anchored(surface, stage):
@@ -239,10 +239,22 @@ def round_curve(surface: Curved, where: Point, stage: PlaneStage, sheet: ScenePa
         sheet.hatched([(centre[0] - radius - BEYOND, centre[1]), (centre[0] + radius + BEYOND, centre[1])])
     words = told_words(stage, size)
     if words is not None:
-        way = math.radians(215.0) if not surface.outside else math.radians(155.0)
+        way = clear_way(surface, centre, stage, sheet)
         sheet.radius(centre, radius, way, words)
         sheet.hub(centre)
     stage.drawn_ground += points
+
+
+def clear_way(surface: Curved, centre: Point, stage: PlaneStage, sheet: ScenePaper) -> float:
+    """The direction of a radius, in radians, that is farthest from the bodies on the surface."""
+    taken = []
+    for item in lying_on(surface.name, stage):
+        x, y = sheet.at(stage.bodies[item.lying()].place)
+        taken.append(math.atan2(y - centre[1], x - centre[0]))
+    ways = [math.radians(way) for way in ((155.0, 35.0, 120.0) if surface.outside else (215.0, 325.0, 250.0))]
+    return max(
+        ways, key=lambda way: min((abs(math.remainder(way - other, 2 * math.pi)) for other in taken), default=0.0)
+    )
 
 
 def hill(surface: Dome, where: Point, stage: PlaneStage, sheet: ScenePaper) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import frame
 from rotsolve.draw.paper.figure import Point, quarter, ray, shifted_by
-from rotsolve.draw.paper.lettering import Words, letter
+from rotsolve.draw.paper.lettering import letter
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
@@ -57,7 +57,7 @@ def draw_sides(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
         (shape, (0.0, 0.0), 0.0),
         *((shape_of(part.body), *frame(part, stage.value)) for part in rods_of(body.body)),
     ]
-    seen: list[Words] = []
+    seen = [words for radius, _ in rims_of(body.body) if (words := told_words(stage, radius)) is not None]
     for own, spot, turn in parts:
         reach = own.reach() if own.slender else None
         words = told_words(stage, reach)

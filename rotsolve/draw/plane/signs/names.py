@@ -13,6 +13,8 @@ from rotsolve.draw.plane.signs.wording import named_in
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef
 
+INWARDS = (-0.51, -0.86)  # from the middle of a wheel to its name within
+
 
 def draw_names(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The name of each body: within a block, else beside the body."""
@@ -31,13 +33,9 @@ def draw_names(stage: PlaneStage, sheet: ScenePaper) -> None:
             middle = (sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points))
             way = name_side(body, stage)
             if roomy(body, sheet):
-                sheet.letters.name(
-                    words,
-                    shifted_by(sheet.at(body.place), (-0.3, -0.5), inner_radius(body, sheet)),
-                    way,
-                    4.0,
-                    inside=True,
-                )
+                off = (inner_radius(body, sheet) + core_radius(body, sheet)) / 2
+                at = shifted_by(sheet.at(body.place), INWARDS, max(off, 0.58 * inner_radius(body, sheet)))
+                sheet.letters.name(words, at, way, 4.0, inside=True)
                 continue
             if shape_of(body.body).slender and any(
                 told_words(stage, ref.argument) for ref in mentioned(body.name, stage)
@@ -72,4 +70,11 @@ def inner_radius(body: Figured, sheet: ScenePaper) -> float:
 
 def roomy(body: Figured, sheet: ScenePaper) -> bool:
     """Whether a round body has room for its name within."""
-    return inner_radius(body, sheet) > 26.0 and len([1 for outline in body.outlines if outline.radius != 0.0]) == 1
+    outer = inner_radius(body, sheet)
+    return outer > 26.0 and outer - core_radius(body, sheet) > 17.0 and not any(one.cut for one in body.outlines)
+
+
+def core_radius(body: Figured, sheet: ScenePaper) -> float:
+    """The radius of the next circle within the outer one."""
+    inside = [one.radius for one in body.outlines[1:] if one.radius]
+    return max(inside, default=0.0) * sheet.scale

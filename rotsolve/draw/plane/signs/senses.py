@@ -65,7 +65,10 @@ def speed_words(speed: Condition | None, stage: PlaneStage) -> Words | None:
 def curve_way(body: Figured, stage: PlaneStage) -> Point | None:
     """The positive way along a curved surface where a body lies."""
     for item in stage.kinds.contacts:
-        if item.lying() == body.name:
+        if item.lying() == body.name and item.places()[0].owner in stage.surfaces:
+            lying_on = stage.surfaces[item.places()[0].owner][0]
+            if curve_radius(lying_on) is None:
+                return (-1.0, 0.0) if body.body.moves == "left" else (1.0, 0.0)
             for surface, where in stage.surfaces.values():
                 if curve_radius(surface) is not None:
                     x, y = (part.at(stage.found) for part in where)
@@ -107,5 +110,7 @@ def draw_turn(body: Figured, speed: Condition | None, stage: PlaneStage, sheet: 
     x, y = sheet.at(body_middle(body))
     if math.dist((x, y), centre) > 0.3 * radius:
         middle = math.atan2(y - centre[1], x - centre[0]) - 0.2
+    elif body.outlines[0].radius is None:  # above the upper edge of what has corners
+        middle, radius = math.pi / 2, sheet.scale * body.reach((0.0, 1.0)) + 10.0
     turn = max(0.5, min(1.2, 30.0 / radius))
     sheet.round_arrow(centre, radius, middle - sense * turn / 2, sense * turn, role, words)

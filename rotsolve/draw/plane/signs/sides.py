@@ -60,7 +60,9 @@ def velocity_way(body: Figured, stage: PlaneStage) -> Point:
         for line in told_of(body.name, stage)
         if line.path is not None and line.path.quantity in ("velocity", "speed")
     ]
-    way = stage.model.line(body.name)
-    if not speeds or way is None or speeds[0].value is None:
+    if not speeds or speeds[0].value is None or speeds[0].path is None:
+        return 0.0, 0.0
+    way = stage.model.line(body.name) or {"x": (1.0, 0.0), "y": (0.0, 1.0)}.get(speeds[0].path.component or "")
+    if way is None:
         return 0.0, 0.0
     return (-way[0], -way[1]) if runs_back(speeds[0].value, stage) else way

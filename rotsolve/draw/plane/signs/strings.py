@@ -27,6 +27,7 @@ from rotsolve.draw.plane.places.outlines import spun
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
 from rotsolve.draw.plane.signs.sheet import ScenePaper
+from rotsolve.draw.plane.signs.wording import named_in
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt
 from rotsolve.elements.connections.springs import Spring
@@ -36,6 +37,7 @@ from rotsolve.language.bodies import PointRef
 LOOSE = 46.0  # points of a string to what is fixed anywhere
 COILS, COIL = 8, 4.6  # windings of a spring, and half their width
 STRUT = 17.0  # from the rim of a wheel to what holds it
+HUNG = 14.0  # from a rope to the line that tells how much of it hangs
 LONGEST = 150.0  # of a rope that hangs
 ROPE = 3.0  # of a rope that hangs, in the measure of a block, where its length is not told
 
@@ -271,7 +273,8 @@ def draw_rope(item: Drapes, stage: PlaneStage, sheet: ScenePaper) -> None:
     front = (centre[0] + right * radius, centre[1])
     ends = [(front[0], front[1] - long[0])]
     if over.owner in stage.surfaces or over.owner in stage.model.surfaces:
-        lying_rope(front, right, long, sheet)
+        down = lying_rope(front, right, long, sheet)
+        name_rope(item, (down[0], down[1] + long[0]), down, right, stage, sheet)
         return
     if over.owner not in stage.bodies:
         sheet.figure.circle(centre, radius - 1.5, SUPPORT)
@@ -279,14 +282,15 @@ def draw_rope(item: Drapes, stage: PlaneStage, sheet: ScenePaper) -> None:
     around = arc_points(centre, radius, 0.0 if right > 0 else math.pi, math.pi if right > 0 else 0.0)
     points = [ends[0], *around, (back[0], back[1] - long[1])] if not item.wound else [ends[0], *around]
     sheet.figure.line(points, THICK)
+    name_rope(item, front, ends[0], right, stage, sheet)
     for ref in tied:
         body = stage.bodies[ref.owner]
         low = (ends[0][0] / sheet.scale, ends[0][1] / sheet.scale)
         body.place = shifted_by(low, (0.0, -body.reach((0.0, 1.0))))
 
 
-def lying_rope(front: Point, right: float, long: Sequence[float], sheet: ScenePaper) -> None:
-    """A rope that lies on a table and hangs over its edge."""
+def lying_rope(front: Point, right: float, long: Sequence[float], sheet: ScenePaper) -> Point:
+    """A rope that lies on a table and hangs over its edge; its lower end."""
     edge = (front[0] - right * 5.0, front[1])
     top = [(edge[0] - right * (long[1] + 22.0), edge[1]), edge, (edge[0], edge[1] - 34.0)]
     sheet.hatched(top if right > 0 else top[::-1])
@@ -296,6 +300,20 @@ def lying_rope(front: Point, right: float, long: Sequence[float], sheet: ScenePa
     ]
     down = (bend[-1][0], bend[-1][1] - long[0])
     sheet.figure.line([(edge[0] - right * long[1], edge[1] + 2.5), *bend, down], THICK)
+    return down
+
+
+def name_rope(item: Drapes, top: Point, end: Point, right: float, stage: PlaneStage, sheet: ScenePaper) -> None:
+    """The letter of a rope beside it, and how much of it hangs where the state tells that."""
+    body = stage.model.body(item.drapes[0].owner)
+    middle = ((top[0] + end[0]) / 2, (top[1] + end[1]) / 2)
+    for line in stage.model.acting.state.conditions:
+        path = line.path
+        if path is not None and path.owner == item.name and path.quantity == "length":
+            words = told_words(stage, line.value)
+            if words is not None and math.dist(top, end) > 10.0:
+                sheet.dimension(top, end, words, right * HUNG)
+    sheet.letters.name(named_in(body, stage.model.problem), middle, (-right, 0.0), 5.0)
 
 
 def rope_lengths(item: Drapes, stage: PlaneStage) -> list[float]:
