@@ -6,6 +6,7 @@ Written with the standard library alone: to import a drawing library takes three
 from __future__ import annotations
 
 from collections.abc import Iterator
+from zlib import crc32
 
 from rotsolve.draw.paper.figure import ROLES, Circle, Figure, Label, Line, Mark, Point, arrow_heads
 from rotsolve.draw.paper.lettering import letter_runs
@@ -45,11 +46,11 @@ def style_sheet(adapts: bool) -> str:
     return "".join(rules)
 
 
-def svg(figure: Figure, *, adapts: bool = True, number: int = 0) -> str:
-    """A picture as an SVG element; `adapts` to dark paper by itself, `number` tells its title from that of others on a page."""
+def svg(figure: Figure, *, adapts: bool = True) -> str:
+    """A picture as an SVG element; `adapts` to dark paper by itself. Its title has a name of its own among others on a page."""
     left, low, right, high = figure.box()
     wide, tall = right - left, high - low
-    name = f"rotsolve-{number}" if number else "rotsolve"
+    name = f"rs{crc32(repr(figure.marks).encode()):08x}"
     title = figure.title.translate(SPECIAL)
     room = f'width="{short_number(wide * 4 / 3)}" height="{short_number(tall * 4 / 3)}"'
     box = f'viewBox="0 0 {short_number(wide)} {short_number(tall)}" aria-labelledby="{name}-t {name}-d"'
