@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Section
 from rotsolve.core.faults import Fault, Unsolvable
@@ -134,6 +135,44 @@ class AnswerView(Struct, frozen=True):
         return answer_text(answer_row(self.answer, self.digits))
 
 
+class PictureView(Struct, frozen=True):
+    """The picture of a scene at one of its states, the first unless another is named; drawn when it is asked for."""
+
+    problem: Problem
+    state: str = ""
+
+    def at(self, state: str) -> PictureView:
+        """The same scene at another state."""
+        return PictureView(self.problem, state)
+
+    @property
+    def svg(self) -> str:
+        """The scene as SVG."""
+        from rotsolve.draw.paper.svg import svg
+        from rotsolve.draw.pictures import scene_picture
+
+        return svg(scene_picture(self.problem, self.state))
+
+    @property
+    def tikz(self) -> str:
+        """The scene as a `tikzpicture`."""
+        from rotsolve.draw.paper.tikz import tikz
+        from rotsolve.draw.pictures import scene_picture
+
+        return tikz(scene_picture(self.problem, self.state))
+
+    @property
+    def free_bodies(self) -> str:
+        """The free-body diagrams as SVG."""
+        from rotsolve.draw.paper.svg import svg
+        from rotsolve.draw.pictures import free_body_picture
+
+        return svg(free_body_picture(self.problem, self.state))
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
 class Solution(Struct, frozen=True, dict=True):
     """A solved scene: `print` it for the derivation, or take its parts."""
 
@@ -233,13 +272,22 @@ class Solution(Struct, frozen=True, dict=True):
         """The derivation as blocks that a format prints."""
         return DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
 
-    def body(self, format: str = "text", *, width: int | None = None) -> str:
-        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'."""
-        return format_named(format).body(self.page, width or WIDTH)
+    def body(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
+        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'.
 
-    def to(self, format: str = "text", *, width: int | None = None) -> str:
+        In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`.
+        """
+        page = replace(self.page, pictured=self.problem) if pictures else self.page
+        return format_named(format).body(page, width or WIDTH)
+
+    def to(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
         """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'."""
-        return format_named(format).document([self.body(format, width=width)])
+        return format_named(format).document([self.body(format, width=width, pictures=pictures)])
+
+    @property
+    def picture(self) -> PictureView:
+        """The picture of the scene, which a notebook shows."""
+        return PictureView(self.problem)
 
     def __repr__(self) -> str:
         return f"<Solution of {self.derivation.title!r}: {', '.join(self.answers)}>"
@@ -247,8 +295,11 @@ class Solution(Struct, frozen=True, dict=True):
     def __str__(self) -> str:
         return self.to("text").rstrip("\n")
 
+    def _repr_html_(self) -> str:
+        return self.body("html")
+
     def _repr_markdown_(self) -> str:
         return self.to("markdown")
 
     def _repr_latex_(self) -> str:
-        return self.body("latex")
+        return self.body("latex", pictures=False)

@@ -10,6 +10,7 @@ import typer
 
 from rotsolve import __version__
 from rotsolve.cli.check import check_command
+from rotsolve.cli.draw import draw_command
 from rotsolve.cli.key import key_command
 from rotsolve.cli.simulate import simulate_command
 from rotsolve.cli.solve import solve_command
@@ -42,6 +43,7 @@ def rotsolve(
     Examples:
       rotsolve solve problems/pulleys/block-on-disc.yaml
       rotsolve solve problems/pulleys/block-on-disc.yaml --law energy --set m=3kg
+      rotsolve draw problems/pulleys/block-on-disc.yaml -o picture.svg
       rotsolve key problems/pulleys/atwood.yaml --variants 30 -o sheets
       rotsolve check problems/pulleys/atwood.yaml class.csv -o report
       rotsolve elements string
@@ -100,6 +102,7 @@ def schema_command() -> None:
 
 COMMANDS: dict[str, Callable[..., None]] = {  # in the order in which --help lists them
     "solve": solve_command,
+    "draw": draw_command,
     "simulate": simulate_command,
     "key": key_command,
     "check": check_command,

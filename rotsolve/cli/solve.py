@@ -73,6 +73,9 @@ Confirm = Annotated[
     bool,
     typer.Option("--confirm/--no-confirm", help="Hold an assembly of all bodies' equations against the answers."),
 ]
+Pictures = Annotated[
+    bool, typer.Option("--pictures/--no-pictures", help="Draw the scene in HTML and LaTeX, above its derivation.")
+]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Solve so many files at a time.")]
 TimeLimit = Annotated[
     str | None, typer.Option(metavar="TIME", help="Give up a file that takes longer, as 10s. [default: none]")
@@ -92,6 +95,7 @@ def solve_command(
     jobs: Jobs = 1,
     time_limit: TimeLimit = None,
     confirm: Confirm = True,
+    pictures: Pictures = True,
     profile: Timing = False,
 ) -> None:
     """Solve scenes, and print the derivation of each.
@@ -118,7 +122,9 @@ def solve_command(
     request = SolveRequest(tuple(files), law, *page, read_settings(settings or []), show, width or page_width(output))
     moment = moment_checked(at)
     limit = None if time_limit is None else seconds_of(time_limit, "'--time-limit'")
-    request = replace(request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm)
+    request = replace(
+        request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm, pictures=pictures
+    )
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

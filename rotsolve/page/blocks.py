@@ -16,6 +16,7 @@ from rotsolve.core.derivation import Check, Equality
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.algebra.units.unit_table import Unit
+    from rotsolve.language.problem import Problem
 
 NAME, LABEL, STRONG, FAULT, CODE = "name", "label", "strong", "fault", "code"  # styles of words
 GOOD, BAD, OPEN = "good", "bad", "open"  # what is thought of a text
@@ -114,6 +115,15 @@ class Table(PageBlock, frozen=True):
     columns: tuple[str, ...]
     rows: tuple[tuple[Phrase, ...], ...]
     targets: tuple[str, ...] = ()
+
+
+class Picture(PageBlock, frozen=True):
+    """The picture of a scene; formats of letters alone leave it out. It is drawn where it is printed."""
+
+    scene: Problem
+
+    def simpler(self) -> Iterator[PageBlock]:
+        return iter(())
 
 
 class Labelled(Struct, frozen=True):

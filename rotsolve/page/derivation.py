@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Derivation, Move, Refusal, Section
@@ -22,12 +22,16 @@ from rotsolve.page.blocks import (
     Page,
     PageBlock,
     Paragraph,
+    Picture,
     Title,
 )
 from rotsolve.page.inserted import InsertedNumbers
 from rotsolve.page.plan import plan_of
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
 from rotsolve.page.wording import said_of_step
+
+if TYPE_CHECKING:
+    from rotsolve.language.problem import Problem
 
 
 class DerivationPage(Page, frozen=True):
@@ -36,6 +40,7 @@ class DerivationPage(Page, frozen=True):
     derivation: Derivation
     digits: int = 4
     file: str = ""
+    pictured: Problem | None = None  # the scene of which it has a picture
     spaced: ClassVar[bool] = False
 
     def blocks(self) -> Iterator[PageBlock]:
@@ -43,6 +48,8 @@ class DerivationPage(Page, frozen=True):
         numbers = InsertedNumbers(derivation, shorts, self.digits)
         if derivation.title:
             yield Title(1, (derivation.title,))
+        if self.pictured is not None:
+            yield Picture(self.pictured)
         yield Labels(tuple(row for row in opening_rows(derivation) if row.items))
         for section in derivation.sections:
             if section.title:

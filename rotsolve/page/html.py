@@ -10,6 +10,7 @@ from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.html_rows import HtmlRows, table_of, whole_page
+from rotsolve.page.pictures import picture_in_svg
 from rotsolve.page.printer import Lines, Printer
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ class Html(Printer):
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
         rows = HtmlRows(self)
         return super().own() | {
+            blocks.Picture: picture_in_svg,
             blocks.Formulas: rows.formulas,
             blocks.Answers: rows.answers,
             blocks.AssessedTexts: rows.assessed,

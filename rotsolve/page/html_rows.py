@@ -53,6 +53,10 @@ td.marks { width: 100%; }
 td.good { color: #060; } td.bad { color: #a00; font-weight: bold; } td.open { color: #850; font-weight: bold; }
 td.remark { padding-top: 0; }
 """  # of pages with student's texts or tables
+PICTURE_STYLE = """\
+figure { margin: .6em 0 1em; break-inside: avoid; }
+figure svg { max-width: 100%; height: auto; }
+"""
 
 
 class HtmlRows:
@@ -130,6 +134,7 @@ def whole_page(bodies: Sequence[str]) -> str:
     found = HEADING.search(bodies[0]) if bodies else None
     assessed = any("<th>" in body or "<code>" in body for body in bodies)
     style = f"{STYLE}{ASSESSED_STYLE if assessed else ''}"
+    style += PICTURE_STYLE if any("<figure>" in body for body in bodies) else ""
     title = found[1] if found else "rotsolve"
     return (
         f"{HEAD}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"

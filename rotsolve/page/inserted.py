@@ -78,7 +78,7 @@ class InsertedNumbers:
             dimension = dimension_of(one.right, self.dimensions)
         except (NotShown, Undefined, DimensionError):
             return ()
-        return (Amount(number, unit_of(dimension)),) if number and not note else ()
+        return (Amount(number, coherent_unit_of(dimension)),) if number and not note else ()
 
     def comes_to(self, formula: Formula, answer: Answer) -> bool:
         """Whether a formula has a number by now, which is that of the answer: not where a letter has another meaning."""
@@ -171,9 +171,9 @@ def coherent_unit(answer: Answer) -> Unit | None:
     """The unit in which a formula with coherent numbers comes: that of the answer where it is one."""
     if answer.unit is not None and answer.unit.factor == Number(Fraction(1)):
         return answer.unit
-    return None if answer.dimension is None else unit_of(answer.dimension)
+    return None if answer.dimension is None else coherent_unit_of(answer.dimension)
 
 
-def unit_of(dimension: Dimension) -> Unit | None:
+def coherent_unit_of(dimension: Dimension) -> Unit | None:
     """The coherent unit of a dimension; None for a mere number."""
     return None if dimension == NONE else parse_unit(base_unit_text(dimension))

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
+from rotsolve.page.pictures import picture_in_tikz, with_tikz
 from rotsolve.page.printer import Lines
 from rotsolve.page.tex import LATEX_PREAMBLE, WORDS, TexPrinter, aligned, latex_prose, words_cell
 
@@ -29,7 +30,7 @@ class Latex(TexPrinter):
         return latex_prose(text)
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
-        return super().own() | {Formulas: self.formulas, Answers: self.answers}
+        return super().own() | {blocks.Picture: picture_in_tikz, Formulas: self.formulas, Answers: self.answers}
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         said = self.words(block.words)
@@ -89,7 +90,7 @@ class Latex(TexPrinter):
 
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own."""
-        return LATEX_PREAMBLE + "\\clearpage\n".join(bodies) + "\\end{document}\n"
+        return with_tikz(LATEX_PREAMBLE + "\\clearpage\n".join(bodies) + "\\end{document}\n")
 
 
 PRINTER = Latex()

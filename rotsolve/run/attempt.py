@@ -35,6 +35,7 @@ class SolveRequest(Struct, frozen=True):
     time_limit: float | None = None  # seconds a file
     profile: bool = False
     confirm: bool = True
+    pictures: bool = True  # in formats that have them
     coloured: bool = False  # whether pages are lines with their roles, for a terminal
 
     @property
@@ -154,7 +155,7 @@ def page_of(solution: Solution, request: SolveRequest) -> str | tuple[TextLine, 
         from rotsolve.page.text import PRINTER
 
         return tuple(PRINTER.lines(solution.page, request.width))
-    return solution.body(request.format, width=request.width)
+    return solution.body(request.format, width=request.width, pictures=request.pictures)
 
 
 def piped(files: tuple[str, ...]) -> bytes:

@@ -135,7 +135,6 @@ REFUSED = {
     "would have to pull": COIN.replace("coin.nutation: 1 rad/s", "coin.nutation: 0 rad/s").replace(
         "precession: 3", "precession: -200"
     ),
-    "`friction_torque: 1 N m` of `axis`": GATE.replace("cos(beta)]}}", "cos(beta)], friction_torque: 1 N m}}"),
     "of `book` across its axis is not told": BOOK.replace("{principal: [I1, I2, I3]}", "I3"),
     "where `coin` touches the floor": COIN.replace(
         "shape: disc, mass: m, radius: R", "shape: cylinder, mass: m, radius: R, length: R"

@@ -104,7 +104,7 @@ REFUSED = {
     "a blade after some time": (
         WHEEL.replace("now: {blades.angle: psi}", "now: {blades.angle: psi}, then: {}")
         + "find: {v: blades.P.velocity at then, u: blades.P.velocity at now}\n",
-        "how `blades` stands at `then` nothing tells",
+        "how `frame`, which is led, stands at `then` is not solved",
     ),
     "a rotor that would carry what is led": (
         WHEEL.replace("[frame, blades]", "[blades, frame]").replace("blades.angle: psi", "blades.velocity: [0, 0, 0]")

@@ -82,5 +82,5 @@ def test_what_hangs_in_a_truck_does_not_swing_farther_than_twice() -> None:
 
 
 def test_how_fast_a_truck_goes_is_not_told_by_its_acceleration() -> None:
-    with pytest.raises(Unsolvable, match="velocity of truck"):
+    with pytest.raises(Unsolvable, match="how fast `truck`, which is led with an acceleration"):
         solve(DOOR.replace("size of door.angular_velocity", "door.kinetic_energy"))

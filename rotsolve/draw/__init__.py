@@ -1,0 +1,1 @@
+"""Drawing: pictures of scenes, and the free-body diagrams of their bodies."""

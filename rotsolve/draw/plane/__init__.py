@@ -1,0 +1,1 @@
+"""Scenes in the plane: where their bodies stand on paper, and what is drawn for each element."""

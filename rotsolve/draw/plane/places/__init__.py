@@ -1,0 +1,1 @@
+"""Places: where everything in a scene goes on paper, in metres."""

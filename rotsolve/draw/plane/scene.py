@@ -1,0 +1,114 @@
+"""The scene: its first picture, all bodies with what holds, ties and pushes them, their letters and senses, and another state dashed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from rotsolve.core.facts import Couple, Force
+from rotsolve.core.faults import Unsolvable
+from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc_points, shifted_by
+from rotsolve.draw.plane.facts import SceneFacts
+from rotsolve.draw.plane.freebody import couple_arrow, free_start
+from rotsolve.draw.plane.places.contacts import normal_sign
+from rotsolve.draw.plane.places.kinds import curve_radius
+from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.draw.plane.signs.angles import draw_angles
+from rotsolve.draw.plane.signs.ghosts import draw_ghosts
+from rotsolve.draw.plane.signs.ground import draw_surfaces, told_words
+from rotsolve.draw.plane.signs.lengths import draw_lengths
+from rotsolve.draw.plane.signs.names import draw_names
+from rotsolve.draw.plane.signs.senses import draw_senses
+from rotsolve.draw.plane.signs.sheet import ScenePaper
+from rotsolve.draw.plane.signs.strings import edge_along
+from rotsolve.draw.plane.signs.ties import draw_connections
+from rotsolve.language.bodies import Surface
+
+BLOCKS = 56.0  # points of paper for a block
+WIDE, TALL, LARGEST, ROUND = 330.0, 230.0, 165.0, 96.0  # points of paper for all bodies, for one, and for a round one
+PULL = 40.0  # length of the arrow of a force
+
+
+def plane_scale(stage: PlaneStage) -> float:
+    """Points of paper for a metre: all bodies fit, and one alone is no larger than it need be."""
+    points = [point for body in stage.bodies.values() for point in body.bound()]
+    points += [point for surface, where in stage.surfaces.values() for point in round_surface(surface, where, stage)]
+    wide, tall = spans(points)
+    extents = [(body, max(spans(body.bound()))) for body in stage.bodies.values() if body.bound()]
+    single = max((size for _, size in extents), default=0.0)
+    circle = max((size for body, size in extents if body.outlines and body.outlines[0].radius), default=0.0)
+    alone = len(stage.bodies) == 1 and not stage.surfaces and not stage.model.acting.connections
+    blocks = max((size for body, size in extents if body.block), default=0.0)
+    limits = [
+        (WIDE, wide),
+        (BLOCKS if blocks <= 1.01 * stage.sizes.block else 3 * BLOCKS, blocks),
+        (TALL, tall),
+        (LARGEST, single),
+        (LARGEST if alone else ROUND, circle),
+    ]
+    return min((room / size for room, size in limits if size > 0.0), default=100.0 / (stage.sizes.whole or 1.0))
+
+
+def round_surface(surface: Surface, where: Any, stage: PlaneStage) -> list[Point]:
+    """Points of a bowl or a dome."""
+    size = curve_radius(surface)
+    if size is None:
+        return []
+    centre, radius = stage.middle(where), stage.value(size)
+    return arc_points(centre, radius, *((0.0, math.pi) if normal_sign(surface) > 0 else (math.pi, 2 * math.pi)))
+
+
+def spans(points: Sequence[Point]) -> tuple[float, float]:
+    if not points:
+        return 0.0, 0.0
+    xs, ys = [x for x, _ in points], [y for _, y in points]
+    return max(xs) - min(xs), max(ys) - min(ys)
+
+
+def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Figure:
+    """The picture of a scene in the plane at the state of a stage."""
+    sheet = ScenePaper(plane_scale(stage), title, description)
+    draw_surfaces(stage, sheet)
+    draw_connections(stage, sheet)
+    draw_ghosts(stage, sheet)
+    for body in stage.bodies.values():
+        if body.seen:
+            for outline in body.shown():
+                sheet.outline(outline)
+    draw_plane_actions(stage, sheet)
+    draw_angles(stage, sheet)
+    draw_lengths(stage, sheet)
+    draw_senses(stage, sheet)
+    draw_names(stage, sheet)
+    return sheet.finished()
+
+
+def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
+    """The forces and couples of the actions, as their facts say."""
+    if not stage.model.acting.actions:
+        return
+    known, taken = SceneFacts(stage), list[tuple[Point, Point]]()
+    for action in stage.model.acting.actions:
+        try:
+            facts = list(action.facts(known.instant))
+        except Unsolvable:
+            continue
+        words = told_words(stage, action.strength())
+        for fact in facts:
+            if isinstance(fact, Force) and not fact.role.rubs:
+                x, y = known.arrow(fact.direction)
+                at = sheet.at(known.applied(fact))
+                if fact.role.presses:
+                    sheet.arrow(shifted_by(at, (x, y), -PULL), (x, y), PULL, FORCE)
+                    if words is not None:
+                        sheet.letters.name(words, shifted_by(at, (x, y), -PULL), (-x, -y), 3.0, FORCE.ink)
+                else:
+                    body = stage.bodies[fact.body]
+                    if body.block:
+                        at = shifted_by(at, (x, y), sheet.scale * edge_along(body, (x, y)))
+                    at = free_start(at, (x, y), taken)
+                    taken.append((at, shifted_by(at, (x, y), PULL)))
+                    sheet.arrow(at, (x, y), PULL, FORCE, words)
+            elif isinstance(fact, Couple):
+                couple_arrow(fact, stage, known, sheet, words, 0)

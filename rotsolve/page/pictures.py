@@ -1,0 +1,36 @@
+"""Pictures on a page: the scene as SVG or TikZ, drawn where it is printed; nothing where it can not be drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rotsolve.page.blocks import Picture
+
+BEGIN, TIKZ = "\\begin{document}\n", "\\usepackage{tikz}\n"
+
+
+def picture_in_svg(block: Picture) -> Iterator[str]:
+    """A figure of a web page, on white as that is."""
+    from rotsolve.draw.paper.svg import svg
+    from rotsolve.draw.pictures import picture_of
+
+    figure = picture_of(block.scene)
+    if figure is not None:
+        yield f"<figure>{svg(figure, adapts=False)}</figure>"
+
+
+def picture_in_tikz(block: Picture) -> Iterator[str]:
+    """A picture in the middle of a line of its own."""
+    from rotsolve.draw.paper.tikz import tikz
+    from rotsolve.draw.pictures import picture_of
+
+    figure = picture_of(block.scene)
+    if figure is not None:
+        yield from (r"\begin{center}", tikz(figure).rstrip("\n"), r"\end{center}", "")
+
+
+def with_tikz(document: str) -> str:
+    """A document that loads the package of its pictures, where it has any."""
+    return document.replace(BEGIN, TIKZ + BEGIN, 1) if r"\begin{tikzpicture}" in document else document
