@@ -23,6 +23,7 @@ from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.idle import idle_words, noted
+from rotsolve.search.acting import acting_forward
 from rotsolve.search.answering import answered
 from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.consistency import KnownBalls, contradiction, just_stops, turned_back, untimely
@@ -37,6 +38,9 @@ if TYPE_CHECKING:
     from rotsolve.search.friction import Decision
 
 
+Found = tuple[Search, KnownBalls]  # a search that has answered all questions, and the numbers found
+
+
 def solved(problem: Problem, configuration: Configuration, law: str | None, digits: int, at: str | None) -> Solution:
     """The solution of a scene by one choice of laws."""
     configuration = Configuration(noted(configuration.problem), configuration.alteration)
@@ -46,12 +50,21 @@ def solved(problem: Problem, configuration: Configuration, law: str | None, digi
         raise really_missed(error, configuration, law) from None
     if at is not None and not search.scene.configuration.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
+    search, balls = drawn_as_acting((search, balls), law)
     if law is not None:
         check_law(search, law)
     return composed(problem, search, balls, decision, digits, at)
 
 
-Found = tuple[Search, KnownBalls]  # a search that has answered all questions, and the numbers found
+def drawn_as_acting(found: Found, law: str | None) -> Found:
+    """What is found with each friction drawn the way in which it is known to act; as it was where none acts otherwise."""
+    search, scene = found[0], found[0].scene
+    forward = acting_forward(search)
+    if not forward:
+        return found
+    drawn = SceneEquations(replace(scene.configuration, forward=forward), scene.modes)
+    again = answered_fully(Search(drawn, families_for(law), spare=law is not None, careful=search.careful))
+    return found if isinstance(again, Unsolvable) else again
 
 
 def searched(configuration: Configuration, law: str | None) -> tuple[Decision | None, Found]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 
 from msgspec.structs import replace
 
@@ -107,7 +107,8 @@ def slope_move(vector: Answer, results: Results) -> Move | None:
     ratio = y.formula / x.formula
     letter = Symbol(free_letter(vector.name, results))
     tangent = Call("tan", (letter,))
-    sides = Equality(tangent, Call("abs", (y.symbol,)) / Call("abs", (x.symbol,)))
+    back = y.value is not None and x.value is not None and y.value.sign != x.value.sign
+    sides = Equality(tangent, -(y.symbol / x.symbol) if back else y.symbol / x.symbol)
     chain = (sides,) if length(ratio) > LONG else (sides, Equality(tangent, positive_ratio(ratio, results)))
     return Move(f"direction of {name_to_text(vector.name)}", chain, None, (letter, " to the horizontal"))
 
@@ -116,6 +117,15 @@ def positive_ratio(ratio: Formula, results: Results) -> Formula:
     """The size of a quotient whose sign the numbers tell."""
     value = results.value(ratio)
     return results.search.solver.simplify(-ratio if value is not None and (value.sign or 0) < 0 else ratio)
+
+
+def without_bars(node: Formula, results: Results) -> Formula:
+    """What stands between bars, or its opposite, where the numbers tell its sign."""
+    if not isinstance(node, Call) or node.function != "abs":
+        return node
+    (inside,) = node.arguments
+    value = results.value(results.search.solver.with_found(inside))
+    return node if value is None or not value.sign else inside if value.sign > 0 else -inside
 
 
 def free_letter(name: str, results: Results) -> str:
@@ -212,7 +222,7 @@ class DerivationComposer:
         return LawLine(
             self.numbers[("law", index)],
             equation.label,
-            Equality(self.letters.printed(equation.left), self.letters.printed(equation.right), equation.relation),
+            Equality(self._shown(equation.left), self._shown(equation.right), equation.relation),
             self.letters.words(remark),
             equation.law.name,
             equation.family,
@@ -220,15 +230,17 @@ class DerivationComposer:
         )
 
     def _move(self, step: Step) -> Move:
-        chain = tuple(
-            Equality(self.letters.printed(one.left), self.letters.printed(one.right)) for one in readable(step.chain)
-        )
+        chain = tuple(Equality(self._shown(one.left), self._shown(one.right)) for one in readable(step.chain))
         number = self.numbers.get(("step", step.number))
         sources, reason = self._sources(step), self.letters.words(step.reason)
         into = "" if step.target[0] == "words" else self._mark(step.target)
         others = (ref for ref in step.sources if into and ref != step.target and self._mark(ref) not in ("", into))
         put = dict.fromkeys(self._cited(ref, step) for ref in others)
         return Move(sources, chain, number, reason, tuple(put), into)
+
+    def _shown(self, formula: Formula) -> Formula:
+        """A formula in printed letters, without bars round what the numbers tell the sign of: −ω for |ω| of what turns clockwise."""
+        return self.letters.printed(formula.transform(partial(without_bars, results=self.results), "abs"))
 
     def _cited(self, ref: Ref, step: Step) -> Cited:
         """What a step puts in: the letter that an equation tells, which is gone behind it, and the number of that equation."""

@@ -217,7 +217,7 @@ class Diagrams(Struct, frozen=True):
             if letters <= in_use:
                 spoken_of.append(words(item.words))
             elif not item.role.unseen:
-                spoken_of.append(nameless(item))
+                spoken_of.append(nameless(item, told=not (item.role.rubs and letters)))
         if silent and not spoken_of:
             alone = f"{joined_names(nouns(silent))}: no torque about the {support_of(silent)}"
             return ForceLine(spoken(body.name), ((alone,),), body.positive)
@@ -234,9 +234,9 @@ def at_the_axis(item: Force | Couple, body: BodyFacts, pushed: bool) -> bool:
     return isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts
 
 
-def nameless(item: Force | Couple) -> Words:
-    """The words of a force whose letter no equation has: "normal force, up"."""
-    return (f"{item.noun}{' ' if item.place else ''}{item.place}{', ' if item.way else ''}{item.way}",)
+def nameless(item: Force | Couple, *, told: bool) -> Words:
+    """The words of a force whose letter no equation has: "normal force, up"; of friction that holds nothing tells which way it acts."""
+    return (f"{item.noun}{' ' if item.place else ''}{item.place}{f', {item.way}' if item.way and told else ''}",)
 
 
 def without_torque(silent: list[Force | Couple]) -> tuple[Words, ...]:

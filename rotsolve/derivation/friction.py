@@ -36,6 +36,8 @@ def section_of_slipping(shown: SlippingContact, first: int) -> tuple[Section, in
     compared = f"{' N > '.join(sizes)} N: " if len(sizes) == len(numbers) else ""
     words: Words = (f"{compared}more than the contact can give, so {body} slips",)
     friction, push = (composer.letters.symbols[force.asked.letter] for force in (shown.friction, shown.normal))
-    move = Move("", (Equality(call("abs", friction), static * push, ">"),), None, words)
+    sign = None if numbers[0] is None else numbers[0].sign
+    size = call("abs", friction) if not sign else friction * sign
+    move = Move("", (Equality(size, static * push, ">"),), None, words)
     section = Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move), supposed=True)
     return section, first + len(composer.numbers)

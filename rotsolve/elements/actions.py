@@ -187,15 +187,15 @@ class Press(Action, frozen=True):
             kept, otherwise = "the block is pressed on", f"`{self.name}` would have to pull at"
             yield facts.Requirement(self.name, facts.PRESSES, push, ZERO, kept, otherwise)
         turn = sense if mode == "turns back" else -sense
-        against = unit(UP if turn > 0 else DOWN)
+        against = UP if turn > 0 else DOWN
         if mode != "holds":
             size, told = (self.friction or ZERO) * push, forward if mode == "turns back" else back
             way = f"turning it {told}"
-            yield facts.Force(self.name, facts.FRICTION, name, size, against, arm, "kinetic friction", way)
+            yield facts.Force(self.name, facts.FRICTION, name, size, unit(against), arm, "kinetic friction", way)
             return
-        size = instant.ask("friction_force", self.name, when=instant.span(name), words=(back, forward))
-        way = f"turning it {back}"
-        yield facts.Force(self.name, facts.FRICTION, name, size, against, arm, "friction", way, works=False)
+        size, acts = instant.held_by_friction(self.name, instant.span(name), (back, forward))
+        way, along = f"turning it {(back, forward)[::acts][0]}", unit(against.turned(90 - 90 * acts))
+        yield facts.Force(self.name, facts.FRICTION, name, size, along, arm, "friction", way, works=False)
         yield facts.held_still(self.name, name, instant.motion(name))
         if instant.in_balance:
             yield facts.enough(self.name, size, (self.friction or ZERO) * push, "turn")

@@ -112,6 +112,13 @@ class Standing(Struct, frozen=True, dict=True):
         quantity = SceneQuantity(word, owner, moment, component, letter or kind.letter, kind.dimension, *words)
         return self.registry.ask(quantity)
 
+    def held_by_friction(self, owner: str, when: str, words: tuple[str, str]) -> tuple[Formula, int]:
+        """The friction that holds a contact, as large as it takes, and its sense: +1 where it is drawn by the first of two words, as it is
+        unless the numbers tell that it acts the other way."""
+        turned = (owner, when) in self.configuration.forward
+        ways = (words[1], words[0]) if turned else words
+        return self.ask("friction_force", owner, when=when, words=ways), -1 if turned else 1
+
     def sense(self, name: str) -> int:
         """+1 where a body's positive turn is counterclockwise, −1 where it is clockwise."""
         return self.configuration.sense(name, self.state)

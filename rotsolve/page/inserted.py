@@ -64,7 +64,7 @@ class InsertedNumbers:
         if not number or note or not self.comes_to(last.right, answer):
             return -1, ()
         place = self.plainest(move.chain)
-        return place, (*self.shown(move.chain[place].right, answer), Amount(number, answer.unit))
+        return place, (*self.shown(move.chain[place].right, answer, number), Amount(number, answer.unit))
 
     def meaning(self, short: Abbreviation) -> Phrase:
         """D = m + M + … = 5 kg, of a letter that the page gives to a sum."""
@@ -96,7 +96,7 @@ class InsertedNumbers:
         told = [k for k, one in enumerate(chain) if one.left == letter and not letter.symbols() & one.right.symbols()]
         return min(told, key=lambda k: len(to_text(chain[k].right)))
 
-    def shown(self, formula: Formula, answer: Answer) -> tuple[Amount, ...]:
+    def shown(self, formula: Formula, answer: Answer, number: str) -> tuple[Amount, ...]:
         """The formula with numbers in coherent units, and their unit; nothing where that would be no help."""
         if isinstance(formula, (Symbol, Number, Negative)) and not formula.children():
             return ()
@@ -104,7 +104,8 @@ class InsertedNumbers:
             put_in = self.put_in(formula)
         except (NotShown, Undefined):
             return ()
-        if len(to_text(put_in)) > LONGEST or not any(isinstance(node, Decimal) for node in put_in.walk()):
+        text = to_text(put_in)
+        if len(text) > LONGEST or text == number or not any(isinstance(node, Decimal) for node in put_in.walk()):
             return ()
         unit = None if put_in.holds(*INVERSE) else coherent_unit(answer)
         return (Amount(Product((put_in,)) if isinstance(put_in, Sum) and unit is not None else put_in, unit),)

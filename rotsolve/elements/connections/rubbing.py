@@ -177,10 +177,11 @@ class Rims(Rubbing, frozen=True):
             return
         sticks = not mode.startswith("slips")
         if sticks:
-            size = instant.ask("friction_force", self.name, when=instant.span(arms[1][0]))
+            size, sense = instant.held_by_friction(self.name, instant.span(arms[1][0]), ("", ""))
         else:
             size = ((self.friction.static if mode.endswith("at most") else self.friction.kinetic) or ZERO) * self.press
-        up = sticks or mode.startswith("slips back")
+            sense = 1 if mode.startswith("slips back") else -1
+        up = sense > 0
         for (name, arm, _), upward in zip(arms, (not up, up), strict=True):
             along = unit(UP if upward else UP.turned(180))
             turn = "counterclockwise" if upward == (arm.parts[0][1] == RIGHT) else "clockwise"

@@ -442,10 +442,11 @@ class Touch(Connection, frozen=True):
             force = Force(self.name, FRICTION, name, size, unit(way), arm, "kinetic friction", ways[0])
             yield from self.both(force, instant, force.noun, ways[1], name)
             return
-        size = instant.ask("friction_force", self.name, when=span, words=(back, ahead))
-        against = unit(forward.turned(180))
-        force = Force(self.name, FRICTION, name, size, against, arm, "friction", back, works=False, internal=True)
-        yield from self.both(force, instant, force.noun, ahead, name)
+        size, sense = instant.held_by_friction(self.name, span, (back, ahead))
+        acts, reacts = (back, ahead)[::sense]
+        along = unit(forward.turned(90 + 90 * sense))
+        force = Force(self.name, FRICTION, name, size, along, arm, "friction", acts, works=False, internal=True)
+        yield from self.both(force, instant, force.noun, reacts, name)
         rolling = motion.turns and instant.is_round(name)
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")

@@ -1,0 +1,46 @@
+"""Acting: which frictions that hold something are known to act the way in which its body is counted, to be drawn and named so."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import Sum, Symbol
+from rotsolve.core.symbols import has_quantities
+from rotsolve.language.problem import Find, Problem
+from rotsolve.search.search import Search
+
+FRICTION, SIZE = "friction_force", "size of"
+
+
+def acting_forward(search: Search) -> frozenset[tuple[str, str]]:
+    """Those that come out negative as they are drawn, each as owner and moment; none of which the scene itself says something signed."""
+    problem, quantities = search.scene.configuration.problem, search.scene.registry.quantities
+    told = [quantities[key] for key in {*search.solver.told, *search.solver.solved} if key in quantities]
+    negative = [quantity for quantity in told if quantity.kind == FRICTION and sign_of(quantity.key, search) == -1]
+    signed = spoken_of(problem) if negative else set()
+    return frozenset((quantity.owner, quantity.when) for quantity in negative if quantity.owner not in signed)
+
+
+def sign_of(key: str, search: Search) -> int | None:
+    """The sign of a letter that a step tells, by its number or for all that the letters of the scene may be."""
+    found = search.solver.solved.get(key)
+    if found is not None and found.number is not None:
+        return found.number.sign
+    value = search.solver.with_found(Symbol(key))
+    return None if has_quantities(value) else search.signs.sign(value) or search.signs.as_meant(value)
+
+
+def spoken_of(problem: Problem) -> set[str]:
+    """The contacts with a friction of which the scene says a value, or asks for more than how large it is and which way it acts."""
+    paths = [term.path for find in problem.finds if not size_alone(find) for term in find.terms]
+    lines = [line for state in problem.states for line in state.conditions]
+    lines += [find.where for find in problem.finds if find.where is not None]
+    paths += [line.path for line in lines if line.path is not None]
+    paths += [term.path for line in lines if line.phrase is not None for term in line.phrase.terms]
+    return {path.owner for path in paths if path.quantity == FRICTION}
+
+
+def size_alone(find: Find) -> bool:
+    """Whether a question is for a quantity alone, or for the size of products of several."""
+    modifiers = {find.modifier, *(term.modifier for term in find.terms)} - {""}
+    if find.choice is not None or find.where is not None or modifiers - {SIZE}:
+        return False
+    return find.formula == Symbol("#0") or (find.modifier == SIZE and not find.formula.holds(Sum))
