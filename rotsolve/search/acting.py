@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import Sum, Symbol
+from rotsolve.algebra.formula import Symbol
 from rotsolve.core.symbols import has_quantities
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import Problem
 from rotsolve.search.search import Search
 
 FRICTION, SIZE = "friction_force", "size of"
@@ -29,18 +29,10 @@ def sign_of(key: str, search: Search) -> int | None:
 
 
 def spoken_of(problem: Problem) -> set[str]:
-    """The contacts with a friction of which the scene says a value, or asks for more than how large it is and which way it acts."""
-    paths = [term.path for find in problem.finds if not size_alone(find) for term in find.terms]
+    """The contacts with a friction of which the scene tells a value, or asks where it has one or how it changes."""
+    paths = [term.path for find in problem.finds for term in find.terms if {find.modifier, term.modifier} - {"", SIZE}]
     lines = [line for state in problem.states for line in state.conditions]
     lines += [find.where for find in problem.finds if find.where is not None]
     paths += [line.path for line in lines if line.path is not None]
     paths += [term.path for line in lines if line.phrase is not None for term in line.phrase.terms]
     return {path.owner for path in paths if path.quantity == FRICTION}
-
-
-def size_alone(find: Find) -> bool:
-    """Whether a question is for a quantity alone, or for the size of products of several."""
-    modifiers = {find.modifier, *(term.modifier for term in find.terms)} - {""}
-    if find.choice is not None or find.where is not None or modifiers - {SIZE}:
-        return False
-    return find.formula == Symbol("#0") or (find.modifier == SIZE and not find.formula.holds(Sum))
