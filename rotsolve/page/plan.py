@@ -64,7 +64,10 @@ def plan_of(derivation: Derivation) -> tuple[Phrase, ...]:
         return ()
     if len(sections) == 1:
         return tuple(plan_sentences(sections[0], derivation))
-    return tuple(plan_stage(number, section, derivation) for number, section in enumerate(sections, 1))
+    found = [[] if section.supposed else found_in(section, derivation) for section in sections]
+    before = [{one for own in found[:place] for one in own} for place in range(len(found))]
+    fresh = [[one for one in own if one not in seen] for own, seen in zip(found, before, strict=True)]
+    return tuple(plan_stage(*stage) for stage in zip(range(1, len(sections) + 1), sections, fresh, strict=True))
 
 
 def plan_sentences(section: Section, derivation: Derivation) -> Iterator[Phrase]:
@@ -83,10 +86,9 @@ def newtonian(section: Section) -> Iterator[str]:
     return (law.law for law in section.laws if law.family == NEWTON)
 
 
-def plan_stage(number: int, section: Section, derivation: Derivation) -> Phrase:
-    """One stage of several: "2. From after to top: the conservation of energy; this gives ω."."""
+def plan_stage(number: int, section: Section, found: Sequence[Formula]) -> Phrase:
+    """One stage of several, and what it is the first to find: "2. From after to top: the conservation of energy; this gives ω."."""
     laws = principles(section.laws) or plain_labels(section.laws)
-    found = [] if section.supposed else found_in(section, derivation)
     gives = ("; this gives ", *enumerated([(one,) for one in found])) if found else ()
     head = f"{number}. {section.title}{': ' if section.title else ''}"
     return (f"{head}{and_joined(laws)}", *gives, ".")

@@ -23,6 +23,7 @@ from rotsolve.questions.find import entries, question_for
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
+from rotsolve.search.sequence import in_sequence
 
 Got = TypeVar("Got")
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
@@ -46,6 +47,7 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
     A question that has an answer alone is asked before those that stood in its way.
     """
     search.thorough = len(finds) == 1
+    finds = in_sequence(finds, search.scene.configuration.timeline)
     failed = answer_all(search, finds)
     if not failed:
         return search
