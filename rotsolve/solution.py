@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import builtins
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
@@ -13,7 +14,9 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Section
+from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.page.depth import DETAILS, FULL, NORMAL, NUMBERS, STEPS
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
 
@@ -35,6 +38,7 @@ class Trace(Struct, frozen=True):
     # the solution in letters of the case that some numbers are of, and the signs that it took
     case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
+    by_law: Callable[[str], Derivation] | None = None  # the same questions by another law
     letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
     points: tuple[Mapping[str, Fraction], ...] = ()  # numbers of which letters the cases of the answers were found
     confirmation: Callable[[], tuple[AnswerConfirmation, ...]] | None = None  # what an assembly says of the answers
@@ -270,19 +274,35 @@ class Solution(Struct, frozen=True, dict=True):
     @property
     def page(self) -> DerivationPage:
         """The derivation as blocks that a format prints."""
-        return DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
+        return self.page_with()
 
-    def body(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
+    def page_with(self, *, pictures: bool = False, detail: str = NORMAL, numbers: str = STEPS) -> DerivationPage:
+        """The derivation as blocks, with as much of it and as many numbers as is asked for."""
+        if detail not in DETAILS or numbers not in NUMBERS:
+            raise ValueError(f"detail is one of {', '.join(DETAILS)}, and numbers one of {', '.join(NUMBERS)}")
+        page = DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
+        others = tuple(self.other_ways()) if detail == FULL else ()
+        scene = self.problem if pictures else None
+        return replace(page, pictured=scene, detail=detail, numbers=numbers, others=others)
+
+    def other_ways(self) -> Iterator[tuple[str, Derivation]]:
+        """The same questions by each law by which a check has found the same, with what that law is called."""
+        for check in self.derivation.checks:
+            if check.law and check.holds and self.trace.by_law is not None:
+                with suppress(Unsolvable):
+                    yield FAMILIES[check.law].words, self.trace.by_law(check.law)
+
+    def body(self, format: str = "text", *, width: int | None = None, pictures: bool = True, **told: str) -> str:
         """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'.
 
-        In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`.
+        In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`. `detail` may be
+        'brief' (laws and answers), 'normal' or 'full' (the way of a second law too), `numbers` 'none', 'results' or 'steps'.
         """
-        page = replace(self.page, pictured=self.problem) if pictures else self.page
-        return format_named(format).body(page, width or WIDTH)
+        return format_named(format).body(self.page_with(pictures=pictures, **told), width or WIDTH)
 
-    def to(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
-        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'."""
-        return format_named(format).document([self.body(format, width=width, pictures=pictures)])
+    def to(self, format: str = "text", *, width: int | None = None, pictures: bool = True, **told: str) -> str:
+        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'; the rest as for `body`."""
+        return format_named(format).document([self.body(format, width=width, pictures=pictures, **told)])
 
     @property
     def picture(self) -> PictureView:

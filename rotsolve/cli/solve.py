@@ -8,6 +8,7 @@ import typer
 from msgspec.structs import replace
 
 from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings, seconds_of
+from rotsolve.page.depth import DETAILS, NORMAL, NUMBERS, STEPS
 from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
 
@@ -76,6 +77,22 @@ Confirm = Annotated[
 Pictures = Annotated[
     bool, typer.Option("--pictures/--no-pictures", help="Draw the scene in HTML and LaTeX, above its derivation.")
 ]
+Detail = Annotated[
+    str,
+    typer.Option(
+        metavar="|".join(DETAILS),
+        callback=lambda name: one_of(DETAILS, name),
+        help="Laws and answers; the plan, forces and steps too; the way of a second law as well.",
+    ),
+]
+Numbers = Annotated[
+    str,
+    typer.Option(
+        metavar="|".join(NUMBERS),
+        callback=lambda name: one_of(NUMBERS, name),
+        help="Letters alone wherever there are formulas; values of the answers; numbers put in at the end of a stage.",
+    ),
+]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Solve so many files at a time.")]
 TimeLimit = Annotated[
     str | None, typer.Option(metavar="TIME", help="Give up a file that takes longer, as 10s. [default: none]")
@@ -96,6 +113,8 @@ def solve_command(
     time_limit: TimeLimit = None,
     confirm: Confirm = True,
     pictures: Pictures = True,
+    detail: Detail = NORMAL,
+    numbers: Numbers = STEPS,
     profile: Timing = False,
 ) -> None:
     """Solve scenes, and print the derivation of each.
@@ -122,9 +141,8 @@ def solve_command(
     request = SolveRequest(tuple(files), law, *page, read_settings(settings or []), show, width or page_width(output))
     moment = moment_checked(at)
     limit = None if time_limit is None else seconds_of(time_limit, "'--time-limit'")
-    request = replace(
-        request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm, pictures=pictures
-    )
+    request = replace(request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm)
+    request = replace(request, pictures=pictures, detail=detail, numbers=numbers)
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

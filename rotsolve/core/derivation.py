@@ -159,13 +159,14 @@ class Answer(Struct, frozen=True):
 class Check(Struct, frozen=True):
     """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed.
 
-    What is said of a letter that is `vanishing` goes for a case that holds however small it is.
+    What is said of a letter that is `vanishing` goes for a case that holds however small it is. A second way goes by a `law` of FAMILIES.
     """
 
     words: Words
     holds: bool | None = True
     label: str = ""
     vanishing: str = ""
+    law: str = ""
 
 
 class AnswerConfirmation(Struct, frozen=True):

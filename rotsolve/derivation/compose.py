@@ -231,12 +231,18 @@ class DerivationComposer:
 
     def _move(self, step: Step) -> Move:
         chain = tuple(Equality(self._shown(one.left), self._shown(one.right)) for one in readable(step.chain))
+        if len(chain) > 1 and not isinstance(chain[0].left, Symbol) and chain[0] == self._written(step.target):
+            chain = chain[1:]  # what is put in is a number
         number = self.numbers.get(("step", step.number))
         sources, reason = self._sources(step), self.letters.words(step.reason)
         into = "" if step.target[0] == "words" else self._mark(step.target)
         others = (ref for ref in step.sources if into and ref != step.target and self._mark(ref) not in ("", into))
         put = dict.fromkeys(self._cited(ref, step) for ref in others)
         return Move(sources, chain, number, reason, tuple(put), into)
+
+    def _written(self, ref: Ref) -> Equality | None:
+        """An equation as it stands among the laws."""
+        return self._law(int(ref[1])).equation if ref[0] == "law" and ref in self.numbers else None
 
     def _shown(self, formula: Formula) -> Formula:
         """A formula in printed letters, without bars round what the numbers tell the sign of: −ω for |ω| of what turns clockwise."""

@@ -66,7 +66,7 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
                 yield Check((f"{FAMILIES[law].words} gives another ", name, ": ", another), False)
         if agreed:
             names = listed(answered.asked.find.name for answered in agreed)
-            yield Check((f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names))
+            yield Check((f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names), law=law)
 
 
 class Confirmation(Enum):

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import Symbol
-from rotsolve.core.derivation import Derivation, Move, Refusal, Section
+from rotsolve.core.derivation import Answer, Derivation, Move, Refusal, Section
 from rotsolve.page.abbreviations import abbreviated, printed_forms
 from rotsolve.page.blocks import (
+    AnswerRow,
     Answers,
     Bullet,
     Bullets,
@@ -25,6 +28,7 @@ from rotsolve.page.blocks import (
     Picture,
     Title,
 )
+from rotsolve.page.depth import BRIEF, NONE, NORMAL, STEPS
 from rotsolve.page.inserted import InsertedNumbers
 from rotsolve.page.plan import plan_of
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
@@ -32,6 +36,8 @@ from rotsolve.page.wording import said_of_step
 
 if TYPE_CHECKING:
     from rotsolve.language.problem import Problem
+
+PLAN = "Plan"
 
 
 class DerivationPage(Page, frozen=True):
@@ -41,6 +47,9 @@ class DerivationPage(Page, frozen=True):
     digits: int = 4
     file: str = ""
     pictured: Problem | None = None  # the scene of which it has a picture
+    detail: str = NORMAL
+    numbers: str = STEPS
+    others: tuple[tuple[str, Derivation], ...] = ()  # ways by other laws, with what these are called
     spaced: ClassVar[bool] = False
 
     def blocks(self) -> Iterator[PageBlock]:
@@ -50,22 +59,38 @@ class DerivationPage(Page, frozen=True):
             yield Title(1, (derivation.title,))
         if self.pictured is not None:
             yield Picture(self.pictured)
-        yield Labels(tuple(row for row in opening_rows(derivation) if row.items))
-        for section in derivation.sections:
-            if section.title:
-                yield Title(2, (section.title,))
-            yield from section_blocks(section, numbers)
+        opening = [row for row in opening_rows(derivation) if row.items]
+        yield Labels(tuple(row for row in opening if row.label != PLAN or self.detail != BRIEF))
+        yield from self.section_blocks(derivation, numbers)
         if derivation.answers:
             yield Title(2, ("Answers",))
-            yield Answers(tuple(row for answer in derivation.answers for row in answer_rows(answer, self.digits)))
+            yield Answers(self.answer_rows(derivation))
             used = {name for answer in derivation.answers for form in printed_forms(answer) for name in form.symbols()}
             yield from (Paragraph(("with ", *numbers.meaning(one))) for one in shorts if one.letter.name in used)
+        for law, other in self.others:
+            yield Title(2, (f"The same by {law}",))
+            yield from self.section_blocks(other, InsertedNumbers(other, (), self.digits))
         if derivation.refused:
             yield Title(2, ("Not answered",))
             yield Bullets(tuple(map(refusal_bullet, derivation.refused)))
         if derivation.checks:
             yield Title(2, ("Checks",))
             yield Checks(derivation.checks)
+
+    def section_blocks(self, derivation: Derivation, numbers: InsertedNumbers) -> Iterator[PageBlock]:
+        """All sections of a derivation, with as much as is to be told."""
+        for section in derivation.sections:
+            if section.title:
+                yield Title(2, (section.title,))
+            if self.detail == BRIEF:
+                yield from law_blocks(section)
+            else:
+                yield from section_blocks(section, numbers if self.numbers == STEPS else None)
+
+    def answer_rows(self, derivation: Derivation) -> tuple[AnswerRow, ...]:
+        """The answers in all cases; without their values where formulas are all that is wanted, and there are any."""
+        answers = derivation.answers if self.numbers != NONE else map(in_letters, derivation.answers)
+        return tuple(row for answer in answers for row in answer_rows(answer, self.digits))
 
     def data(self) -> dict[str, Any]:
         from rotsolve.page.data import derivation_data
@@ -89,22 +114,39 @@ def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
     yield Labelled("Find", derivation.finds, ", " if only_letters(derivation.finds) else "; ")
     yield Labelled("States", derivation.states, wide=True)
-    yield Labelled("Plan", plan_of(derivation), " ", wide=len(derivation.sections) > 1)
+    yield Labelled(PLAN, plan_of(derivation), " ", wide=len(derivation.sections) > 1)
 
 
-def section_blocks(section: Section, numbers: InsertedNumbers) -> Iterator[PageBlock]:
+def in_letters(answer: Answer) -> Answer:
+    """An answer, its components and what it is in other cases without numbers, as far as they have formulas."""
+    value = None if answer.formula is not None else answer.value
+    components = tuple(map(in_letters, answer.components))
+    return replace(answer, value=value, components=components, otherwise=tuple(map(in_letters, answer.otherwise)))
+
+
+def section_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[PageBlock]:
     """Forces, laws and algebra of one instant, phase or event."""
-    level = 3 if section.title else 2
+    level = section_level(section)
     if section.forces:
         positive = [f"positive: {line.positive}" if line.positive else "" for line in section.forces]
         rows = zip(section.forces, positive, strict=True)
         yield Listing("Forces", level, tuple(Listed(line.body, line.forces, said, line.remarks) for line, said in rows))
-    if section.remarks or section.laws:
-        law_rows = (FormulaRow((law.law,), (law.equation,), law.number, law.remark, True) for law in section.laws)
-        yield Formulas("Laws", level, section.remarks, tuple(law_rows))
+    yield from law_blocks(section)
     if section.moves:
         known = None if section.supposed else numbers
         yield Formulas("Solve", level, (), tuple(step_row(move, known) for move in section.moves))
+
+
+def section_level(section: Section) -> int:
+    """How deep the headings within a section are."""
+    return 3 if section.title else 2
+
+
+def law_blocks(section: Section) -> Iterator[PageBlock]:
+    """The laws of a section, with why what is conserved is."""
+    if section.remarks or section.laws:
+        law_rows = (FormulaRow((law.law,), (law.equation,), law.number, law.remark, True) for law in section.laws)
+        yield Formulas("Laws", section_level(section), section.remarks, tuple(law_rows))
 
 
 def step_row(move: Move, numbers: InsertedNumbers | None) -> FormulaRow:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 
+from rotsolve.page.depth import NORMAL, STEPS
 from rotsolve.profile import stage
 
 if TYPE_CHECKING:
@@ -36,6 +37,8 @@ class SolveRequest(Struct, frozen=True):
     profile: bool = False
     confirm: bool = True
     pictures: bool = True  # in formats that have them
+    detail: str = NORMAL
+    numbers: str = STEPS
     coloured: bool = False  # whether pages are lines with their roles, for a terminal
 
     @property
@@ -154,8 +157,10 @@ def page_of(solution: Solution, request: SolveRequest) -> str | tuple[TextLine, 
     if request.coloured:
         from rotsolve.page.text import PRINTER
 
-        return tuple(PRINTER.lines(solution.page, request.width))
-    return solution.body(request.format, width=request.width, pictures=request.pictures)
+        page = solution.page_with(detail=request.detail, numbers=request.numbers)
+        return tuple(PRINTER.lines(page, request.width))
+    told = {"detail": request.detail, "numbers": request.numbers}
+    return solution.body(request.format, width=request.width, pictures=request.pictures, **told)
 
 
 def piped(files: tuple[str, ...]) -> bytes:

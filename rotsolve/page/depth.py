@@ -1,0 +1,12 @@
+"""Depth: how much of a derivation a page tells, and how many numbers stand in it."""
+
+from __future__ import annotations
+
+BRIEF, NORMAL, FULL = "brief", "normal", "full"
+DETAILS = (BRIEF, NORMAL, FULL)  # laws and answers; the plan, forces and steps too; the way of a second law as well
+NONE, RESULTS, STEPS = "none", "results", "steps"
+NUMBERS = (
+    NONE,
+    RESULTS,
+    STEPS,
+)  # letters wherever there are formulas; values of the answers; numbers put in where a step tells one
