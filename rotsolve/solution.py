@@ -16,6 +16,7 @@ from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivati
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
+from rotsolve.page.languages import ENGLISH
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -272,17 +273,23 @@ class Solution(Struct, frozen=True, dict=True):
         """The derivation as blocks that a format prints."""
         return DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
 
-    def body(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
+    def body(
+        self, format: str = "text", *, width: int | None = None, pictures: bool = True, language: str = ENGLISH
+    ) -> str:
         """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'.
 
-        In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`.
+        In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`. The `language` is
+        English, or that of another table ('de').
         """
         page = replace(self.page, pictured=self.problem) if pictures else self.page
-        return format_named(format).body(page, width or WIDTH)
+        return format_named(format, language).body(page, width or WIDTH)
 
-    def to(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
-        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'."""
-        return format_named(format).document([self.body(format, width=width, pictures=pictures)])
+    def to(
+        self, format: str = "text", *, width: int | None = None, pictures: bool = True, language: str = ENGLISH
+    ) -> str:
+        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json', in a language of `LANGUAGES`."""
+        body = self.body(format, width=width, pictures=pictures, language=language)
+        return format_named(format, language).document([body])
 
     @property
     def picture(self) -> PictureView:

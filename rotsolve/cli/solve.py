@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 from msgspec.structs import replace
 
-from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings, seconds_of
+from rotsolve.cli.options import Digits, Output, Settings, Spoken, Width, one_of, read_settings, seconds_of
 from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
 
@@ -96,6 +96,7 @@ def solve_command(
     time_limit: TimeLimit = None,
     confirm: Confirm = True,
     pictures: Pictures = True,
+    language: Spoken = "en",
     profile: Timing = False,
 ) -> None:
     """Solve scenes, and print the derivation of each.
@@ -125,6 +126,7 @@ def solve_command(
     request = replace(
         request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm, pictures=pictures
     )
+    request = replace(request, language=language)
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

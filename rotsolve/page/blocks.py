@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.language.problem import Problem
 
 NAME, LABEL, STRONG, FAULT, CODE = "name", "label", "strong", "fault", "code"  # styles of words
+AUTHORED = "authored"  # the style of words that are those of a scene's author: plain, and the same in all languages
 GOOD, BAD, OPEN = "good", "bad", "open"  # what is thought of a text
 LONGEST = 500  # characters of a student's text that are shown
 ARROW = "→"
@@ -53,6 +54,11 @@ class Styled(Struct, frozen=True):
 
 
 Phrase = tuple["str | Formula | Math | Styled", ...]  # a line of words
+
+
+def as_written(text: str) -> Styled:
+    """Words of the author of a scene."""
+    return Styled(AUTHORED, text)
 
 
 def equation(equality: Equality) -> Math:
@@ -177,7 +183,7 @@ class FormulaRow(Struct, frozen=True):
     """A line of formulas: what is said of it, equalities of which each follows from the one before, and its number.
 
     A law is `numbered` first and then named; of a step the number stands behind it. `values` are what the equality at `valued` comes to:
-    with numbers put in, and the number itself.
+    with numbers put in, and the number itself. What is said `begins` a sentence that the equality ends: no colon stands between.
     """
 
     said: Phrase
@@ -185,6 +191,7 @@ class FormulaRow(Struct, frozen=True):
     number: int | None = None
     remark: Phrase = ()
     numbered: bool = False
+    begins: bool = False
     values: tuple[Amount, ...] = ()
     valued: int = -1
 
@@ -290,10 +297,15 @@ class Checks(PageBlock, frozen=True):
     @staticmethod
     def verdict(check: Check) -> Phrase:
         """What is said before a check that does not hold."""
+        label = Checks.label(check)
+        return (Styled(FAULT, label), " ") if label else ()
+
+    @staticmethod
+    def label(check: Check) -> str:
+        """How a check failed; '' of one that holds."""
         if check.holds:
-            return ()
-        label = check.label or ("not decided:" if check.holds is None else "does not hold:")
-        return (Styled(FAULT, label), " ")
+            return ""
+        return check.label or ("not decided:" if check.holds is None else "does not hold:")
 
 
 class Note(Struct, frozen=True):

@@ -9,6 +9,7 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Derivation, Move, Refusal, Section
 from rotsolve.page.abbreviations import abbreviated, printed_forms
 from rotsolve.page.blocks import (
+    WITH,
     Answers,
     Bullet,
     Bullets,
@@ -24,6 +25,7 @@ from rotsolve.page.blocks import (
     Paragraph,
     Picture,
     Title,
+    as_written,
 )
 from rotsolve.page.inserted import InsertedNumbers
 from rotsolve.page.plan import plan_of
@@ -47,7 +49,7 @@ class DerivationPage(Page, frozen=True):
         derivation, shorts = abbreviated(self.derivation)
         numbers = InsertedNumbers(derivation, shorts, self.digits)
         if derivation.title:
-            yield Title(1, (derivation.title,))
+            yield Title(1, (as_written(derivation.title),))
         if self.pictured is not None:
             yield Picture(self.pictured)
         yield Labels(tuple(row for row in opening_rows(derivation) if row.items))
@@ -77,13 +79,13 @@ def refusal_bullet(refusal: Refusal) -> Bullet:
     """Why a question has no answer, with its line in the file, and what may help."""
     fault = refusal.fault
     line = f" (line {fault.span.line})" if fault.span is not None else ""
-    help = (Bullet((f"help: {fault.help}",)),) if fault.help else ()
-    return Bullet((Symbol(refusal.name), f": {fault.message}{line}"), help)
+    help = (Bullet(("help: ", as_written(fault.help))),) if fault.help else ()
+    return Bullet((Symbol(refusal.name), ": ", as_written(fault.message), line), help)
 
 
 def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
     """Source, givens, conventions, what is asked, and the states."""
-    yield Labelled("Source", ((derivation.source,),) if derivation.source else ())
+    yield Labelled("Source", ((as_written(derivation.source),),) if derivation.source else ())
     givens = tuple((given_equation(given),) for given in shown_givens(derivation.givens))
     yield Labelled("Given", givens, ", ")
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
@@ -111,4 +113,5 @@ def step_row(move: Move, numbers: InsertedNumbers | None) -> FormulaRow:
     """A step of algebra: where it comes from, else why it is made; and what it comes to where there are `numbers`."""
     said, (place, values) = said_of_step(move), (-1, ()) if numbers is None else numbers.values(move)
     remark = move.reason if said else ()
-    return FormulaRow(said or move.reason, move.chain, move.number, remark, values=values, valued=place)
+    begins = move.sources == WITH
+    return FormulaRow(said or move.reason, move.chain, move.number, remark, begins=begins, values=values, valued=place)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
 from urllib.parse import quote
@@ -10,6 +11,7 @@ from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.html_rows import HtmlRows, table_of, whole_page
+from rotsolve.page.languages import ENGLISH
 from rotsolve.page.pictures import picture_in_svg
 from rotsolve.page.printer import Lines, Printer
 
@@ -36,15 +38,20 @@ class Html(Printer):
     def prose(self, text: str) -> str:
         return text.translate(SPECIAL)
 
+    def numerals(self, text: str) -> str:
+        """Numbers alone: the widths of blanks have a point in all languages."""
+        return re.sub(r"<mn>[\d.]+", lambda number: super(Html, self).numerals(number[0]), text)
+
     def formula(self, formula: Formula) -> str:
-        return mathml.mathml(formula)
+        return self.numerals(mathml.mathml(formula))
 
     def unit(self, unit_to_mathml: Unit) -> str:
         return mathml.unit_to_mathml(unit_to_mathml.text)
 
     def number(self, mantissa: str, exponent: str) -> str:
         digits = mantissa.lstrip("-−")
-        said = f"<mn>{digits}</mn>" if digits == mantissa else f"<mrow><mo>−</mo><mn>{digits}</mn></mrow>"
+        shown = self.numerals(f"<mn>{digits}</mn>")
+        said = shown if digits == mantissa else f"<mrow><mo>−</mo>{shown}</mrow>"
         power = f"<msup><mn>10</mn>{self.number(exponent, '')}</msup>" if exponent else ""
         return f"<mrow>{said}<mo>×</mo>{power}</mrow>" if power else said
 
@@ -93,7 +100,7 @@ class Html(Printer):
 
     def document(self, bodies: Sequence[str]) -> str:
         """A page of several articles; it has the title of the first."""
-        return whole_page(bodies)
+        return whole_page(bodies, ENGLISH if self.language is None else self.language.code)
 
 
 PRINTER = Html()

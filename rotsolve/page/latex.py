@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
-from rotsolve.page.pictures import picture_in_tikz, with_tikz
+from rotsolve.page.pictures import BEGIN, picture_in_tikz, with_tikz
 from rotsolve.page.printer import Lines
 from rotsolve.page.tex import LATEX_PREAMBLE, WORDS, TexPrinter, aligned, latex_prose, words_cell
 
@@ -90,7 +90,14 @@ class Latex(TexPrinter):
 
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own."""
-        return with_tikz(LATEX_PREAMBLE + "\\clearpage\n".join(bodies) + "\\end{document}\n")
+        preamble = LATEX_PREAMBLE if self.language is None else in_language(self.language.babel)
+        return with_tikz(preamble + "\\clearpage\n".join(bodies) + "\\end{document}\n")
+
+
+def in_language(babel: str) -> str:
+    """The preamble for another language, whose hyphens and dates babel knows."""
+    return LATEX_PREAMBLE.replace(BEGIN, rf"\usepackage[{babel},shorthands=off]{{babel}}" + "\n" + BEGIN)
+
 
 
 PRINTER = Latex()

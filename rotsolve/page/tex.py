@@ -115,16 +115,17 @@ class TexPrinter(Printer):
     """What Markdown and LaTeX set alike: mathematics, as LaTeX between dollar signs."""
 
     blank = r"\,"
+    comma = "{,}"  # a bare one has a blank behind it
     relations: ClassVar = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne", "→": r"\;\to\;"}
 
     def formula(self, formula: Formula) -> str:
-        return to_latex(formula)
+        return self.numerals(to_latex(formula))
 
     def unit(self, unit: Unit) -> str:
         return unit.latex
 
     def number(self, mantissa: str, exponent: str) -> str:
-        mantissa = mantissa.replace("−", "-")
+        mantissa = self.numerals(mantissa.replace("−", "-"))
         return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
 
     def math(self, inner: str) -> str:

@@ -36,6 +36,7 @@ class SolveRequest(Struct, frozen=True):
     profile: bool = False
     confirm: bool = True
     pictures: bool = True  # in formats that have them
+    language: str = "en"
     coloured: bool = False  # whether pages are lines with their roles, for a terminal
 
     @property
@@ -152,10 +153,14 @@ def page_of(solution: Solution, request: SolveRequest) -> str | tuple[TextLine, 
         }
         return texts[request.show]().rstrip("\n") + "\n"
     if request.coloured:
-        from rotsolve.page.text import PRINTER
+        from rotsolve.page.formats import format_named
+        from rotsolve.page.text import PlainText
 
-        return tuple(PRINTER.lines(solution.page, request.width))
-    return solution.body(request.format, width=request.width, pictures=request.pictures)
+        text = format_named("text", request.language)
+        printer = text.printer
+        assert isinstance(printer, PlainText)
+        return tuple(printer.lines(text.spoken(solution.page), request.width))
+    return solution.body(request.format, width=request.width, pictures=request.pictures, language=request.language)
 
 
 def piped(files: tuple[str, ...]) -> bytes:
