@@ -271,7 +271,7 @@ class Solution(Struct, frozen=True, dict=True):
     @property
     def page(self) -> DerivationPage:
         """The derivation as blocks that a format prints."""
-        return DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
+        return DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""), scene=self.problem)
 
     def body(
         self, format: str = "text", *, width: int | None = None, pictures: bool = True, language: str = ENGLISH

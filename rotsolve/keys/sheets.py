@@ -49,6 +49,11 @@ class SheetPage(Page, frozen=True):
             )
             yield Labels(tuple(row for row in rows if row.items))
 
+    def names(self) -> frozenset[str]:
+        from rotsolve.page.languages.names import names_in
+
+        return frozenset().union(*(names_in(worked.problem) for _, worked in self.sheet.problems))
+
     def data(self) -> dict[str, Any]:
         return with_variant(self.sheet, [statement_data(name, worked) for name, worked in self.sheet.problems])
 
@@ -107,4 +112,5 @@ def solution_pages(sheet: Sheet, digits: int) -> Iterator[DerivationPage]:
     """The derivations, one after the other."""
     for name, worked in sheet.problems:
         derivation = worked.derivation()
-        yield DerivationPage(replace(derivation, title=f"{derivation.title}{sheet.mark}"), digits, name)
+        titled = replace(derivation, title=f"{derivation.title}{sheet.mark}")
+        yield DerivationPage(titled, digits, name, scene=worked.problem)

@@ -377,6 +377,10 @@ class Page(Struct, frozen=True):
         """The same as plain values: dicts, lists and strings."""
         raise NotImplementedError
 
+    def names(self) -> frozenset[str]:
+        """Words on it that somebody gave to things of a scene, and that are the same in all languages."""
+        return frozenset()
+
 
 class FixedPage(Page, frozen=True):
     """A page whose blocks, or what it holds for programs, are there already."""

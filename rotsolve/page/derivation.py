@@ -43,6 +43,7 @@ class DerivationPage(Page, frozen=True):
     digits: int = 4
     file: str = ""
     pictured: Problem | None = None  # the scene of which it has a picture
+    scene: Problem | None = None  # whose names stand on it
     spaced: ClassVar[bool] = False
 
     def blocks(self) -> Iterator[PageBlock]:
@@ -68,6 +69,12 @@ class DerivationPage(Page, frozen=True):
         if derivation.checks:
             yield Title(2, ("Checks",))
             yield Checks(derivation.checks)
+
+    def names(self) -> frozenset[str]:
+        from rotsolve.page.languages.names import names_in
+
+        bodies = frozenset(line.body for section in self.derivation.sections for line in section.forces)
+        return bodies if self.scene is None else bodies | names_in(self.scene)
 
     def data(self) -> dict[str, Any]:
         from rotsolve.page.data import derivation_data

@@ -8,40 +8,24 @@ table says stays in English: of a text with joints that part alone.
 from __future__ import annotations
 
 import re
-from functools import cached_property
 from pathlib import Path
 
-from msgspec import Struct, field
+from msgspec import Struct
 
 from rotsolve.page.languages.patterns import Pattern, kind, read_tables
 
 FORMULAS = 0xE000  # letters from here on, which no language uses, stand for the formulas within a text
 DECIMALS = re.compile(r"(?<=\d)\.(?=\d)")
-WORD = re.compile(r"[^\W\d_]+(?:_\w+)?")
-MATHEMATICS = frozenset(
-    "sin cos tan arcsin arccos arctan ln exp det trace rad rev min kg mm cm km am sn cn dn "
-    "dm dt dx dy dz dv dr dω dθ dφ dA dV dL dB dI xx yy zz xy yz zx sg".split()
-)
-ENGLISH = frozenset(  # words that no name of a scene has, but phrases do
-    "a about all an and are as at back be beyond but by comes does for from gives has how if in into is it its less more moves "
-    "no not of on or out say that the there they this to turns until was what when where which while whose with".split()
-)
+WORD = re.compile(r"[A-Za-zÀ-ſΑ-ω]+(?:_\w+)?")
+MATHEMATICS = frozenset("sin cos tan arcsin arccos arctan exp det rad rev min".split())
+LETTERS = 2  # at most, of a name in a formula: dx, kg, wx
+SHORT = frozenset("an as at be by do go he if in is it me my no of on or so to up us we".split())  # words of two letters
 BETWEEN = re.compile(r", and |, | and ")
 PARTS = frozenset(("one", "other"))  # slots of patterns that join two texts, of which one may be known alone
-NAMED = re.compile(r"[^\W_](?:[\w.'’() -]*[\w)])?")
-
-
-class Said(Struct, frozen=True):
-    """A text in the language, and the words in it that were taken for names of the scene."""
-
-    text: str
-    names: tuple[str, ...] = ()
 
 
 class Language(Struct, frozen=True, dict=True):
     """A language: its `code` as in HTML, its sign before decimals, its name in LaTeX's package babel, and the tables of its file.
-
-    `lost` collects what no table says, `names` what was taken for words of the scene, for those who complete the tables.
     """
 
     code: str
@@ -50,13 +34,19 @@ class Language(Struct, frozen=True, dict=True):
     words: dict[str, str]
     joints: tuple[Pattern, ...]
     patterns: tuple[Pattern, ...]
-    lost: set[str] = field(default_factory=set)
-    names: set[str] = field(default_factory=set)
 
-    @cached_property
-    def known(self) -> dict[str, Said | None]:
-        """What was translated before."""
-        return {}
+
+class Translation:
+    """The texts of one page in a language; `names` are the words of its scene, which stay as they are.
+
+    `lost` collects what no table says, for those who complete them.
+    """
+
+    def __init__(self, language: Language, names: frozenset[str] = frozenset()) -> None:
+        self.language, self.names = language, names
+        self.words, self.patterns = language.words, language.patterns
+        self.known = dict[str, str | None]()
+        self.lost = set[str]()
 
     def translate(self, text: str) -> str:
         """A text in this language, what is not known of it in English."""
@@ -67,77 +57,77 @@ class Language(Struct, frozen=True, dict=True):
         return f"{before}{self._translated(inner)}{behind}"
 
     def _translated(self, text: str) -> str:
-        said = self.said(text)
+        said = self.said(text) or self._name(text)
         if said is not None:
-            self.names.update(said.names)
-            return said.text
-        for joint in self.joints:
+            return said
+        for joint in self.language.joints:
             for found in joint.fits(text):
                 return joint.filled({slot: self._translated(part.strip()) for slot, part in found.items()})
         self.lost.add(text)
         return text
 
-    def said(self, text: str) -> Said | None:
+    def said(self, text: str) -> str | None:
         """A text in this language where all of it is known."""
         if text not in self.known:
             self.known[text] = self._by_words(text) or self._by_patterns(text) or self._begun_small(text)
         return self.known[text]
 
-    def _by_words(self, text: str) -> Said | None:
-        if text in self.words:
-            return Said(self.words[text])
-        return Said(self.numerals(text)) if is_mathematics(text) else None
+    def _by_words(self, text: str) -> str | None:
+        return self.words.get(text) or self._formula(text)
 
-    def _by_patterns(self, text: str) -> Said | None:
+    def _by_patterns(self, text: str) -> str | None:
         for pattern in self.patterns:
             for found in pattern.fits(text):
-                parts = {slot: self._slot(slot, part) for slot, part in found.items()}
-                if all(part is not None for part in parts.values()):
-                    filled = {slot: part for slot, part in parts.items() if part is not None}
-                    names = tuple(name for part in filled.values() for name in part.names)
-                    return Said(pattern.filled({slot: part.text for slot, part in filled.items()}), names)
+                parts = dict[str, str]()
+                for slot in pattern.order:
+                    said = self._slot(kind(slot), found[slot])
+                    if said is None:
+                        break
+                    parts[slot] = said
+                else:
+                    return pattern.filled(parts)
         return None
 
-    def _begun_small(self, text: str) -> Said | None:
+    def _begun_small(self, text: str) -> str | None:
         """A sentence by a phrase that begins with a small letter."""
         small = text[:1].lower() + text[1:]
-        said = None if small == text or is_mathematics(text[:2].strip()) else self.said(small)
-        return None if said is None else Said(said.text[:1].upper() + said.text[1:], said.names)
+        said = None if small == text or is_mathematics(text[:2]) else self.said(small)
+        return None if said is None else said[:1].upper() + said[1:]
 
-    def _slot(self, slot: str, text: str) -> Said | None:
+    def _slot(self, what: str, text: str) -> str | None:
         """What stands in a slot."""
         if text != text.strip():
             return None
-        what = kind(slot)
         if f"{what}/{text}" in self.words:
-            return Said(self.words[f"{what}/{text}"])
+            return self.words[f"{what}/{text}"]
         match what:
             case "name" | "point":
-                return as_name(text)
+                return self._name(text)
             case "formula":
-                return Said(self.numerals(text)) if is_mathematics(text) else None
+                return self._formula(text)
             case "value":
-                return Said(self.numerals(text)) if is_mathematics(text) or " " not in text else None
+                return self._formula(text) or self._name(text)
             case "body":
-                return as_name(text) or self.said(text)
+                return self._name(text) or self.said(text)
             case "bodies":
                 return self._bodies(text)
         return self.said(text)
 
-    def _bodies(self, text: str) -> Said | None:
+    def _name(self, text: str) -> str | None:
+        """A word of the scene, or several with points between them."""
+        return text if text in self.names or self.names.issuperset(text.split(".")) else None
+
+    def _formula(self, text: str) -> str | None:
+        """Mathematics, with the decimal sign of the language."""
+        return DECIMALS.sub(self.language.decimal, text) if is_mathematics(text) else None
+
+    def _bodies(self, text: str) -> str | None:
         """Bodies joined by commas and "and"."""
         bodies = [self._slot("body", part) for part in BETWEEN.split(text)]
         told = [body for body in bodies if body is not None]
         if len(told) < len(bodies):
             return None
-        between = self.said("and")
-        joined = ", ".join(body.text for body in told[:-1])
-        last = f" {between.text if between else 'and'} " if joined else ""
-        return Said(f"{joined}{last}{told[-1].text}", tuple(name for body in told for name in body.names))
-
-    def numerals(self, text: str) -> str:
-        """Numbers with the decimal sign of the language."""
-        return DECIMALS.sub(self.decimal, text)
+        return " ".join(filter(None, (", ".join(told[:-1]), self.words["and"] if told[1:] else "", told[-1])))
 
 
 def read_language(code: str) -> Language:
@@ -146,16 +136,11 @@ def read_language(code: str) -> Language:
     joints, phrases, loose = (tables[name] for name in ("joints", "phrases", "loose"))
     patterns = (*joints.patterns, *sorted(phrases.patterns, key=lambda one: -one.weight), *loose.patterns)
     parting = tuple(one for one in patterns if set(one.slots) <= PARTS)
-    return Language(code, tables["language"].phrases["decimal"], tables["language"].phrases["babel"], phrases.phrases, parting, patterns)
-
-
-def as_name(text: str) -> Said | None:
-    """The text where it can be a name of the scene."""
-    if not NAMED.fullmatch(text) or not ENGLISH.isdisjoint(text.lower().split()):
-        return None
-    return Said(text, (text,))
+    own = tables["language"].phrases
+    return Language(code, own["decimal"], own["babel"], phrases.phrases, parting, patterns)
 
 
 def is_mathematics(text: str) -> bool:
-    """Whether nothing in a text is a word: letters of one sign, or with something below them, functions, differentials and units."""
-    return all(len(word) == 1 or "_" in word or word in MATHEMATICS for word in WORD.findall(text))
+    """Whether nothing in a text is a word: letters of one or two signs, or with something below them, functions and units."""
+    words = (word for word in WORD.findall(text) if "_" not in word)
+    return all(len(word) == 1 or word in MATHEMATICS or (len(word) == LETTERS and word not in SHORT) for word in words)

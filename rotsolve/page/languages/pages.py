@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.derivation import Check
 from rotsolve.page import blocks
-from rotsolve.page.languages.language import FORMULAS, Language
+from rotsolve.page.languages.language import FORMULAS, Language, Translation
 
 HELD = re.compile(f"([{chr(FORMULAS)}-{chr(FORMULAS + 0x18FF)}])")  # letters that stand for formulas
 
@@ -25,7 +25,8 @@ class TranslatedPage(blocks.Page, frozen=True):
     language: Language
 
     def blocks(self) -> Iterator[blocks.PageBlock]:
-        yield from map(Translator(self.language).block, self.page.blocks())
+        translator = Translator(Translation(self.language, self.page.names()))
+        yield from map(translator.block, self.page.blocks())
 
     def data(self) -> dict[str, Any]:
         return self.page.data()
@@ -34,8 +35,8 @@ class TranslatedPage(blocks.Page, frozen=True):
 class Translator:
     """Translates blocks."""
 
-    def __init__(self, language: Language) -> None:
-        self.text = language.translate
+    def __init__(self, translation: Translation) -> None:
+        self.text = translation.translate
 
     def phrase(self, words: blocks.Phrase) -> blocks.Phrase:
         """A line of words, translated as a whole: its formulas may come in another order."""

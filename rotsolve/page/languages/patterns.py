@@ -13,30 +13,42 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import cached_property
 
 from msgspec import Struct
 
 ARROW = " => "
 COMMENT = "#"
+PLAIN = ("name", "point", "formula", "value")  # slots whose texts are not translated
 SECTION = re.compile(r"\[(\w+)\]")
 SLOT = re.compile(r"\{(\w+)\}")
 
 
-class Pattern(Struct, frozen=True):
+class Pattern(Struct, frozen=True, dict=True):
     """A phrase with slots, and what it is in the other language: `literals` stand before, between and behind the slots."""
 
     literals: tuple[str, ...]
     slots: tuple[str, ...]
     target: str
 
-    @property
+    @cached_property
     def weight(self) -> int:
         """How much of a text it takes itself: what says more is tried before."""
         return sum(map(len, self.literals))
 
+    @cached_property
+    def longest(self) -> str:
+        """The literal that tells most texts apart."""
+        return max(self.literals, key=len)
+
+    @cached_property
+    def order(self) -> tuple[str, ...]:
+        """The slots in the order in which they are looked at: those first that are no phrases."""
+        return tuple(sorted(self.slots, key=lambda slot: kind(slot) not in PLAIN))
+
     def fits(self, text: str) -> Iterator[dict[str, str]]:
         """Each way in which the text can be read by it: what stands in its slots."""
-        if text.startswith(self.literals[0]) and all(literal in text for literal in self.literals):
+        if self.longest in text and text.startswith(self.literals[0]):
             yield from self._from(text, len(self.literals[0]), 0)
 
     def _from(self, text: str, start: int, place: int) -> Iterator[dict[str, str]]:
