@@ -7,7 +7,7 @@ so that a format prints by itself only what it sets in a way of its own. A new k
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
@@ -365,9 +365,12 @@ def carets(text: str, note: Note) -> tuple[str, ...]:
 
 
 class Page(Struct, frozen=True):
-    """A page: its blocks for readers, and what it holds for programs. `spaced`: plain text has blank lines between its sections."""
+    """A page: its blocks for readers, and what it holds for programs."""
 
-    spaced: ClassVar[bool] = True
+    @property
+    def spaced(self) -> bool:
+        """Whether plain text has blank lines between its sections."""
+        return True
 
     def blocks(self) -> Iterator[PageBlock]:
         """What stands on it."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Derivation, Move, Refusal, Section
@@ -44,7 +44,10 @@ class DerivationPage(Page, frozen=True):
     file: str = ""
     pictured: Problem | None = None  # the scene of which it has a picture
     scene: Problem | None = None  # whose names stand on it
-    spaced: ClassVar[bool] = False
+
+    @property
+    def spaced(self) -> bool:
+        return False
 
     def blocks(self) -> Iterator[PageBlock]:
         derivation, shorts = abbreviated(self.derivation)

@@ -136,6 +136,4 @@ def whole_page(bodies: Sequence[str], language: str) -> str:
     style = f"{STYLE}{ASSESSED_STYLE if assessed else ''}"
     style += PICTURE_STYLE if any("<figure>" in body for body in bodies) else ""
     title = found[1] if found else "rotsolve"
-    return (
-        f"{HEAD.format(language)}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"
-    )
+    return f"{HEAD.format(language)}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"

@@ -99,5 +99,4 @@ def in_language(babel: str) -> str:
     return LATEX_PREAMBLE.replace(BEGIN, rf"\usepackage[{babel},shorthands=off]{{babel}}" + "\n" + BEGIN)
 
 
-
 PRINTER = Latex()

@@ -17,16 +17,17 @@ from rotsolve.page.languages.patterns import Pattern, kind, read_tables
 FORMULAS = 0xE000  # letters from here on, which no language uses, stand for the formulas within a text
 DECIMALS = re.compile(r"(?<=\d)\.(?=\d)")
 WORD = re.compile(r"[A-Za-zÀ-ſΑ-ω]+(?:_\w+)?")
-MATHEMATICS = frozenset("sin cos tan arcsin arccos arctan exp det rad rev min".split())
+MATHEMATICS = frozenset(("sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "det", "rad", "rev", "min"))
 LETTERS = 2  # at most, of a name in a formula: dx, kg, wx
-SHORT = frozenset("an as at be by do go he if in is it me my no of on or so to up us we".split())  # words of two letters
+SHORT = frozenset(  # words of so many letters
+    ("an", "as", "at", "be", "by", "do", "go", "he", "if", "in", "is", "it", "me", "no", "of", "on", "or", "so", "to", "up", "us", "we")
+)  # fmt: skip
 BETWEEN = re.compile(r", and |, | and ")
 PARTS = frozenset(("one", "other"))  # slots of patterns that join two texts, of which one may be known alone
 
 
 class Language(Struct, frozen=True, dict=True):
-    """A language: its `code` as in HTML, its sign before decimals, its name in LaTeX's package babel, and the tables of its file.
-    """
+    """A language: its `code` as in HTML, its sign before decimals, its name in LaTeX's package babel, and the tables of its file."""
 
     code: str
     decimal: str
@@ -91,7 +92,7 @@ class Translation:
     def _begun_small(self, text: str) -> str | None:
         """A sentence by a phrase that begins with a small letter."""
         small = text[:1].lower() + text[1:]
-        said = None if small == text or is_mathematics(text[:2]) else self.said(small)
+        said = self.said(small) if small != text and text[1:2].islower() else None
         return None if said is None else said[:1].upper() + said[1:]
 
     def _slot(self, what: str, text: str) -> str | None:

@@ -12,7 +12,9 @@ from rotsolve.core.writing import spoken
 if TYPE_CHECKING:
     from rotsolve.language.problem import Problem
 
-NAMING = frozenset(("name", "owner", "point", "points", "argument", "state", "label", "word", "at", "on", "group"))  # fields
+NAMING = frozenset(
+    ("name", "owner", "point", "points", "argument", "state", "label", "word", "at", "on", "group")
+)  # fields
 
 
 def names_in(problem: Problem) -> frozenset[str]:

@@ -28,6 +28,10 @@ class TranslatedPage(blocks.Page, frozen=True):
         translator = Translator(Translation(self.language, self.page.names()))
         yield from map(translator.block, self.page.blocks())
 
+    @property
+    def spaced(self) -> bool:
+        return self.page.spaced
+
     def data(self) -> dict[str, Any]:
         return self.page.data()
 
@@ -74,8 +78,7 @@ class Translator:
             case blocks.Labels():
                 return replace(block, rows=tuple(map(self._labelled, block.rows)))
             case blocks.Listing():
-                rows = tuple(map(self._listed, block.rows))
-                return replace(block, caption=self.text(block.caption), rows=rows)
+                return replace(block, caption=self.text(block.caption), rows=tuple(map(self._listed, block.rows)))
             case blocks.Formulas():
                 return self._formulas(block)
             case blocks.Answers():
@@ -109,4 +112,4 @@ class Translator:
 
     def _check(self, check: Check) -> Check:
         label = blocks.Checks.label(check)
-        return replace(check, words=self.phrase(check.words), label=self.text(label))  # type: ignore[arg-type]
+        return replace(check, words=self.phrase(check.words), label=self.text(label))
