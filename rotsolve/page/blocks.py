@@ -56,7 +56,7 @@ class Styled(Struct, frozen=True):
 Phrase = tuple["str | Formula | Math | Styled", ...]  # a line of words
 
 
-def as_written(text: str) -> Styled:
+def authored(text: str) -> Styled:
     """Words of the author of a scene."""
     return Styled(AUTHORED, text)
 

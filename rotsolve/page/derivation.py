@@ -25,7 +25,7 @@ from rotsolve.page.blocks import (
     Paragraph,
     Picture,
     Title,
-    as_written,
+    authored,
 )
 from rotsolve.page.inserted import InsertedNumbers
 from rotsolve.page.plan import plan_of
@@ -53,7 +53,7 @@ class DerivationPage(Page, frozen=True):
         derivation, shorts = abbreviated(self.derivation)
         numbers = InsertedNumbers(derivation, shorts, self.digits)
         if derivation.title:
-            yield Title(1, (as_written(derivation.title),))
+            yield Title(1, (authored(derivation.title),))
         if self.pictured is not None:
             yield Picture(self.pictured)
         yield Labels(tuple(row for row in opening_rows(derivation) if row.items))
@@ -74,10 +74,10 @@ class DerivationPage(Page, frozen=True):
             yield Checks(derivation.checks)
 
     def names(self) -> frozenset[str]:
-        from rotsolve.page.languages.names import names_in
+        from rotsolve.page.languages.names import names_of_scene
 
         bodies = frozenset(line.body for section in self.derivation.sections for line in section.forces)
-        return bodies if self.scene is None else bodies | names_in(self.scene)
+        return bodies if self.scene is None else bodies | names_of_scene(self.scene)
 
     def data(self) -> dict[str, Any]:
         from rotsolve.page.data import derivation_data
@@ -89,13 +89,13 @@ def refusal_bullet(refusal: Refusal) -> Bullet:
     """Why a question has no answer, with its line in the file, and what may help."""
     fault = refusal.fault
     line = f" (line {fault.span.line})" if fault.span is not None else ""
-    help = (Bullet(("help: ", as_written(fault.help))),) if fault.help else ()
-    return Bullet((Symbol(refusal.name), ": ", as_written(fault.message), line), help)
+    help = (Bullet(("help: ", authored(fault.help))),) if fault.help else ()
+    return Bullet((Symbol(refusal.name), ": ", authored(fault.message), line), help)
 
 
 def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
     """Source, givens, conventions, what is asked, and the states."""
-    yield Labelled("Source", ((as_written(derivation.source),),) if derivation.source else ())
+    yield Labelled("Source", ((authored(derivation.source),),) if derivation.source else ())
     givens = tuple((given_equation(given),) for given in shown_givens(derivation.givens))
     yield Labelled("Given", givens, ", ")
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))

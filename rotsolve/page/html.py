@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
 from urllib.parse import quote
@@ -11,7 +10,6 @@ from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.html_rows import HtmlRows, table_of, whole_page
-from rotsolve.page.languages import ENGLISH
 from rotsolve.page.pictures import picture_in_svg
 from rotsolve.page.printer import Lines, Printer
 
@@ -25,6 +23,7 @@ SPECIAL = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", 
 class Html(Printer):
     """Pages as HTML."""
 
+    decimals = r"\.(?=\d+</mn>)"  # of numbers alone: widths of blanks have a point in all languages
     blank = '<mspace width="0.22em"></mspace>'
     relations: ClassVar = {sign: f"<mo>{sign.translate(SPECIAL)}</mo>" for sign in "=≤≥<>≈≠"}
     styles: ClassVar = {
@@ -38,10 +37,6 @@ class Html(Printer):
     def prose(self, text: str) -> str:
         return text.translate(SPECIAL)
 
-    def numerals(self, text: str) -> str:
-        """Numbers alone: the widths of blanks have a point in all languages."""
-        return re.sub(r"<mn>[\d.]+", lambda number: super(Html, self).numerals(number[0]), text)
-
     def formula(self, formula: Formula) -> str:
         return self.numerals(mathml.mathml(formula))
 
@@ -50,10 +45,9 @@ class Html(Printer):
 
     def number(self, mantissa: str, exponent: str) -> str:
         digits = mantissa.lstrip("-−")
-        shown = self.numerals(f"<mn>{digits}</mn>")
-        said = shown if digits == mantissa else f"<mrow><mo>−</mo>{shown}</mrow>"
+        said = f"<mn>{digits}</mn>" if digits == mantissa else f"<mrow><mo>−</mo><mn>{digits}</mn></mrow>"
         power = f"<msup><mn>10</mn>{self.number(exponent, '')}</msup>" if exponent else ""
-        return f"<mrow>{said}<mo>×</mo>{power}</mrow>" if power else said
+        return self.numerals(f"<mrow>{said}<mo>×</mo>{power}</mrow>" if power else said)
 
     def math(self, inner: str) -> str:
         return f"<math>{inner}</math>" if inner else ""
@@ -100,7 +94,7 @@ class Html(Printer):
 
     def document(self, bodies: Sequence[str]) -> str:
         """A page of several articles; it has the title of the first."""
-        return whole_page(bodies, ENGLISH if self.language is None else self.language.code)
+        return whole_page(bodies, self.code)
 
 
 PRINTER = Html()

@@ -7,9 +7,9 @@ from typing import ClassVar
 
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
-from rotsolve.page.pictures import BEGIN, picture_in_tikz, with_tikz
+from rotsolve.page.pictures import picture_in_tikz, with_tikz
 from rotsolve.page.printer import Lines
-from rotsolve.page.tex import LATEX_PREAMBLE, WORDS, TexPrinter, aligned, latex_prose, words_cell
+from rotsolve.page.tex import WORDS, TexPrinter, aligned, latex_preamble, latex_prose, words_cell
 
 BOLD = r"\textbf{{{}}}"
 ROWS = 40  # of a table on one page
@@ -90,13 +90,7 @@ class Latex(TexPrinter):
 
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own."""
-        preamble = LATEX_PREAMBLE if self.language is None else in_language(self.language.babel)
-        return with_tikz(preamble + "\\clearpage\n".join(bodies) + "\\end{document}\n")
-
-
-def in_language(babel: str) -> str:
-    """The preamble for another language, whose hyphens and dates babel knows."""
-    return LATEX_PREAMBLE.replace(BEGIN, rf"\usepackage[{babel},shorthands=off]{{babel}}" + "\n" + BEGIN)
+        return with_tikz(latex_preamble(self.babel) + "\\clearpage\n".join(bodies) + "\\end{document}\n")
 
 
 PRINTER = Latex()

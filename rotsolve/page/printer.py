@@ -26,6 +26,7 @@ from rotsolve.page.blocks import (
     Table,
     Title,
 )
+from rotsolve.page.languages import ENGLISH
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
@@ -47,19 +48,22 @@ class Printer:
     between = "\n"  # two blocks
     decimal = "."  # the sign before decimals
     comma = ","  # the same where it is a comma
-    language: Language | None = None  # of its pages, where it is not English
+    code = ENGLISH  # the language of its pages
+    babel = ""  # the same for LaTeX, where it is not English
+    decimals = DECIMALS  # where a number has that sign
     relations: ClassVar[Mapping[str, str]] = {}  # signs that the format writes otherwise
     styles: ClassVar[Mapping[str, str]] = {LABEL: "{}: "}  # of words that stand out, with {} for them
 
     def in_language(self, language: Language) -> Printer:
         """The same format for pages in another language."""
         found = copy(self)
-        found.language, found.decimal = language, self.comma if language.decimal == "," else language.decimal
+        found.code, found.babel = language.code, language.babel
+        found.decimal = self.comma if language.decimal == "," else language.decimal
         return found
 
     def numerals(self, text: str) -> str:
         """Formulas and numbers with the decimal sign of the language."""
-        return text if self.decimal == "." else re.sub(DECIMALS, self.decimal, text)
+        return text if self.decimal == "." else re.sub(self.decimals, self.decimal, text)
 
     def prose(self, text: str) -> str:
         """Words, in which the format sees no markup."""

@@ -22,7 +22,6 @@ LATEX_PREAMBLE = r"""\documentclass{article}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{6pt}
 \allowdisplaybreaks
-\begin{document}
 """
 LATEX_SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -80,6 +79,15 @@ MATHEMATICS = {
     "≫": r"\gg",
     "ο": "o",
 }  # fmt: skip
+
+
+def latex_preamble(babel: str) -> str:
+    """What stands before the pages: with a language of babel, whose quotes are as in English, where they are not English."""
+    return (
+        LATEX_PREAMBLE
+        + (rf"\usepackage[{babel},shorthands=off]{{babel}}" + "\n" if babel else "")
+        + "\\begin{document}\n"
+    )
 
 
 def latex_prose(text: str) -> str:

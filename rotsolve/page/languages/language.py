@@ -12,7 +12,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from rotsolve.page.languages.patterns import Pattern, kind, read_tables
+from rotsolve.page.languages.patterns import Pattern, read_tables, slot_kind
 
 FORMULAS = 0xE000  # letters from here on, which no language uses, stand for the formulas within a text
 DECIMALS = re.compile(r"(?<=\d)\.(?=\d)")
@@ -81,7 +81,7 @@ class Translation:
             for found in pattern.fits(text):
                 parts = dict[str, str]()
                 for slot in pattern.order:
-                    said = self._slot(kind(slot), found[slot])
+                    said = self._slot(slot_kind(slot), found[slot])
                     if said is None:
                         break
                     parts[slot] = said

@@ -17,7 +17,7 @@ NAMING = frozenset(
 )  # fields
 
 
-def names_in(problem: Problem) -> frozenset[str]:
+def names_of_scene(problem: Problem) -> frozenset[str]:
     """All names of a scene, and how they are spoken."""
     found = frozenset(_names("", problem))
     return found | frozenset(map(spoken, found))

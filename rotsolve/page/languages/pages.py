@@ -1,6 +1,6 @@
 """Pages in another language: each block with its prose translated, sentence by sentence, the formulas in it as slots.
 
-Words of the scene's author (`as_written`), names before lists and formulas stay as they are.
+Words of the scene's author (`authored`), names before lists and formulas stay as they are.
 """
 
 from __future__ import annotations

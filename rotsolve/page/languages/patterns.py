@@ -44,7 +44,7 @@ class Pattern(Struct, frozen=True, dict=True):
     @cached_property
     def order(self) -> tuple[str, ...]:
         """The slots in the order in which they are looked at: those first that are no phrases."""
-        return tuple(sorted(self.slots, key=lambda slot: kind(slot) not in PLAIN))
+        return tuple(sorted(self.slots, key=lambda slot: slot_kind(slot) not in PLAIN))
 
     def fits(self, text: str) -> Iterator[dict[str, str]]:
         """Each way in which the text can be read by it: what stands in its slots."""
@@ -69,19 +69,19 @@ class Pattern(Struct, frozen=True, dict=True):
         return SLOT.sub(lambda slot: found[slot[1]], self.target)
 
 
-def kind(slot: str) -> str:
+def slot_kind(slot: str) -> str:
     """What stands in a slot: `name` of `name2`."""
     return slot.rstrip("0123456789")
 
 
-class Table(Struct, frozen=True):
+class PhraseTable(Struct, frozen=True):
     """One section of a file: phrases by what they are in English, and patterns in their order."""
 
     phrases: dict[str, str]
     patterns: tuple[Pattern, ...]
 
 
-def read_tables(text: str) -> dict[str, Table]:
+def read_tables(text: str) -> dict[str, PhraseTable]:
     """The sections of a file, each below its name in square brackets."""
     sections = dict[str, list[str]]()
     for line in filter(None, text.splitlines()):
@@ -89,10 +89,10 @@ def read_tables(text: str) -> dict[str, Table]:
             sections[match[1]] = lines = []
         elif not line.startswith(COMMENT):
             lines.append(line)
-    return {name: read_table(lines) for name, lines in sections.items()}
+    return {name: phrase_table(lines) for name, lines in sections.items()}
 
 
-def read_table(lines: Iterable[str]) -> Table:
+def phrase_table(lines: Iterable[str]) -> PhraseTable:
     """The lines of a section."""
     phrases, patterns = dict[str, str](), list[Pattern]()
     for line in lines:
@@ -104,4 +104,4 @@ def read_table(lines: Iterable[str]) -> Table:
             phrases[source] = target
         else:
             patterns.append(Pattern(tuple(pieces[::2]), tuple(pieces[1::2]), target))
-    return Table(phrases, tuple(patterns))
+    return PhraseTable(phrases, tuple(patterns))
