@@ -76,8 +76,9 @@ class DerivationPage(Page, frozen=True):
     def names(self) -> frozenset[str]:
         from rotsolve.page.languages.names import names_of_scene
 
-        bodies = frozenset(line.body for section in self.derivation.sections for line in section.forces)
-        return bodies if self.scene is None else bodies | names_of_scene(self.scene)
+        if self.scene is not None:
+            return names_of_scene(self.scene)
+        return frozenset(line.body for section in self.derivation.sections for line in section.forces)
 
     def data(self) -> dict[str, Any]:
         from rotsolve.page.data import derivation_data
