@@ -19,6 +19,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.page.depth import DETAILS, FULL, NORMAL, NUMBERS, STEPS
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
+from rotsolve.page.languages import ENGLISH
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -280,10 +281,10 @@ class Solution(Struct, frozen=True, dict=True):
         """The derivation as blocks, with as much of it and as many numbers as is asked for."""
         if detail not in DETAILS or numbers not in NUMBERS:
             raise ValueError(f"detail is one of {', '.join(DETAILS)}, and numbers one of {', '.join(NUMBERS)}")
-        page = DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
+        file = getattr(self.problem, "file", "")
+        page = DerivationPage(self.derivation, self.digits, file, scene=self.problem, detail=detail, numbers=numbers)
         others = tuple(self.other_ways()) if detail == FULL else ()
-        scene = self.problem if pictures else None
-        return replace(page, pictured=scene, detail=detail, numbers=numbers, others=others)
+        return replace(page, pictured=self.problem if pictures else None, others=others)
 
     def other_ways(self) -> Iterator[tuple[str, Derivation]]:
         """The same questions by each law by which a check has found the same, with what that law is called."""
@@ -292,17 +293,28 @@ class Solution(Struct, frozen=True, dict=True):
                 with suppress(Unsolvable):
                     yield FAMILIES[check.law].words, self.trace.by_law(check.law)
 
-    def body(self, format: str = "text", *, width: int | None = None, pictures: bool = True, **told: str) -> str:
+    def body(
+        self,
+        format: str = "text",
+        *,
+        width: int | None = None,
+        pictures: bool = True,
+        language: str = ENGLISH,
+        detail: str = NORMAL,
+        numbers: str = STEPS,
+    ) -> str:
         """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'.
 
         In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`. `detail` may be
-        'brief' (laws and answers), 'normal' or 'full' (the way of a second law too), `numbers` 'none', 'results' or 'steps'.
+        'brief' (laws and answers), 'normal' or 'full' (the way of a second law too), `numbers` 'none', 'results' or 'steps'. The
+        `language` is English, or that of another table ('de').
         """
-        return format_named(format).body(self.page_with(pictures=pictures, **told), width or WIDTH)
+        page = self.page_with(pictures=pictures, detail=detail, numbers=numbers)
+        return format_named(format, language).body(page, width or WIDTH)
 
-    def to(self, format: str = "text", *, width: int | None = None, pictures: bool = True, **told: str) -> str:
-        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'; the rest as for `body`."""
-        return format_named(format).document([self.body(format, width=width, pictures=pictures, **told)])
+    def to(self, format: str = "text", *, language: str = ENGLISH, **told: Any) -> str:
+        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'; all else as for `body`."""
+        return format_named(format, language).document([self.body(format, language=language, **told)])
 
     @property
     def picture(self) -> PictureView:

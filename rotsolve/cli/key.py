@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rotsolve.cli.options import Digits, Seed, one_of
+from rotsolve.cli.options import Digits, Seed, Spoken, one_of
 from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly
 
@@ -43,6 +43,7 @@ def key_command(
     solutions: Solutions = False,
     format: Sheets = None,
     digits: Digits = 4,
+    language: Spoken = "en",
 ) -> None:
     """Write problem sheets and their answer key.
 
@@ -59,5 +60,5 @@ def key_command(
 
     formats = tuple(dict.fromkeys(format or ("html",)))
     with orderly():
-        code = run_key(KeyRequest(tuple(problems), output, formats, variants or 0, seed, solutions, digits))
+        code = run_key(KeyRequest(tuple(problems), output, formats, variants or 0, seed, solutions, digits, language))
     raise typer.Exit(code)

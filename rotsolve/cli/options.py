@@ -6,6 +6,8 @@ from typing import Annotated
 
 import typer
 
+from rotsolve.page.languages import LANGUAGES
+
 Output = Annotated[
     str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file: all of it, or nothing.")
 ]
@@ -16,6 +18,15 @@ Settings = Annotated[
 Width = Annotated[
     int | None,
     typer.Option(metavar="N", min=50, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
+]
+Spoken = Annotated[
+    str,
+    typer.Option(
+        "--language",
+        metavar="|".join(LANGUAGES),
+        callback=lambda name: one_of(tuple(LANGUAGES), name),
+        help="The language of the pages.",
+    ),
 ]
 Seed = Annotated[int, typer.Option(metavar="S", min=0, help="Other variants; the same number gives the same ones.")]
 

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 from msgspec.structs import replace
 
-from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings, seconds_of
+from rotsolve.cli.options import Digits, Output, Settings, Spoken, Width, one_of, read_settings, seconds_of
 from rotsolve.page.depth import DETAILS, NORMAL, NUMBERS, STEPS
 from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
@@ -115,6 +115,7 @@ def solve_command(
     pictures: Pictures = True,
     detail: Detail = NORMAL,
     numbers: Numbers = STEPS,
+    language: Spoken = "en",
     profile: Timing = False,
 ) -> None:
     """Solve scenes, and print the derivation of each.
@@ -142,7 +143,7 @@ def solve_command(
     moment = moment_checked(at)
     limit = None if time_limit is None else seconds_of(time_limit, "'--time-limit'")
     request = replace(request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm)
-    request = replace(request, pictures=pictures, detail=detail, numbers=numbers)
+    request = replace(request, pictures=pictures, detail=detail, numbers=numbers, language=language)
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

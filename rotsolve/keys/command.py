@@ -31,6 +31,7 @@ class KeyRequest(Struct, frozen=True):
     seed: int = 1
     solutions: bool = False
     digits: int = 4
+    language: str = "en"
 
 
 def run_key(request: KeyRequest) -> int:
@@ -112,7 +113,10 @@ def problem_names(files: Sequence[str]) -> list[str]:
 def named_texts(sheets: Iterable[Sheet], request: KeyRequest) -> Iterator[NamedText]:
     """All files, those of a variant as soon as it is there; none where nothing was solved."""
     places = len(str(request.variants)) if request.variants else 0
-    writers = [sheet_files(name, places, request.digits, solved=request.solutions) for name in request.formats]
+    writers = [
+        sheet_files(name, places, request.digits, solved=request.solutions, language=request.language)
+        for name in request.formats
+    ]
     empty = True
     for sheet in sheets:
         empty = False

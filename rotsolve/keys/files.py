@@ -10,7 +10,8 @@ from typing import Any
 
 from rotsolve.keys.sheets import Sheet, SheetPage, key_blocks, key_data, solution_pages
 from rotsolve.page.blocks import FixedPage, PageBlock, Paragraph, Title
-from rotsolve.page.formats import DATA, FORMATS, Format
+from rotsolve.page.formats import DATA, Format, format_named
+from rotsolve.page.languages import ENGLISH
 from rotsolve.run.delivery import harmless
 
 NamedText = tuple[str, str]  # the name of a file, and its text
@@ -21,11 +22,11 @@ PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find", "posi
 ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "direction", "word", "exact", "note")
 
 
-def sheet_files(format: str, numbers: int, digits: int, *, solved: bool) -> SheetFiles:
+def sheet_files(format: str, numbers: int, digits: int, *, solved: bool, language: str = ENGLISH) -> SheetFiles:
     """What makes the files of a format."""
     if format == CSV:
         return TableFiles(CSV_FORMAT, numbers, digits, False)
-    chosen = FORMATS[format]
+    chosen = format_named(format, language)
     return (DataFiles if chosen.use == DATA else PageFiles)(chosen, numbers, digits, solved)
 
 

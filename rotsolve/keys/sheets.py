@@ -9,7 +9,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.keys.statement import statement
-from rotsolve.page.blocks import Answers, Labelled, Labels, Page, PageBlock, Paragraph, Title
+from rotsolve.page.blocks import Answers, Labelled, Labels, Page, PageBlock, Paragraph, Phrase, Title, authored
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.text import plain_text
 
@@ -40,8 +40,8 @@ class SheetPage(Page, frozen=True):
         yield Title(1, (f"Problems{self.sheet.mark}",))
         for number, (_, worked) in enumerate(self.sheet.problems, 1):
             said = statement(worked)
-            yield Title(2, (f"{number}. {said.title}",))
-            yield from map(Paragraph, said.text)
+            yield Title(2, (authored(f"{number}. {said.title}"),))
+            yield from (Paragraph(authored_line(line)) for line in said.text)
             rows = (
                 Labelled("Given", said.givens, ", "),
                 Labelled("Find", said.finds),
@@ -49,8 +49,18 @@ class SheetPage(Page, frozen=True):
             )
             yield Labels(tuple(row for row in rows if row.items))
 
+    def names(self) -> frozenset[str]:
+        from rotsolve.page.languages.names import names_of_scene
+
+        return frozenset().union(*(names_of_scene(worked.problem) for _, worked in self.sheet.problems))
+
     def data(self) -> dict[str, Any]:
         return with_variant(self.sheet, [statement_data(name, worked) for name, worked in self.sheet.problems])
+
+
+def authored_line(words: Phrase) -> Phrase:
+    """Words of the author of a problem, with its letters."""
+    return tuple(authored(part) if isinstance(part, str) else part for part in words)
 
 
 def statement_data(name: str, worked: Worked) -> dict[str, Any]:
@@ -76,7 +86,7 @@ def key_blocks(sheet: Sheet, digits: int) -> Iterator[PageBlock]:
     if sheet.variant:
         yield Title(2, (f"Variant {sheet.variant}",))
     for number, (_, worked) in enumerate(sheet.problems, 1):
-        yield Title(level, (f"{number}. {worked.problem.title}",))
+        yield Title(level, (authored(f"{number}. {worked.problem.title}"),))
         givens = tuple((given_equation(given),) for given in worked.shown())
         yield Labels((Labelled("Given", givens, ", "),) if givens else ())
         yield Answers(tuple(answer_row(answer, digits) for answer in worked.answers))
@@ -102,4 +112,5 @@ def solution_pages(sheet: Sheet, digits: int) -> Iterator[DerivationPage]:
     """The derivations, one after the other."""
     for name, worked in sheet.problems:
         derivation = worked.derivation()
-        yield DerivationPage(replace(derivation, title=f"{derivation.title}{sheet.mark}"), digits, name)
+        titled = replace(derivation, title=f"{derivation.title}{sheet.mark}")
+        yield DerivationPage(titled, digits, name, scene=worked.problem)

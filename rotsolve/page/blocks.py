@@ -7,7 +7,7 @@ so that a format prints by itself only what it sets in a way of its own. A new k
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.language.problem import Problem
 
 NAME, LABEL, STRONG, FAULT, CODE = "name", "label", "strong", "fault", "code"  # styles of words
+AUTHORED = "authored"  # the style of words that are those of a scene's author: plain, and the same in all languages
 GOOD, BAD, OPEN = "good", "bad", "open"  # what is thought of a text
 LONGEST = 500  # characters of a student's text that are shown
 ARROW = "→"
@@ -53,6 +54,11 @@ class Styled(Struct, frozen=True):
 
 
 Phrase = tuple["str | Formula | Math | Styled", ...]  # a line of words
+
+
+def authored(text: str) -> Styled:
+    """Words of the author of a scene."""
+    return Styled(AUTHORED, text)
 
 
 def equation(equality: Equality) -> Math:
@@ -177,7 +183,7 @@ class FormulaRow(Struct, frozen=True):
     """A line of formulas: what is said of it, equalities of which each follows from the one before, and its number.
 
     A law is `numbered` first and then named; of a step the number stands behind it. `values` are what the equality at `valued` comes to:
-    with numbers put in, and the number itself.
+    with numbers put in, and the number itself. What is said `begins` a sentence that the equality ends: no colon stands between.
     """
 
     said: Phrase
@@ -185,6 +191,7 @@ class FormulaRow(Struct, frozen=True):
     number: int | None = None
     remark: Phrase = ()
     numbered: bool = False
+    begins: bool = False
     values: tuple[Amount, ...] = ()
     valued: int = -1
 
@@ -290,10 +297,15 @@ class Checks(PageBlock, frozen=True):
     @staticmethod
     def verdict(check: Check) -> Phrase:
         """What is said before a check that does not hold."""
+        label = Checks.label(check)
+        return (Styled(FAULT, label), " ") if label else ()
+
+    @staticmethod
+    def label(check: Check) -> str:
+        """How a check failed; '' of one that holds."""
         if check.holds:
-            return ()
-        label = check.label or ("not decided:" if check.holds is None else "does not hold:")
-        return (Styled(FAULT, label), " ")
+            return ""
+        return check.label or ("not decided:" if check.holds is None else "does not hold:")
 
 
 class Note(Struct, frozen=True):
@@ -353,9 +365,12 @@ def carets(text: str, note: Note) -> tuple[str, ...]:
 
 
 class Page(Struct, frozen=True):
-    """A page: its blocks for readers, and what it holds for programs. `spaced`: plain text has blank lines between its sections."""
+    """A page: its blocks for readers, and what it holds for programs."""
 
-    spaced: ClassVar[bool] = True
+    @property
+    def spaced(self) -> bool:
+        """Whether plain text has blank lines between its sections."""
+        return True
 
     def blocks(self) -> Iterator[PageBlock]:
         """What stands on it."""
@@ -364,6 +379,10 @@ class Page(Struct, frozen=True):
     def data(self) -> dict[str, Any]:
         """The same as plain values: dicts, lists and strings."""
         raise NotImplementedError
+
+    def names(self) -> frozenset[str]:
+        """Words on it that somebody gave to things of a scene, and that are the same in all languages."""
+        return frozenset()
 
 
 class FixedPage(Page, frozen=True):

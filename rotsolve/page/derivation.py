@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
@@ -11,6 +11,7 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Answer, Derivation, Move, Refusal, Section
 from rotsolve.page.abbreviations import abbreviated, printed_forms
 from rotsolve.page.blocks import (
+    WITH,
     AnswerRow,
     Answers,
     Bullet,
@@ -27,6 +28,7 @@ from rotsolve.page.blocks import (
     Paragraph,
     Picture,
     Title,
+    authored,
 )
 from rotsolve.page.depth import BRIEF, NONE, NORMAL, STEPS
 from rotsolve.page.inserted import InsertedNumbers
@@ -50,13 +52,17 @@ class DerivationPage(Page, frozen=True):
     detail: str = NORMAL
     numbers: str = STEPS
     others: tuple[tuple[str, Derivation], ...] = ()  # ways by other laws, with what these are called
-    spaced: ClassVar[bool] = False
+    scene: Problem | None = None  # whose names stand on it
+
+    @property
+    def spaced(self) -> bool:
+        return False
 
     def blocks(self) -> Iterator[PageBlock]:
         derivation, shorts = abbreviated(self.derivation)
         numbers = InsertedNumbers(derivation, shorts, self.digits)
         if derivation.title:
-            yield Title(1, (derivation.title,))
+            yield Title(1, (authored(derivation.title),))
         if self.pictured is not None:
             yield Picture(self.pictured)
         opening = [row for row in opening_rows(derivation) if row.items]
@@ -92,6 +98,13 @@ class DerivationPage(Page, frozen=True):
         answers = derivation.answers if self.numbers != NONE else map(in_letters, derivation.answers)
         return tuple(row for answer in answers for row in answer_rows(answer, self.digits))
 
+    def names(self) -> frozenset[str]:
+        from rotsolve.page.languages.names import names_of_scene
+
+        if self.scene is not None:
+            return names_of_scene(self.scene)
+        return frozenset(line.body for section in self.derivation.sections for line in section.forces)
+
     def data(self) -> dict[str, Any]:
         from rotsolve.page.data import derivation_data
 
@@ -102,13 +115,13 @@ def refusal_bullet(refusal: Refusal) -> Bullet:
     """Why a question has no answer, with its line in the file, and what may help."""
     fault = refusal.fault
     line = f" (line {fault.span.line})" if fault.span is not None else ""
-    help = (Bullet((f"help: {fault.help}",)),) if fault.help else ()
-    return Bullet((Symbol(refusal.name), f": {fault.message}{line}"), help)
+    help = (Bullet(("help: ", authored(fault.help))),) if fault.help else ()
+    return Bullet((Symbol(refusal.name), ": ", authored(fault.message), line), help)
 
 
 def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
     """Source, givens, conventions, what is asked, and the states."""
-    yield Labelled("Source", ((derivation.source,),) if derivation.source else ())
+    yield Labelled("Source", ((authored(derivation.source),),) if derivation.source else ())
     givens = tuple((given_equation(given),) for given in shown_givens(derivation.givens))
     yield Labelled("Given", givens, ", ")
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
@@ -153,4 +166,5 @@ def step_row(move: Move, numbers: InsertedNumbers | None) -> FormulaRow:
     """A step of algebra: where it comes from, else why it is made; and what it comes to where there are `numbers`."""
     said, (place, values) = said_of_step(move), (-1, ()) if numbers is None else numbers.values(move)
     remark = move.reason if said else ()
-    return FormulaRow(said or move.reason, move.chain, move.number, remark, values=values, valued=place)
+    begins = move.sources == WITH
+    return FormulaRow(said or move.reason, move.chain, move.number, remark, begins=begins, values=values, valued=place)

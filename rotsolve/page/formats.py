@@ -7,6 +7,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.page.languages import ENGLISH, language_named
 
 if TYPE_CHECKING:
     from rotsolve.page.blocks import Page
@@ -20,6 +23,7 @@ class Format(Struct, frozen=True):
     """An output format: its name, how its files end (the first is for new ones), what it is for, and the module of its `PRINTER`.
 
     `use`: on a TERMINAL pages come one by one; PAGES are to be read or printed; DATA is for programs, a file for everything.
+    Its pages are printed in a `language` of those there are.
     """
 
     name: str
@@ -27,16 +31,27 @@ class Format(Struct, frozen=True):
     help: str
     module: str
     use: str = PAGES
+    language: str = ENGLISH
 
     @property
     def printer(self) -> Printer:
         """What prints it; imported when it is asked for."""
         printer: Printer = import_module(self.module).PRINTER
-        return printer
+        language = language_named(self.language)
+        return printer if language is None else printer.in_language(language)
+
+    def spoken(self, page: Page) -> Page:
+        """The page in the language of the format."""
+        language = language_named(self.language)
+        if language is None:
+            return page
+        from rotsolve.page.languages.pages import TranslatedPage
+
+        return TranslatedPage(page, language)
 
     def body(self, page: Page, width: int = WIDTH) -> str:
         """One page, as it stands within a document; `width` is for formats with columns of letters."""
-        return self.printer.body(page, width)
+        return self.printer.body(self.spoken(page), width)
 
     def document(self, bodies: Sequence[str]) -> str:
         """A complete document of one or several pages."""
@@ -55,11 +70,11 @@ FORMATS = {
 }
 
 
-def format_named(name: str) -> Format:
-    """The format of that name; a KeyError names the ones there are."""
+def format_named(name: str, language: str = ENGLISH) -> Format:
+    """The format of that name, in a language; a KeyError names the ones there are."""
     if name not in FORMATS:
         raise KeyError(f"unknown format {name!r}: {', '.join(FORMATS)}")
-    return FORMATS[name]
+    return FORMATS[name] if language == ENGLISH else replace(FORMATS[name], language=language)
 
 
 def format_of_file(file: str) -> Format | None:

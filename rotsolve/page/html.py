@@ -23,6 +23,7 @@ SPECIAL = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", 
 class Html(Printer):
     """Pages as HTML."""
 
+    decimals = r"\.(?=\d+</mn>)"  # of numbers alone: widths of blanks have a point in all languages
     blank = '<mspace width="0.22em"></mspace>'
     relations: ClassVar = {sign: f"<mo>{sign.translate(SPECIAL)}</mo>" for sign in "=≤≥<>≈≠"}
     styles: ClassVar = {
@@ -37,7 +38,7 @@ class Html(Printer):
         return text.translate(SPECIAL)
 
     def formula(self, formula: Formula) -> str:
-        return mathml.mathml(formula)
+        return self.numerals(mathml.mathml(formula))
 
     def unit(self, unit_to_mathml: Unit) -> str:
         return mathml.unit_to_mathml(unit_to_mathml.text)
@@ -46,7 +47,7 @@ class Html(Printer):
         digits = mantissa.lstrip("-−")
         said = f"<mn>{digits}</mn>" if digits == mantissa else f"<mrow><mo>−</mo><mn>{digits}</mn></mrow>"
         power = f"<msup><mn>10</mn>{self.number(exponent, '')}</msup>" if exponent else ""
-        return f"<mrow>{said}<mo>×</mo>{power}</mrow>" if power else said
+        return self.numerals(f"<mrow>{said}<mo>×</mo>{power}</mrow>" if power else said)
 
     def math(self, inner: str) -> str:
         return f"<math>{inner}</math>" if inner else ""
@@ -93,7 +94,7 @@ class Html(Printer):
 
     def document(self, bodies: Sequence[str]) -> str:
         """A page of several articles; it has the title of the first."""
-        return whole_page(bodies)
+        return whole_page(bodies, self.code)
 
 
 PRINTER = Html()

@@ -11,7 +11,7 @@ from rotsolve.page.printer import Printer
 HEADING = re.compile(r"<h1>(.*?)</h1>")
 HEAD = """\
 <!DOCTYPE html>
-<html lang="en">
+<html lang="{}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -129,13 +129,11 @@ def table_of(rows: Iterable[str]) -> Iterator[str]:
         yield from ('<div class="wide"><table>', *found, "</table></div>")
 
 
-def whole_page(bodies: Sequence[str]) -> str:
+def whole_page(bodies: Sequence[str], language: str) -> str:
     """A page of several articles, with its style sheet, and the title of the first."""
     found = HEADING.search(bodies[0]) if bodies else None
     assessed = any("<th>" in body or "<code>" in body for body in bodies)
     style = f"{STYLE}{ASSESSED_STYLE if assessed else ''}"
     style += PICTURE_STYLE if any("<figure>" in body for body in bodies) else ""
     title = found[1] if found else "rotsolve"
-    return (
-        f"{HEAD}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"
-    )
+    return f"{HEAD.format(language)}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"

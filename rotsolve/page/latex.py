@@ -9,7 +9,7 @@ from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
 from rotsolve.page.pictures import picture_in_tikz, with_tikz
 from rotsolve.page.printer import Lines
-from rotsolve.page.tex import LATEX_PREAMBLE, WORDS, TexPrinter, aligned, latex_prose, words_cell
+from rotsolve.page.tex import WORDS, TexPrinter, aligned, latex_preamble, latex_prose, words_cell
 
 BOLD = r"\textbf{{{}}}"
 ROWS = 40  # of a table on one page
@@ -90,7 +90,7 @@ class Latex(TexPrinter):
 
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own."""
-        return with_tikz(LATEX_PREAMBLE + "\\clearpage\n".join(bodies) + "\\end{document}\n")
+        return with_tikz(latex_preamble(self.babel) + "\\clearpage\n".join(bodies) + "\\end{document}\n")
 
 
 PRINTER = Latex()

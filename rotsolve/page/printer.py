@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import Formula
@@ -25,11 +26,14 @@ from rotsolve.page.blocks import (
     Table,
     Title,
 )
+from rotsolve.page.languages import ENGLISH
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
+    from rotsolve.page.languages.language import Language
 
 POWER = r"(.*\d)(?:[eE]|\s*[·×]\s*10\^?)([-+−⁺⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)"  # compiled where there is one
+DECIMALS = r"(?<=\d)\.(?=\d)"
 TIMES = frozenset("eE·×")  # before a power of ten
 LOWERED = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
 CLOSE = ("°", "′", "″", "%")  # units that stand next to their number
@@ -42,8 +46,24 @@ class Printer:
 
     blank = " "  # between a number and its unit
     between = "\n"  # two blocks
+    decimal = "."  # the sign before decimals
+    comma = ","  # the same where it is a comma
+    code = ENGLISH  # the language of its pages
+    babel = ""  # the same for LaTeX, where it is not English
+    decimals = DECIMALS  # where a number has that sign
     relations: ClassVar[Mapping[str, str]] = {}  # signs that the format writes otherwise
     styles: ClassVar[Mapping[str, str]] = {LABEL: "{}: "}  # of words that stand out, with {} for them
+
+    def in_language(self, language: Language) -> Printer:
+        """The same format for pages in another language."""
+        found = copy(self)
+        found.code, found.babel = language.code, language.babel
+        found.decimal = self.comma if language.decimal == "," else language.decimal
+        return found
+
+    def numerals(self, text: str) -> str:
+        """Formulas and numbers with the decimal sign of the language."""
+        return text if self.decimal == "." else re.sub(self.decimals, self.decimal, text)
 
     def prose(self, text: str) -> str:
         """Words, in which the format sees no markup."""

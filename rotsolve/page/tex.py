@@ -22,7 +22,6 @@ LATEX_PREAMBLE = r"""\documentclass{article}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{6pt}
 \allowdisplaybreaks
-\begin{document}
 """
 LATEX_SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -82,6 +81,15 @@ MATHEMATICS = {
 }  # fmt: skip
 
 
+def latex_preamble(babel: str) -> str:
+    """What stands before the pages: with a language of babel, whose quotes are as in English, where they are not English."""
+    return (
+        LATEX_PREAMBLE
+        + (rf"\usepackage[{babel},shorthands=off]{{babel}}" + "\n" if babel else "")
+        + "\\begin{document}\n"
+    )
+
+
 def latex_prose(text: str) -> str:
     """Prose as LaTeX; a letter that no font of plain LaTeX has becomes a question mark rather than an error."""
     return "".join(map(_latex_letter, text))
@@ -115,16 +123,17 @@ class TexPrinter(Printer):
     """What Markdown and LaTeX set alike: mathematics, as LaTeX between dollar signs."""
 
     blank = r"\,"
+    comma = "{,}"  # a bare one has a blank behind it
     relations: ClassVar = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne", "→": r"\;\to\;"}
 
     def formula(self, formula: Formula) -> str:
-        return to_latex(formula)
+        return self.numerals(to_latex(formula))
 
     def unit(self, unit: Unit) -> str:
         return unit.latex
 
     def number(self, mantissa: str, exponent: str) -> str:
-        mantissa = mantissa.replace("−", "-")
+        mantissa = self.numerals(mantissa.replace("−", "-"))
         return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
 
     def math(self, inner: str) -> str:

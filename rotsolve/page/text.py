@@ -25,13 +25,13 @@ class PlainText(Printer):
         return text
 
     def formula(self, formula: Formula) -> str:
-        return to_text(formula)
+        return self.numerals(to_text(formula))
 
     def unit(self, unit: Unit) -> str:
         return unit.text
 
     def number(self, mantissa: str, exponent: str) -> str:
-        mantissa = mantissa.replace("-", "−")
+        mantissa = self.numerals(mantissa.replace("-", "−"))
         return f"{mantissa}×10{exponent.translate(RAISED)}" if exponent else mantissa
 
     def math(self, inner: str) -> str:

@@ -155,7 +155,7 @@ class TextRows:
         """What a step does, and below it one equality a line, the number of the last at the right; a short one on one line."""
         said, remark = self.words(row.said), f"({self.words(row.remark)})" if row.remark else ""
         end = min(width, NUMBERS)
-        first = f"  {said}{'' if said in ('', blocks.WITH) else ':'}"
+        first = f"  {said}{':' if said and not row.begins else ''}"
         whole = self.words(row.line(0))
         if len(row.chain) == 1 and len(first) + 2 + len(whole) <= end - len(row.mark) - GAP:
             yield from self._with_mark(f"{first}  {whole}", row.mark, remark, end, width)

@@ -39,6 +39,7 @@ class SolveRequest(Struct, frozen=True):
     pictures: bool = True  # in formats that have them
     detail: str = NORMAL
     numbers: str = STEPS
+    language: str = "en"
     coloured: bool = False  # whether pages are lines with their roles, for a terminal
 
     @property
@@ -155,11 +156,15 @@ def page_of(solution: Solution, request: SolveRequest) -> str | tuple[TextLine, 
         }
         return texts[request.show]().rstrip("\n") + "\n"
     if request.coloured:
-        from rotsolve.page.text import PRINTER
+        from rotsolve.page.formats import format_named
+        from rotsolve.page.text import PlainText
 
+        text = format_named("text", request.language)
+        printer = text.printer
+        assert isinstance(printer, PlainText)
         page = solution.page_with(detail=request.detail, numbers=request.numbers)
-        return tuple(PRINTER.lines(page, request.width))
-    told = {"detail": request.detail, "numbers": request.numbers}
+        return tuple(printer.lines(text.spoken(page), request.width))
+    told = {"detail": request.detail, "numbers": request.numbers, "language": request.language}
     return solution.body(request.format, width=request.width, pictures=request.pictures, **told)
 
 

@@ -85,7 +85,7 @@ def for_programs(request: SolveRequest) -> bool:
 
 def joined_document(outcomes: Sequence[FileOutcome], request: SolveRequest) -> str:
     """All that was solved as one document; for programs, among several, also what was not."""
-    chosen, bodies = format_named(request.format), []
+    chosen, bodies = format_named(request.format, request.language), []
     for outcome in outcomes:
         if isinstance(outcome.page, str):
             bodies.append(outcome.page)
