@@ -119,7 +119,7 @@ def positive_ratio(ratio: Formula, results: Results) -> Formula:
     return results.search.solver.simplify(-ratio if value is not None and (value.sign or 0) < 0 else ratio)
 
 
-def without_bars(node: Formula, results: Results) -> Formula:
+def unbarred_by_value(node: Formula, results: Results) -> Formula:
     """What stands between bars, or its opposite, where the numbers tell its sign."""
     if not isinstance(node, Call) or node.function != "abs":
         return node
@@ -246,7 +246,7 @@ class DerivationComposer:
 
     def _shown(self, formula: Formula) -> Formula:
         """A formula in printed letters, without bars round what the numbers tell the sign of: −ω for |ω| of what turns clockwise."""
-        return self.letters.printed(formula.transform(partial(without_bars, results=self.results), "abs"))
+        return self.letters.printed(formula.transform(partial(unbarred_by_value, results=self.results), "abs"))
 
     def _cited(self, ref: Ref, step: Step) -> Cited:
         """What a step puts in: the letter that an equation tells, which is gone behind it, and the number of that equation."""

@@ -95,7 +95,7 @@ class DerivationPage(Page, frozen=True):
 
     def answer_rows(self, derivation: Derivation) -> tuple[AnswerRow, ...]:
         """The answers in all cases; without their values where formulas are all that is wanted, and there are any."""
-        answers = derivation.answers if self.numbers != NONE else map(in_letters, derivation.answers)
+        answers = derivation.answers if self.numbers != NONE else map(without_value, derivation.answers)
         return tuple(row for answer in answers for row in answer_rows(answer, self.digits))
 
     def names(self) -> frozenset[str]:
@@ -130,11 +130,11 @@ def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
     yield Labelled(PLAN, plan_of(derivation), " ", wide=len(derivation.sections) > 1)
 
 
-def in_letters(answer: Answer) -> Answer:
+def without_value(answer: Answer) -> Answer:
     """An answer, its components and what it is in other cases without numbers, as far as they have formulas."""
     value = None if answer.formula is not None else answer.value
-    components = tuple(map(in_letters, answer.components))
-    return replace(answer, value=value, components=components, otherwise=tuple(map(in_letters, answer.otherwise)))
+    components = tuple(map(without_value, answer.components))
+    return replace(answer, value=value, components=components, otherwise=tuple(map(without_value, answer.otherwise)))
 
 
 def section_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[PageBlock]:

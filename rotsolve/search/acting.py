@@ -14,12 +14,12 @@ def acting_forward(search: Search) -> frozenset[tuple[str, str]]:
     """Those that come out negative as they are drawn, each as owner and moment; none of which the scene itself says something signed."""
     problem, quantities = search.scene.configuration.problem, search.scene.registry.quantities
     told = [quantities[key] for key in {*search.solver.told, *search.solver.solved} if key in quantities]
-    negative = [quantity for quantity in told if quantity.kind == FRICTION and sign_of(quantity.key, search) == -1]
+    negative = [quantity for quantity in told if quantity.kind == FRICTION and sign_told(quantity.key, search) == -1]
     signed = spoken_of(problem) if negative else set()
     return frozenset((quantity.owner, quantity.when) for quantity in negative if quantity.owner not in signed)
 
 
-def sign_of(key: str, search: Search) -> int | None:
+def sign_told(key: str, search: Search) -> int | None:
     """The sign of a letter that a step tells, by its number or for all that the letters of the scene may be."""
     found = search.solver.solved.get(key)
     if found is not None and found.number is not None:

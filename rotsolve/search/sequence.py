@@ -17,17 +17,17 @@ def in_sequence(finds: Sequence[Find], timeline: Timeline) -> list[Find]:
     places: dict[str, int] = {}
     for find in finds:
         named = [places[name] for name in letters_of(find) if name in places]
-        places[find.name] = max([place_of(find, timeline), *named])
+        places[find.name] = max([place_in_time(find, timeline), *named])
     return sorted(finds, key=lambda find: places[find.name])
 
 
-def place_of(find: Find, timeline: Timeline) -> int:
+def place_in_time(find: Find, timeline: Timeline) -> int:
     """The place in time of the last state of which a question speaks."""
-    moments = [timeline.order.get(name, 0) for term in find.terms for name in states_of(term, timeline)]
+    moments = [timeline.order.get(name, 0) for term in find.terms for name in states_spoken_of(term, timeline)]
     return max(moments, default=0)
 
 
-def states_of(term: Term, timeline: Timeline) -> list[str]:
+def states_spoken_of(term: Term, timeline: Timeline) -> list[str]:
     """The states of which a term speaks, the last one of a phase or an event for that."""
     spans = [one.end for one in timeline.intervals if term.during is not None and term.during in (one.name, one.whole)]
     return [name for name in (term.at, term.start, term.end, *spans) if name is not None]
