@@ -28,6 +28,7 @@ class SimulationRequest(Struct, frozen=True):
     width: int = 120
     certified: bool = False
     output: str | None = None  # a file for the numbers
+    animate: str | None = None  # a file for the page that moves
 
 
 def run_simulation(request: SimulationRequest) -> int:
@@ -54,6 +55,20 @@ def fail(message: str, code: int) -> int:
     return code
 
 
+def write_animation(found: Run, file: str, request: SimulationRequest) -> int:
+    """The page on which the scene moves, into its file."""
+    from rotsolve.simulation.animation.page import animated
+
+    try:
+        with advancing("pictures"):
+            page = animated(found, request.step)
+    except Exception as error:
+        failed = failure_outcome(request.file, error)
+        return fail(failed.message, failed.code)
+    code = write_file(file, page)
+    return fail(f"wrote {file}: {drawn(found)}", SOLVED) if code == SOLVED else code
+
+
 def write_run(found: Run, request: SimulationRequest) -> int:
     """The picture into its file, the numbers or the table to standard output."""
     if request.plot is not None:
@@ -66,6 +81,8 @@ def write_run(found: Run, request: SimulationRequest) -> int:
         except OSError as error:
             return fail(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)
         return fail(f"wrote {request.plot}: {drawn(found)}", SOLVED)
+    if request.animate is not None:
+        return write_animation(found, request.animate, request)
     if request.csv:
         numbers = csv_lines(found, times_of(found, request.step))
         if request.output is not None:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 
 from rotsolve.confirm.signs import GROUND
-from rotsolve.confirm.space.arrows import Arrow, Z, arrow_length, crossed, inner_product, normed, scaled, sum_of
+from rotsolve.confirm.space.arrows import Arrow, Z, arrow_length, crossed, inner_product, less, normed, scaled, sum_of
 from rotsolve.draw.paper.figure import AXIS, BODY, HATCH, HOLE, SOLID, STRING, SUPPORT, THIN, Figure, Point
 from rotsolve.draw.paper.figure import GROUND as EARTH
 from rotsolve.draw.paper.lettering import letter
@@ -29,14 +29,19 @@ def draw_space(stage: SpaceStage, title: str = "", description: str = "") -> Fig
     sheet = ScenePaper(space_scale(stage), title, description)
     draw_floors(stage, sheet)
     draw_axes(stage, sheet)
+    draw_bodies(stage, sheet)
+    draw_marks(stage, sheet)
+    return sheet.finished()
+
+
+def draw_bodies(stage: SpaceStage, sheet: ScenePaper) -> None:
+    """All bodies, the farthest first, their axes and their joints."""
     for solid in sorted(stage.solids.values(), key=lambda solid: depth(solid.place)):
         draw_axis_behind(solid, stage, sheet)
         draw_solid(solid, sheet)
     for name in stage.solids:
         for joint in stage.joints(name):
             draw_joint(joint, stage, sheet)
-    draw_marks(stage, sheet)
-    return sheet.finished()
 
 
 def space_scale(stage: SpaceStage) -> float:
@@ -198,7 +203,10 @@ def draw_floors(stage: SpaceStage, sheet: ScenePaper) -> None:
             out = outward(joint, stage)
             low = min((inner_product(point, out) for piece in solid.pieces for point in piece.points), default=0.0)
             foot = sum_of(solid.place, scaled(low - inner_product(solid.place, out), out))
-            floor_patch(foot, out, FLOOR * max(solid.size, 0.4 * stage.whole), sheet)
+            gone = [less(stage.solids[name].place, solid.place) for _ in stage.moments()]
+            foot = sum_of(foot, *(scaled(0.5, end) for end in (gone[0], gone[-1])))
+            reach = max(math.dist(arrow, scaled(0.5, gone[-1])) for arrow in gone)
+            floor_patch(foot, out, reach + FLOOR * max(solid.size, 0.4 * stage.whole), sheet)
 
 
 def outward(joint: Joint, stage: SpaceStage) -> Arrow:
@@ -232,7 +240,13 @@ def draw_axes(stage: SpaceStage, sheet: ScenePaper) -> None:
     if len(held) == 1:
         origin, long = held[0], 2.0 * size + 18.0 / sheet.scale
     else:
-        points = [seen(point) for solid in stage.solids.values() for piece in solid.pieces for point in piece.points]
+        points = [
+            seen(point)
+            for _ in stage.moments()
+            for solid in stage.solids.values()
+            for piece in solid.pieces
+            for point in piece.points
+        ]
         long = 26.0 / sheet.scale
         left = min((x for x, _ in points), default=0.0) - 2.0 * long
         low = min((y for _, y in points), default=0.0) + 0.6 * long

@@ -46,14 +46,9 @@ def surface_extent(
 ) -> tuple[float, float, bool, bool]:
     """From where to where along a flat surface it is drawn, on paper; and whether it ends in an edge at either end."""
     bounds = []
-    for item in lying_on(surface.name, stage):
-        body = stage.bodies[item.lying()]
-        if props(item, stage):
-            continue
-        touching = stage.point(item.pair()[0])
-        rod = shape_of(body.body).slender
-        points = body.bound() if not rod or touching is None else [touching]
-        bounds += [x * along[0] + y * along[1] for x, y in map(sheet.at, points)]
+    for _ in stage.moments():
+        for x, y in map(sheet.at, lying_points(surface, stage)):
+            bounds.append(x * along[0] + y * along[1])
     for ref in anchored(surface, stage):
         x, y = sheet.at(stage.bodies[ref].place)
         bounds.append(x * along[0] + y * along[1] - ANCHOR)
@@ -68,6 +63,17 @@ def surface_extent(
         else:
             low, edges[0] = edge + room, True
     return low, high, edges[0], edges[1]
+
+
+def lying_points(surface: Surface, stage: PlaneStage) -> Iterator[Point]:
+    """The points under which a surface has to be: those of all that lies on it, of a rod where it touches."""
+    for item in lying_on(surface.name, stage):
+        body = stage.bodies[item.lying()]
+        if props(item, stage):
+            continue
+        touching = stage.point(item.pair()[0])
+        rod = shape_of(body.body).slender
+        yield from body.bound() if not rod or touching is None else [touching]
 
 
 def anchored(surface: Surface, stage: PlaneStage) -> Iterator[str]:

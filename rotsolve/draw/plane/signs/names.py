@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rotsolve.draw.paper.figure import Point, shifted_by
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.stage import PlaneStage
@@ -19,32 +21,36 @@ INWARDS = (-0.51, -0.86)  # from the middle of a wheel to its name within
 def draw_names(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The name of each body: within a block, else beside the body."""
     for body in stage.bodies.values():
-        words = named_in(body.body, stage.model.problem)
-        at = sheet.at(body.place)
-        points = [sheet.at(point) for point in body.bound()]
-        if body.block:
-            sheet.letters.name(
-                words, at, outer_side(body, stage), sheet.scale * body.reach(outer_side(body, stage)) + 3.0, inside=True
-            )
-        elif points:
-            if broad(body, sheet):
-                sheet.letters.name(words, sheet.at(body_middle(body)), (0.5, -0.5), 6.0, inside=True)
-                continue
-            middle = (sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points))
-            way = name_side(body, stage)
-            if roomy(body, sheet):
-                off = (inner_radius(body, sheet) + core_radius(body, sheet)) / 2
-                at = shifted_by(sheet.at(body.place), INWARDS, max(off, 0.58 * inner_radius(body, sheet)))
-                sheet.letters.name(words, at, way, 4.0, inside=True)
-                continue
-            if shape_of(body.body).slender and any(
-                told_words(stage, ref.argument) for ref in mentioned(body.name, stage)
-            ):
-                end = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "end"))))
-                middle = shifted_by(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
-            if not shape_of(body.body).slender:
-                middle = max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
-            sheet.letters.name(words, middle, way, 6.0)
+        draw_name(body, stage, sheet)
+
+
+def draw_name(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
+    """The name of one body."""
+    words = named_in(body.body, stage.model.problem)
+    at, way = sheet.at(body.place), outer_side(body, stage)
+    points = [sheet.at(point) for point in body.bound()]
+    if body.block:
+        sheet.letters.name(words, at, way, sheet.scale * body.reach(way) + 3.0, inside=True, tag=body.name)
+    elif points and broad(body, sheet):
+        sheet.letters.name(words, sheet.at(body_middle(body)), (0.5, -0.5), 6.0, inside=True, tag=body.name)
+    elif points and roomy(body, sheet):
+        off = (inner_radius(body, sheet) + core_radius(body, sheet)) / 2
+        at = shifted_by(at, INWARDS, max(off, 0.58 * inner_radius(body, sheet)))
+        sheet.letters.name(words, at, name_side(body, stage), 4.0, inside=True, tag=body.name)
+    elif points:
+        way = name_side(body, stage)
+        sheet.letters.name(words, beside(body, points, way, stage, sheet), way, 6.0, tag=body.name)
+
+
+def beside(body: Figured, points: Sequence[Point], way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
+    """The place of a body next to which its name goes: the middle of a rod, off which it goes where a place on it is told."""
+    if not shape_of(body.body).slender:
+        return max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
+    middle = (sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points))
+    if not any(told_words(stage, ref.argument) for ref in mentioned(body.name, stage)):
+        return middle
+    end = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "end"))))
+    return shifted_by(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
 
 
 def name_side(body: Figured, stage: PlaneStage) -> Point:
