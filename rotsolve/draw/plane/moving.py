@@ -26,6 +26,7 @@ from rotsolve.language.elements import Connection
 from rotsolve.motion.configuration import Configuration
 
 ROOM, HIGH = 640.0, 400.0  # points of paper for a whole motion
+CLEAR = 1.1  # of a string beside how far the bodies at its ends reach towards each other
 KEPT = 0.4  # of a string or spring, at least, that is left of its first length
 SPRINGY = 40.0  # points of a spring to something fixed that may be pressed together
 SAMPLES = 60  # moments by which the room for a motion is told
@@ -132,6 +133,7 @@ def lengthenings(stage: MovingStage) -> dict[str, float]:
     for spring in stage.kinds.springs:
         leg = StringPart(*spring.spring, spring_way(spring, stage.model), (0, 0))
         ends[spring.name] = leg, free
+    clear = {name: leg_clearance(leg, stage) for name, (leg, _) in ends.items()}
     first = {name: leg_run(leg, stage) for name, (leg, _) in ends.items()}
     least = dict(first)
     for _ in stage.moments():
@@ -140,11 +142,18 @@ def lengthenings(stage: MovingStage) -> dict[str, float]:
     found = dict(stage.longer)
     for name, (leg, spare) in ends.items():
         tied = all(ref.owner in stage.bodies for ref in (leg.first, leg.second))
-        room = (1.0 - KEPT) * abs(first[name]) if tied else spare
+        room = min((1.0 - KEPT) * abs(first[name]), first[name] - clear[name]) if tied else spare
         short = first[name] - least[name] - room
         if short > 0.0:
             found[name] = found.get(name, 0.0) + short
     return found if found != stage.longer else {}
+
+
+def leg_clearance(leg: StringPart, stage: PlaneStage) -> float:
+    """How long a leg has to be, at least, so that what is at its ends does not meet."""
+    way = leg.along or (1.0, 0.0)
+    ends = ((leg.first, way), (leg.second, (-way[0], -way[1])))
+    return CLEAR * sum(stage.bodies[ref.owner].reach(out) for ref, out in ends if ref.owner in stage.bodies)
 
 
 def leg_run(leg: StringPart, stage: PlaneStage) -> float:
@@ -171,6 +180,7 @@ def motion_scale(stage: MovingStage) -> float:
     """Points of paper for a metre: as in a still picture, or less, so that all of the motion has room."""
     points = [point for _ in stage.moments() for body in stage.bodies.values() for point in body.bound()]
     wide, tall = spans(points)
+    tall = max([tall, *(size for hanging in stage.motion.hanging for size in hanging.values())])
     limits = [plane_scale(stage), *(room / size for room, size in ((ROOM, wide), (HIGH, tall)) if size > 0.0)]
     return min(limits)
 
@@ -178,9 +188,11 @@ def motion_scale(stage: MovingStage) -> float:
 def motion_pictures(stage: MovingStage, title: str, description: str) -> Reel:
     """The pictures of all moments of a motion."""
     scale, first = motion_scale(stage), stage.places()
+    stage.decided |= {("shrunk", item.name): 1.0 for item in stage.kinds.ropes}  # else what hangs from it would not keep pace
+    shown = first
     base = ScenePaper(scale, title, description)
     draw_surfaces(stage, base)
-    ground = moving_marks(base.figure)
+    ground = list(base.figure.marks)
     turning = {name for ways in stage.motion.ways for name, way in ways.items() if abs(way.turn) > VISIBLE}
     reel = Reel(title, description, [], [], [])
     for number in range(len(stage.motion.ways)):
@@ -190,7 +202,8 @@ def motion_pictures(stage: MovingStage, title: str, description: str) -> Reel:
         reel.pictures.append(figure.in_layers())
         if number == 0:
             reel.labels += first_labels(figure, stage, base)
-        reel.shifts.append([label_shift(label, stage, scale, first) for label in reel.labels])
+            shown = stage.places()
+        reel.shifts.append([label_shift(label, stage, scale, shown) for label in reel.labels])
     return reel
 
 

@@ -22,6 +22,7 @@ from rotsolve.language.bodies import Surface
 
 BEYOND, SHORT = 24.0, 3.0  # points of a surface beyond what lies on it; between its edge and a wheel
 DEEP = 34.0  # of the side of a table that is seen
+RUN_OUT = 200.0  # of a slope beyond what lies on it, at most
 ANCHOR = 66.0  # from a body to the ground to which a spring ties it
 ARC = 30.0  # radius of the arc of an angle
 
@@ -162,7 +163,7 @@ def draw_slope(surface: Slope, where: float, stage: PlaneStage, sheet: ScenePape
     out, up = normal(surface, stage.model), uphill(surface, stage.model)
     foot, top = flat_ends(surface, where, up, out, stage, sheet)
     strung = any(True for _ in wheels_beyond(surface, up, stage))
-    foot = shifted_by(foot, up, -(BEYOND if strung else max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND))))
+    foot = shifted_by(foot, up, -(BEYOND if strung else min(max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND)), RUN_OUT)))
     right = up[0] > 0
     if abs(up[1]) < 1e-6:
         sheet.hatched([foot, top] if right else [top, foot])

@@ -58,8 +58,7 @@ def leg_ends(name: str, leg: StringPart, stage: PlaneStage, sheet: ScenePaper) -
 
 def straight_on(name: str, ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
     """Where a string to something that is fixed anywhere ends; once for all pictures of a motion."""
-    long = stage.longer.get(name, 0.0) * sheet.scale
-    return stage.kept(name, lambda: shifted_by(at, way, long + free_length(ref, at, way, stage, sheet)))
+    return stage.kept(name, lambda: shifted_by(at, way, free_length(name, ref, at, way, stage, sheet)))
 
 
 def leg_end(ref: PointRef, side: int, leg: StringPart, stage: PlaneStage, sheet: ScenePaper) -> Point | None:
@@ -85,7 +84,7 @@ def edge_along(body: Figured, way: Point) -> float:
     return min((size / abs(part) for size, part in ((x, own[0]), (y, own[1])) if abs(part) > 1e-9), default=0.0)
 
 
-def free_length(ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> float:
+def free_length(name: str, ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> float:
     """How long a string is to a wall that stands somewhere, else as long as it looks well; those to a ceiling end at one height."""
     known = stage.surfaces.get(ref.owner)
     if known is not None and not isinstance(known[1], tuple):
@@ -96,10 +95,11 @@ def free_length(ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: 
         if across > 0.1 and gap > 0.0:
             return gap / across
     if abs(way[1]) > 0.9:
-        tops = [sheet.at(point)[1] for body in stage.bodies.values() for point in body.bound() if body.seen]
+        seen = [body for body in stage.bodies.values() if body.seen]
+        tops = [sheet.at(point)[1] for _ in stage.moments() for body in seen for point in body.bound()]
         end = max(tops) + LOOSE if way[1] > 0 else min(tops) - LOOSE
         return max((end - at[1]) / way[1], LOOSE / 2)
-    return LOOSE
+    return LOOSE + stage.longer.get(name, 0.0) * sheet.scale
 
 
 def draw_string(item: String, stage: PlaneStage, sheet: ScenePaper) -> None:
@@ -211,8 +211,10 @@ def draw_spring(item: Spring, stage: PlaneStage, sheet: ScenePaper) -> None:
 
 def spring_end(item: Spring, ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
     """Where a spring to something that is fixed anywhere ends; once for all pictures of a motion."""
-    long = free_length(ref, at, way, stage, sheet) if ref.owner in stage.surfaces else LOOSE + 20.0
-    return stage.kept(item.name, lambda: shifted_by(at, way, long + stage.longer.get(item.name, 0.0) * sheet.scale))
+    long = LOOSE + 20.0 + stage.longer.get(item.name, 0.0) * sheet.scale
+    if ref.owner in stage.surfaces:
+        return stage.kept(item.name, lambda: shifted_by(at, way, free_length(item.name, ref, at, way, stage, sheet)))
+    return stage.kept(item.name, lambda: shifted_by(at, way, long))
 
 
 def spring_place(ref: PointRef, stage: PlaneStage) -> Point | None:
@@ -281,7 +283,8 @@ def draw_rope(item: Drapes, stage: PlaneStage, sheet: ScenePaper) -> None:
     front = (centre[0] + right * radius, centre[1])
     ends = [(front[0], front[1] - long[0])]
     if over.owner in stage.surfaces or over.owner in stage.model.surfaces:
-        down = lying_rope(front, right, long, sheet)
+        table = stage.kept(("table", item.name), lambda: long[1])
+        down = lying_rope(front, right, long, table, sheet)
         name_rope(item, (down[0], down[1] + long[0]), down, right, stage, sheet)
         return
     if over.owner not in stage.bodies:
@@ -297,10 +300,10 @@ def draw_rope(item: Drapes, stage: PlaneStage, sheet: ScenePaper) -> None:
         body.place = shifted_by(low, (0.0, -body.reach((0.0, 1.0))))
 
 
-def lying_rope(front: Point, right: float, long: Sequence[float], sheet: ScenePaper) -> Point:
-    """A rope that lies on a table and hangs over its edge; its lower end."""
+def lying_rope(front: Point, right: float, long: Sequence[float], table: float, sheet: ScenePaper) -> Point:
+    """A rope that lies on a table, so long, and hangs over its edge; its lower end."""
     edge = (front[0] - right * 5.0, front[1])
-    top = [(edge[0] - right * (long[1] + 22.0), edge[1]), edge, (edge[0], edge[1] - 34.0)]
+    top = [(edge[0] - right * (table + 22.0), edge[1]), edge, (edge[0], edge[1] - 34.0)]
     sheet.hatched(top if right > 0 else top[::-1])
     bend = [
         shifted_by((edge[0], edge[1] - 2.0), ray(a if right > 0 else math.pi - a, 4.5))
