@@ -40,7 +40,10 @@ def refuse_wrong_outputs(plot: str | None, animate: str | None, csv: bool, outpu
 
 Scene = Annotated[str, typer.Argument(metavar="FILE", help="A scene; - reads one from standard input.")]
 Until = Annotated[str, typer.Option(metavar="TIME", help="Follow the motion so long.")]
-Step = Annotated[str | None, typer.Option(metavar="TIME", help="Time between two rows, or two pictures. [default: about ten rows, smooth pictures]")]
+Step = Annotated[
+    str | None,
+    typer.Option(metavar="TIME", help="Time between two rows, or pictures. [default: about ten rows]"),
+]
 Accuracy = Annotated[
     float, typer.Option(metavar="X", min=1e-60, max=1e-2, help="Bound of each number, as a part of its largest size.")
 ]

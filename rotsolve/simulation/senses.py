@@ -8,7 +8,13 @@ from rotsolve.simulation.run import Run
 from rotsolve.simulation.system import PlanarSystem, path_name
 
 AXES = {"x": "right", "y": "up"}
-COUNTED = ("velocity", "acceleration", "position", "displacement", "force")  # quantities whose components count along the axes
+COUNTED = (
+    "velocity",
+    "acceleration",
+    "position",
+    "displacement",
+    "force",
+)  # quantities whose components count along the axes
 
 
 def sense_words(run: Run, name: str) -> str:

@@ -7,13 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-
 from msgspec import Struct, field
 
 from rotsolve.draw.paper.figure import Circle, Mark, Point, arrow_heads
 from rotsolve.draw.paper.reel import Reel
-
-
 
 
 class Shape(Struct, frozen=True):
@@ -77,7 +74,11 @@ def shapes_of(mark: Mark, origin: Point) -> Iterator[Shape]:
         x, y = on_tenths(mark.centre, origin)
         size = tenths(mark.radius)
         r = short_tenths(size)
-        yield Shape(mark.role.name, f"a{r} {r} 0 1 0 {short_tenths(2 * size)} 0a{r} {r} 0 1 0 -{short_tenths(2 * size)} 0Z", (x - size, y))
+        yield Shape(
+            mark.role.name,
+            f"a{r} {r} 0 1 0 {short_tenths(2 * size)} 0a{r} {r} 0 1 0 -{short_tenths(2 * size)} 0Z",
+            (x - size, y),
+        )
         return
     yield line_shape(mark.role.name, mark.points, origin, mark.closed)
     for triangle in arrow_heads(mark):

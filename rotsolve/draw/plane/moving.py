@@ -10,17 +10,12 @@ from msgspec import Struct
 from rotsolve.confirm.forces import spring_way
 from rotsolve.confirm.pose import StringPart, Way
 from rotsolve.confirm.routing import rim_arm
-from rotsolve.draw.paper.figure import THIN, Figure, Label, Mark, Point, ray, shifted_by
-from rotsolve.draw.paper.reel import Reel, moving_marks
+from rotsolve.draw.paper.figure import Point, shifted_by
 from rotsolve.draw.plane.places.bodies import Figured
-from rotsolve.draw.plane.places.outlines import spun
+from rotsolve.draw.plane.places.outlines import polygon, spun
 from rotsolve.draw.plane.places.overlaps import spread_out
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.scene import plane_scale, spans
-from rotsolve.draw.plane.signs.ground import draw_surfaces
-from rotsolve.draw.plane.signs.names import draw_name
-from rotsolve.draw.plane.signs.sheet import ScenePaper
-from rotsolve.draw.plane.signs.ties import draw_connections
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
 from rotsolve.motion.configuration import Configuration
@@ -30,8 +25,9 @@ CLEAR = 1.1  # of a string beside how far the bodies at its ends reach towards e
 KEPT = 0.4  # of a string or spring, at least, that is left of its first length
 SPRINGY = 40.0  # points of a spring to something fixed that may be pressed together
 SAMPLES = 60  # moments by which the room for a motion is told
-VISIBLE = 1e-6  # radians of a turn that is one
-SPOKE = 0.55  # from the middle of a round body to the mark that shows its turn, in its radius
+
+
+Places = Mapping[str, tuple[Point, float]]
 
 
 class BodyWay(Struct, frozen=True):
@@ -65,6 +61,7 @@ class MovingStage(PlaneStage):
         self.moved = moments
         self.known: Moments | None = None
         self.holding: frozenset[str] | None = None
+        self.shown: list[Places] = []  # where all bodies are in each picture
 
     @property
     def motion(self) -> Moments:
@@ -91,15 +88,15 @@ class MovingStage(PlaneStage):
             yield
         self.restore(first)
 
-    def places(self) -> dict[str, tuple[Point, float]]:
+    def places(self) -> Places:
         """Where all bodies are, and how they are turned."""
         return {name: (body.place, body.turn) for name, body in self.bodies.items()}
 
-    def restore(self, places: Mapping[str, tuple[Point, float]]) -> None:
+    def restore(self, places: Places) -> None:
         for name, (place, turn) in places.items():
             self.bodies[name].place, self.bodies[name].turn = place, turn
 
-    def set(self, number: int, first: Mapping[str, tuple[Point, float]]) -> None:
+    def set(self, number: int, first: Places) -> None:
         """Sets all bodies to a moment, from where they are at first."""
         self.restore(first)
         for name, way in self.motion.ways[number].items():
@@ -120,7 +117,24 @@ def moving_stage(
     """A scene arranged for its motion, with strings and springs so long that no end comes to the other."""
     tried = MovingStage(configuration, numbers, state, moments).arranged()
     longer = lengthenings(tried)
-    return MovingStage(configuration, numbers, state, moments, longer).arranged() if longer else tried
+    stage = MovingStage(configuration, numbers, state, moments, longer).arranged() if longer else tried
+    for item in stage.kinds.contacts:
+        rider, carrier = (ref.owner for ref in item.pair()[:2])
+        if rider in stage.bodies and carrier in stage.bodies and stage.bodies[carrier].block:
+            widen_carrier(stage.bodies[carrier], stage.bodies[rider], stage)
+    return stage
+
+
+def widen_carrier(carrier: Figured, rider: Figured, stage: MovingStage) -> None:
+    """A block of no told size is drawn so long that what slides on it stays on it, as far as no string is tied to its ends."""
+    tied = {ref.owner for item in (*stage.kinds.strings, *stage.kinds.springs) for ref in item.touches()}
+    outline = carrier.outlines[0]
+    xs, ys = [x for x, _ in outline.points], [y for _, y in outline.points]
+    for _ in stage.moments():
+        xs += [spun((x - carrier.place[0], y - carrier.place[1]), -carrier.turn)[0] for x, y in rider.bound()]
+    if carrier.name not in tied:
+        corners = ((min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys)))
+        carrier.outlines = (polygon(corners), *carrier.outlines[1:])
 
 
 def lengthenings(stage: MovingStage) -> dict[str, float]:
@@ -131,7 +145,7 @@ def lengthenings(stage: MovingStage) -> dict[str, float]:
         if leg.along is not None:
             ends[f"{item.name} {number}"] = leg, 0.0
     for spring in stage.kinds.springs:
-        leg = StringPart(*spring.spring, spring_way(spring, stage.model), (0, 0))
+        leg = StringPart(spring.spring[0], spring.spring[1], spring_way(spring, stage.model), (0, 0))
         ends[spring.name] = leg, free
     clear = {name: leg_clearance(leg, stage) for name, (leg, _) in ends.items()}
     first = {name: leg_run(leg, stage) for name, (leg, _) in ends.items()}
@@ -157,11 +171,10 @@ def leg_clearance(leg: StringPart, stage: PlaneStage) -> float:
 
 
 def leg_run(leg: StringPart, stage: PlaneStage) -> float:
-    """How far the second end of a leg is ahead of the first, along its direction; of one that is fixed anywhere as if that were the origin."""
+    """How far the second end of a leg is ahead of the first, along its direction; the origin stands for what is fixed anywhere."""
     along = leg.along or (1.0, 0.0)
     (ax, ay), (bx, by) = (
-        end_place(ref, side, along, stage)
-        for ref, side in ((leg.first, leg.sides[0]), (leg.second, leg.sides[1]))
+        end_place(ref, side, along, stage) for ref, side in ((leg.first, leg.sides[0]), (leg.second, leg.sides[1]))
     )
     return (bx - ax) * along[0] + (by - ay) * along[1]
 
@@ -183,69 +196,3 @@ def motion_scale(stage: MovingStage) -> float:
     tall = max([tall, *(size for hanging in stage.motion.hanging for size in hanging.values())])
     limits = [plane_scale(stage), *(room / size for room, size in ((ROOM, wide), (HIGH, tall)) if size > 0.0)]
     return min(limits)
-
-
-def motion_pictures(stage: MovingStage, title: str, description: str) -> Reel:
-    """The pictures of all moments of a motion."""
-    scale, first = motion_scale(stage), stage.places()
-    stage.decided |= {("shrunk", item.name): 1.0 for item in stage.kinds.ropes}  # else what hangs from it would not keep pace
-    shown = first
-    base = ScenePaper(scale, title, description)
-    draw_surfaces(stage, base)
-    ground = list(base.figure.marks)
-    turning = {name for ways in stage.motion.ways for name, way in ways.items() if abs(way.turn) > VISIBLE}
-    reel = Reel(title, description, [], [], [])
-    for number in range(len(stage.motion.ways)):
-        stage.set(number, first)
-        figure = picture_now(number, stage, scale, turning)
-        figure.marks = [*ground, *moving_marks(figure)]
-        reel.pictures.append(figure.in_layers())
-        if number == 0:
-            reel.labels += first_labels(figure, stage, base)
-            shown = stage.places()
-        reel.shifts.append([label_shift(label, stage, scale, shown) for label in reel.labels])
-    return reel
-
-
-def picture_now(number: int, stage: MovingStage, scale: float, turning: set[str]) -> Figure:
-    """What moves, or is tied to what does, as it is now: without letters."""
-    sheet = ScenePaper(scale)
-    stage.braced.clear()
-    stage.hanging, stage.holding = stage.motion.hanging[number], stage.motion.holding[number]
-    draw_connections(stage, sheet)
-    for body in stage.bodies.values():
-        for outline in body.shown() if body.seen else ():
-            sheet.outline(outline)
-        if body.name in turning and body.seen:
-            draw_spoke(body, sheet)
-    return sheet.figure
-
-
-def draw_spoke(body: Figured, sheet: ScenePaper) -> None:
-    """A mark on a round body, by which its turn is seen."""
-    whole = body.outlines[0]
-    cuts = [outline.radius or 0.0 for outline in body.outlines if outline.cut]
-    if not whole.radius or whole.cut:
-        return
-    middle, way = body.spot(whole.points[0]), ray(body.turn)
-    inner = max(SPOKE * whole.radius, *cuts, 0.0)
-    sheet.figure.line([sheet.at(shifted_by(middle, way, size)) for size in (inner, whole.radius)], THIN)
-
-
-def first_labels(figure: Figure, stage: MovingStage, base: ScenePaper) -> list[Label]:
-    """The names of bodies and the letters of surfaces, where the first picture has room for them."""
-    base.figure = figure
-    for body in stage.bodies.values():
-        draw_name(body, stage, base)
-    return list(base.finished().labels)
-
-
-def label_shift(label: Label, stage: PlaneStage, scale: float, first: Mapping[str, tuple[Point, float]]) -> Point:
-    """How far a label has gone with its body: round that with a rod, beside which it stays so."""
-    if label.tag not in stage.bodies:
-        return 0.0, 0.0
-    body, (place, turn) = stage.bodies[label.tag], first[label.tag]
-    arm = (label.at[0] - scale * place[0], label.at[1] - scale * place[1])
-    round_ = bool(body.outlines) and body.outlines[0].radius is not None
-    x, y = arm if round_ else spun(arm, body.turn - turn)
-    return scale * (body.place[0] - place[0]) + x - arm[0], scale * (body.place[1] - place[1]) + y - arm[1]

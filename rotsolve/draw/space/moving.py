@@ -7,18 +7,20 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.confirm.space.arrows import Arrow, Turned, less, product_of, sum_of, times_arrow
+from rotsolve.confirm.space.arrows import ALONG, Arrow, Turned, less, product_of, scaled, sum_of, times_arrow
 from rotsolve.draw.paper.figure import Figure, Label, Point
 from rotsolve.draw.paper.reel import Reel
 from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.draw.space.marks import draw_name
 from rotsolve.draw.space.scene import draw_axes, draw_bodies, draw_floors, space_scale
+from rotsolve.draw.space.solids import Piece
 from rotsolve.draw.space.stage import DrawnSolid, SpaceStage
 from rotsolve.draw.space.view import seen, span_on_paper
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.configuration import Configuration
 
 ROOM, HIGH = 520.0, 360.0  # points of paper for a whole motion
+ROUND, SPOKE = 24, 0.55  # points of a side that is round; from its middle to the mark on it, in its radius
 SAMPLES = 60  # moments by which the room for a motion is told
 
 
@@ -41,7 +43,9 @@ class MovingSpaceStage(SpaceStage):
     ) -> None:
         self.number, self.ways = 0, ways
         super().__init__(configuration, numbers, state)
-        self.first = dict(self.solids)
+        turning = {name for moment in ways for name, way in moment.items() if way.turned != ALONG}
+        self.first = {name: marked(solid) if name in turning else solid for name, solid in self.solids.items()}
+        self.solids = dict(self.first)
 
     def set(self, number: int) -> None:
         """Sets all bodies to a moment."""
@@ -81,6 +85,17 @@ class MovingSpaceStage(SpaceStage):
     def way(self, joint: Joint) -> Arrow | None:
         first, way = super().way(joint), self.ways[self.number].get(joint.carrier.owner)
         return first if first is None or way is None else times_arrow(way.turned, first)
+
+
+def marked(solid: DrawnSolid) -> DrawnSolid:
+    """A body with a mark on each of its round sides, by which its turn is seen."""
+    rounds = [piece for piece in solid.pieces if piece.kind == "face" and len(piece.points) >= ROUND]
+    marks = []
+    for piece in rounds:
+        middle, rim = scaled(1.0 / len(piece.points), sum_of(*piece.points)), piece.points[0]
+        inner = sum_of(scaled(1.0 - SPOKE, middle), scaled(SPOKE, rim))
+        marks.append(Piece("mark", (inner, rim), piece.way))
+    return DrawnSolid(solid.name, solid.body, (*solid.pieces, *marks), solid.rows, solid.place)
 
 
 def moving_scale(stage: MovingSpaceStage) -> float:

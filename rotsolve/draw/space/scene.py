@@ -69,7 +69,9 @@ def draw_solid(solid: DrawnSolid, sheet: ScenePaper) -> None:
 
 def middle_depth(piece: Piece) -> tuple[float, float]:
     """Holes after the faces in which they are, sides of a hull after the hull."""
-    order = {"edge": 0.0, "hull": 1.0, "face": 1.0, "rod": 1.0, "hole": 2.0, "front": 3.0, "dot": 3.0}[piece.kind]
+    order = {"edge": 0.0, "hull": 1.0, "face": 1.0, "rod": 1.0, "hole": 2.0, "mark": 2.5, "front": 3.0, "dot": 3.0}[
+        piece.kind
+    ]
     ahead = sum(depth(point) for point in piece.points) / len(piece.points)
     return (order, ahead) if piece.kind != "face" or piece.way is None else (1.5, ahead)
 
@@ -104,6 +106,11 @@ def draw_front(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.line([on_paper(point, sheet) for point in ordered], THIN)
 
 
+def draw_mark(piece: Piece, sheet: ScenePaper) -> None:
+    if piece.way is None or faces(piece.way):
+        sheet.figure.line([on_paper(point, sheet) for point in piece.points], THIN)
+
+
 def draw_dot(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.circle(on_paper(piece.points[0], sheet), DOT, SOLID)
 
@@ -114,6 +121,7 @@ PIECES: dict[str, Callable[[Piece, ScenePaper], None]] = {
     "hole": draw_hole,
     "rod": draw_rod,
     "edge": draw_edge,
+    "mark": draw_mark,
     "front": draw_front,
     "dot": draw_dot,
 }

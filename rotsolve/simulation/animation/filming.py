@@ -22,7 +22,8 @@ def film(course: Course) -> Reel:
 
 
 def plane_film(course: Course) -> Reel:
-    from rotsolve.draw.plane.moving import motion_pictures, moving_stage
+    from rotsolve.draw.plane.filming import motion_pictures
+    from rotsolve.draw.plane.moving import moving_stage
     from rotsolve.simulation.animation.ways import PlaneMoments
 
     configuration = Configuration(course.run.problem)

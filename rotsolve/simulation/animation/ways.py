@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 
 from msgspec import Struct
 
 from rotsolve.core.facts import Motion
-from rotsolve.core.vectors.heading import Heading
 from rotsolve.draw.paper.figure import Point, ray, shifted_by
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.moving import BodyWay, Moments

@@ -163,7 +163,9 @@ def draw_slope(surface: Slope, where: float, stage: PlaneStage, sheet: ScenePape
     out, up = normal(surface, stage.model), uphill(surface, stage.model)
     foot, top = flat_ends(surface, where, up, out, stage, sheet)
     strung = any(True for _ in wheels_beyond(surface, up, stage))
-    foot = shifted_by(foot, up, -(BEYOND if strung else min(max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND)), RUN_OUT)))
+    foot = shifted_by(
+        foot, up, -(BEYOND if strung else min(max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND)), RUN_OUT))
+    )
     right = up[0] > 0
     if abs(up[1]) < 1e-6:
         sheet.hatched([foot, top] if right else [top, foot])

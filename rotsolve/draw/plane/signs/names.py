@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.draw.paper.figure import Point, shifted_by
+from rotsolve.draw.paper.lettering import SIZE
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
@@ -29,7 +30,10 @@ def draw_name(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
     words = named_in(body.body, stage.model.problem)
     at, way = sheet.at(body.place), outer_side(body, stage)
     points = [sheet.at(point) for point in body.bound()]
-    if body.block:
+    if body.block and flat(body, sheet):
+        low = min(y for _, y in points)
+        sheet.letters.name(words, (at[0], low), (0.0, -1.0), 3.0, tag=body.name)
+    elif body.block:
         sheet.letters.name(words, at, way, sheet.scale * body.reach(way) + 3.0, inside=True, tag=body.name)
     elif points and broad(body, sheet):
         sheet.letters.name(words, sheet.at(body_middle(body)), (0.5, -0.5), 6.0, inside=True, tag=body.name)
@@ -51,6 +55,12 @@ def beside(body: Figured, points: Sequence[Point], way: Point, stage: PlaneStage
         return middle
     end = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "end"))))
     return shifted_by(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
+
+
+def flat(body: Figured, sheet: ScenePaper) -> bool:
+    """Whether a block has no room for its name within, since it is too low."""
+    ys = [y for _, y in body.outlines[0].points]
+    return (max(ys) - min(ys)) * sheet.scale < SIZE + 2.0
 
 
 def name_side(body: Figured, stage: PlaneStage) -> Point:

@@ -141,9 +141,7 @@ def draw_shaft(item: Shaft, stage: PlaneStage, sheet: ScenePaper) -> None:
 
 def shaft_ends(stage: PlaneStage, sheet: ScenePaper) -> tuple[float, float]:
     """How far down and up an upright axis is drawn: beyond all bodies, wherever they go."""
-    heights = [
-        sheet.at(point)[1] for _ in stage.moments() for body in stage.bodies.values() for point in body.bound()
-    ]
+    heights = [sheet.at(point)[1] for _ in stage.moments() for body in stage.bodies.values() for point in body.bound()]
     return min(heights) - 22.0, max(heights) + 26.0
 
 
