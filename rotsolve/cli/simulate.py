@@ -22,7 +22,7 @@ def time_checked(text: str, option: str) -> float:
     return seconds
 
 
-def refuse_wrong_outputs(plot: str | None, animate: str | None, csv: bool, output: str | None) -> None:
+def refuse_wrong_outputs(plot: str | None, animate: str | None, csv: bool, output: str | None, show: bool) -> None:
     """A usage error where what is to be written has no place to go, or the wrong one."""
     if animate is not None and not animate.lower().endswith((".html", ".htm")):
         raise typer.BadParameter(f"{animate!r} is no .html", param_hint="'--animate'")
@@ -33,6 +33,8 @@ def refuse_wrong_outputs(plot: str | None, animate: str | None, csv: bool, outpu
         raise typer.BadParameter(f"{plot!r} is no .svg or .png", param_hint="'--plot'")
     if plot is not None and csv:
         raise typer.BadParameter("either a picture or numbers; leave one out", param_hint="'--csv'")
+    if show and csv:
+        raise typer.BadParameter("--csv prints all quantities; leave one out", param_hint="'--show'")
     if output is not None and not csv:
         message = "it is for numbers: say --csv too, or --plot FILE or --animate FILE for a picture"
         raise typer.BadParameter(message, param_hint="'--output'")
@@ -50,6 +52,10 @@ Accuracy = Annotated[
 Proved = Annotated[bool, typer.Option("--certified", help="Prove the bounds; it ends where something may happen.")]
 Csv = Annotated[bool, typer.Option("--csv", help="Print all quantities with their bounds, separated by commas.")]
 Plot = Annotated[str | None, typer.Option(metavar="FILE", help="Plot the motion into a file, .svg or .png.")]
+Show = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAMES", help="Show these: string.tension, forces, motion …; may be repeated."),
+]
 Animate = Annotated[str | None, typer.Option(metavar="FILE", help="Write a page, .html, on which the scene moves.")]
 
 
@@ -63,6 +69,7 @@ def simulate_command(
     output: Output = None,
     plot: Plot = None,
     animate: Animate = None,
+    show: Show = None,
     settings: Settings = None,
     width: Width = None,
 ) -> None:
@@ -77,7 +84,7 @@ def simulate_command(
 
     The equations of motion are those of the scene's own laws. Every digit shown is settled by the bound of its number.
     """
-    refuse_wrong_outputs(plot, animate, csv, output)
+    refuse_wrong_outputs(plot, animate, csv, output, bool(show))
     seconds = time_checked(until, "'--until'")
     between = time_checked(step, "'--step'") if step is not None else None
     if between is not None and seconds / between > MOST_ROWS:
@@ -90,7 +97,7 @@ def simulate_command(
         chosen = read_settings(settings or [])
         columns = width or page_width(None)
         request = SimulationRequest(
-            file, seconds, accuracy, between, csv, plot, chosen, columns, certified, output, animate
+            file, seconds, accuracy, between, csv, plot, chosen, columns, certified, output, animate, tuple(show or ())
         )
         code = run_simulation(request)
     raise typer.Exit(code)

@@ -13,7 +13,7 @@ from rotsolve.draw.paper.figure import Circle, Mark, Point, arrow_heads
 from rotsolve.draw.paper.reel import Reel
 
 
-class Shape(Struct, frozen=True):
+class StepPath(Struct, frozen=True):
     """A line from its first point on, how it is drawn, and where it begins, in tenths of a point."""
 
     role: str
@@ -33,7 +33,7 @@ class Slots(Struct):
     labels: list[dict[str, int | list[int]]] = field(default_factory=list)
 
 
-NONE = Shape("", "", (0, 0))  # of a slot that shows nothing
+NONE = StepPath("", "", (0, 0))  # of a slot that shows nothing
 
 
 def slots_of(reel: Reel) -> Slots:
@@ -68,13 +68,13 @@ def tenths(value: float) -> int:
     return round(10.0 * value)
 
 
-def shapes_of(mark: Mark, origin: Point) -> Iterator[Shape]:
+def shapes_of(mark: Mark, origin: Point) -> Iterator[StepPath]:
     """A line or a circle as it is drawn, with the heads of arrows."""
     if isinstance(mark, Circle):
         x, y = on_tenths(mark.centre, origin)
         size = tenths(mark.radius)
         r = short_tenths(size)
-        yield Shape(
+        yield StepPath(
             mark.role.name,
             f"a{r} {r} 0 1 0 {short_tenths(2 * size)} 0a{r} {r} 0 1 0 -{short_tenths(2 * size)} 0Z",
             (x - size, y),
@@ -85,14 +85,14 @@ def shapes_of(mark: Mark, origin: Point) -> Iterator[Shape]:
         yield line_shape(f"to-{mark.role.ink} head", triangle, origin, True)
 
 
-def line_shape(role: str, points: Sequence[Point], origin: Point, closed: bool) -> Shape:
+def line_shape(role: str, points: Sequence[Point], origin: Point, closed: bool) -> StepPath:
     """A line by its steps; those too short to be seen are left out."""
     places = [on_tenths(point, origin) for point in points]
     path, before = "l", places[0]
     for place in places[1:]:
         path += signed_tenths(place[0] - before[0]) + signed_tenths(place[1] - before[1])
         before = place
-    return Shape(role, path + ("Z" if closed else ""), places[0])
+    return StepPath(role, path + ("Z" if closed else ""), places[0])
 
 
 def on_tenths(point: Point, origin: Point) -> tuple[int, int]:

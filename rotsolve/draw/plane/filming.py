@@ -11,7 +11,7 @@ from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.outlines import spun
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import draw_surfaces
-from rotsolve.draw.plane.signs.names import draw_name
+from rotsolve.draw.plane.signs.names import name_body
 from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.draw.plane.signs.ties import draw_connections
 
@@ -82,7 +82,7 @@ def place_labels(reel: Reel, stage: MovingStage, base: ScenePaper, first: Places
     names = ScenePaper(base.scale)
     names.figure = Figure(marks=reel.pictures[0])
     for body in stage.bodies.values():
-        draw_name(body, stage, names if body.name in going else base)
+        name_body(body, stage, names if body.name in going else base)
     reel.labels += names.finished().labels
     number = len(reel.pictures)
     samples = sorted({round(k * (number - 1) / AVOIDED) for k in range(AVOIDED + 1)})

@@ -13,7 +13,7 @@ from rotsolve.confirm.routing import rim_arm
 from rotsolve.draw.paper.figure import Point, shifted_by
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.outlines import polygon, spun
-from rotsolve.draw.plane.places.overlaps import spread_out
+from rotsolve.draw.plane.places.overlaps import set_apart
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.scene import plane_scale, spans
 from rotsolve.language.bodies import PointRef
@@ -38,7 +38,7 @@ class BodyWay(Struct, frozen=True):
     turn: float
 
 
-class Moments(Struct):
+class PlaneMotion(Struct):
     """A motion as pictures need it: for each moment the way of each body that moves, how much of each rope hangs, what still connects."""
 
     ways: list[dict[str, BodyWay]]
@@ -54,17 +54,17 @@ class MovingStage(PlaneStage):
         configuration: Configuration,
         numbers: dict[str, float],
         state: str,
-        moments: Callable[[PlaneStage], Moments],
+        moments: Callable[[PlaneStage], PlaneMotion],
         longer: Mapping[str, float] | None = None,
     ) -> None:
         super().__init__(configuration, numbers, state, longer)
         self.moved = moments
-        self.known: Moments | None = None
+        self.known: PlaneMotion | None = None
         self.holding: frozenset[str] | None = None
         self.shown: list[Places] = []  # where all bodies are in each picture
 
     @property
-    def motion(self) -> Moments:
+    def motion(self) -> PlaneMotion:
         """The motion, told in places as they are arranged."""
         if self.known is None:
             self.known = self.moved(self)
@@ -72,7 +72,7 @@ class MovingStage(PlaneStage):
 
     def arranged(self) -> MovingStage:
         """The stage with all places, at the first moment."""
-        spread_out(self)
+        set_apart(self)
         self.known = None
         return self
 
@@ -112,7 +112,7 @@ class MovingStage(PlaneStage):
 
 
 def moving_stage(
-    configuration: Configuration, numbers: dict[str, float], state: str, moments: Callable[[PlaneStage], Moments]
+    configuration: Configuration, numbers: dict[str, float], state: str, moments: Callable[[PlaneStage], PlaneMotion]
 ) -> MovingStage:
     """A scene arranged for its motion, with strings and springs so long that no end comes to the other."""
     tried = MovingStage(configuration, numbers, state, moments).arranged()

@@ -9,10 +9,10 @@ from rotsolve.draw.paper.reel import Reel
 from rotsolve.draw.paper.slots import Slots, slots_of
 from rotsolve.draw.paper.svg import SPECIAL, label_line, short_number, style_sheet
 from rotsolve.simulation.animation.clock import Clock, clock_for
-from rotsolve.simulation.animation.course import Course
 from rotsolve.simulation.animation.filming import film
 from rotsolve.simulation.animation.player import SCRIPT, STYLE
-from rotsolve.simulation.report import columns_of, quantity_unit, settled_cells, time_cells, time_text
+from rotsolve.simulation.animation.reading import MotionReading
+from rotsolve.simulation.report import quantity_unit, settled_cells, time_cells, time_text
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.senses import sense_words
 
@@ -20,18 +20,17 @@ SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)  # of the show, beside its usual one
 MOST_EVENTS = 60  # that have a mark
 
 
-def animated(run: Run, step: float | None = None) -> str:
-    """The page of a motion, with a picture after each step, or as many as the eye needs."""
+def animated(run: Run, names: Sequence[str], step: float | None = None) -> str:
+    """The page of a motion with the numbers of some quantities, and a picture after each step, or as many as the eye needs."""
     clock = clock_for(run.end, step)
-    course = Course(run, clock.times)
-    return animation_page(course, clock, film(course))
+    reading = MotionReading(run, clock.times)
+    return animation_page(reading, names, clock, film(reading))
 
 
-def animation_page(course: Course, clock: Clock, reel: Reel) -> str:
+def animation_page(reading: MotionReading, names: Sequence[str], clock: Clock, reel: Reel) -> str:
     """The whole page."""
-    run, slots = course.run, slots_of(reel)
+    run, slots = reading.run, slots_of(reel)
     title = (run.problem.title or run.problem.file or "Motion").translate(SPECIAL)
-    names = columns_of(run)
     lines = [
         "<!DOCTYPE html>",
         '<html lang="en"><head><meta charset="utf-8">',
@@ -41,12 +40,12 @@ def animation_page(course: Course, clock: Clock, reel: Reel) -> str:
         f'<body class="rotsolve"><main><h1>{title}</h1>',
         *picture_lines(slots, reel),
         *control_lines(run, clock),
-        *readout_lines(names, course),
+        *readout_lines(names, reading),
         *event_lines(run),
         f'<p class="note">{run.signs.translate(SPECIAL)}</p>',
         '<noscript><p class="note">The motion is shown by a script; without it there is the picture at first alone.</p></noscript>',
         "</main>",
-        f'<script type="application/json" id="motion">{motion_data(slots, course, clock, names)}</script>',
+        f'<script type="application/json" id="motion">{motion_data(slots, reading, clock, names)}</script>',
         f"<script>{SCRIPT}</script>",
         "</body></html>",
     ]
@@ -110,12 +109,12 @@ def pace_sentence(clock: Clock, run: Run) -> str:
     return f"{shown}{ended}".translate(SPECIAL)
 
 
-def readout_lines(names: Sequence[str], course: Course) -> Iterator[str]:
+def readout_lines(names: Sequence[str], reading: MotionReading) -> Iterator[str]:
     """The quantities of the table, with their units, and how they count."""
     yield '<table id="numbers"><caption>Quantities at this time</caption>'
     yield '<thead><tr><th scope="col">quantity</th><th scope="col">value</th><th scope="col">unit</th></tr></thead><tbody>'
     for name in names:
-        sense = sense_words(course.run, name)
+        sense = sense_words(reading.run, name)
         said = f"{name} <small>({sense})</small>" if sense else name
         yield f'<tr><th scope="row">{said}</th><td></td><td>{quantity_unit(name)}</td></tr>'
     yield "</tbody></table>"
@@ -135,12 +134,12 @@ def event_lines(run: Run) -> Iterator[str]:
     yield "</ul>"
 
 
-def motion_data(slots: Slots, course: Course, clock: Clock, names: Sequence[str]) -> str:
+def motion_data(slots: Slots, reading: MotionReading, clock: Clock, names: Sequence[str]) -> str:
     """All that the script shows, as JSON."""
-    course.read(tuple(names))
-    events = [{"at": event.time, "what": event.state or event.what} for event in course.run.events]
+    reading.read(tuple(names))
+    events = [{"at": event.time, "what": event.state or event.what} for event in reading.run.events]
     data = {
-        "end": course.run.end,
+        "end": reading.run.end,
         "step": clock.step,
         "times": time_cells(clock.times),
         "roles": slots.roles,
@@ -148,7 +147,7 @@ def motion_data(slots: Slots, course: Course, clock: Clock, names: Sequence[str]
         "lines": slots.lines,
         "labels": slots.labels,
         "names": list(names),
-        "values": [settled_cells(course.balls(name)) for name in names],
+        "values": [settled_cells(reading.balls(name)) for name in names],
         "events": events,
     }
     return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")

@@ -9,10 +9,10 @@ from msgspec import Struct
 from rotsolve.core.facts import Motion
 from rotsolve.draw.paper.figure import Point, ray, shifted_by
 from rotsolve.draw.plane.facts import SceneFacts
-from rotsolve.draw.plane.moving import BodyWay, Moments
+from rotsolve.draw.plane.moving import BodyWay, PlaneMotion
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.motion.instant import Instant
-from rotsolve.simulation.animation.course import Course
+from rotsolve.simulation.animation.reading import MotionReading
 from rotsolve.simulation.system import PlanarSystem
 
 TURNED = ("angle", "rotation")
@@ -31,11 +31,11 @@ class Host(Struct, frozen=True):
 class PlaneMoments:
     """Tells the moments of a motion to a stage, whose places are the first ones."""
 
-    def __init__(self, course: Course) -> None:
-        self.course = course
+    def __init__(self, reading: MotionReading) -> None:
+        self.reading = reading
 
-    def __call__(self, stage: PlaneStage) -> Moments:
-        system = self.course.run.regimes[0].system
+    def __call__(self, stage: PlaneStage) -> PlaneMotion:
+        system = self.reading.run.regimes[0].system
         assert isinstance(system, PlanarSystem)
         known = SceneFacts(stage)
         there = {body.name for body in system.moment.configuration.problem.bodies}
@@ -43,10 +43,10 @@ class PlaneMoments:
         hosts = {host: host_of(host, system.moment, known) for host in dict.fromkeys(names.values())}
         about = {host: stage.bodies[host].spot(known.arrow(system.moment.frame(host).reference)) for host in hosts}
         ways = []
-        for number in range(len(self.course.times)):
+        for number in range(len(self.reading.times)):
             own = {host: self.gone(item, number, known) for host, item in hosts.items()}
             ways.append({name: BodyWay(about[host], *own[host]) for name, host in names.items()})
-        return Moments(ways, list(self.hanging(stage)), list(self.holding()))
+        return PlaneMotion(ways, list(self.hanging(stage)), list(self.holding()))
 
     def gone(self, host: Host, number: int, known: SceneFacts) -> tuple[Point, float]:
         """How far the point has gone of which a body's motion is told, and how far the body has turned."""
@@ -54,7 +54,7 @@ class PlaneMoments:
         if turn is None:
             turn = host.sense * (self.since(f"{host.name}.rotation", number) or 0.0)
         if host.orbit:
-            first, now = (self.course.value(f"{host.orbit}.angle", k) or 0.0 for k in (0, number))
+            first, now = (self.reading.value(f"{host.orbit}.angle", k) or 0.0 for k in (0, number))
             return shifted_by(ray(now, host.radius), ray(first, host.radius), -1.0), turn
         if host.motion.kind == "line" and host.motion.heading is not None:
             size = self.since(f"{host.name}.position", number) or 0.0
@@ -64,19 +64,19 @@ class PlaneMoments:
 
     def since(self, name: str, number: int) -> float | None:
         """How much a quantity has changed since the first moment; None of one that the motion does not tell."""
-        first, now = self.course.value(name, 0), self.course.value(name, number)
+        first, now = self.reading.value(name, 0), self.reading.value(name, number)
         return None if first is None or now is None else now - first
 
     def hanging(self, stage: PlaneStage) -> Iterator[dict[str, float]]:
         """How much of each rope hangs in front."""
-        for number in range(len(self.course.times)):
-            found = ((item.name, self.course.value(f"{item.name}.length", number)) for item in stage.kinds.ropes)
+        for number in range(len(self.reading.times)):
+            found = ((item.name, self.reading.value(f"{item.name}.length", number)) for item in stage.kinds.ropes)
             yield {name: size for name, size in found if size is not None}
 
     def holding(self) -> Iterator[frozenset[str]]:
         """The names of the connections that there are at each moment."""
-        for time in self.course.times:
-            system = self.course.regime(time).system
+        for time in self.reading.times:
+            system = self.reading.regime(time).system
             assert isinstance(system, PlanarSystem)
             yield frozenset(item.name for item in system.moment.configuration.problem.connections)
 

@@ -23,10 +23,10 @@ TOUCHING = 1e-3  # of its size, by which a body may overlap one that it touches
 
 def plane_stage(configuration: Configuration, numbers: dict[str, float], state: str) -> PlaneStage:
     """A scene at a state with a place for everything."""
-    return spread_out(PlaneStage(configuration, numbers, state))
+    return set_apart(PlaneStage(configuration, numbers, state))
 
 
-def spread_out(stage: Stage) -> Stage:
+def set_apart(stage: Stage) -> Stage:
     """Groups side by side, and the strings of what would overlap so long that it does not."""
     for _ in range(ROUNDS):
         stage.shifts.clear()

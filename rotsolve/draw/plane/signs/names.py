@@ -16,21 +16,22 @@ from rotsolve.draw.plane.signs.wording import named_in
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef
 
+LONG = 3.0  # width of a low block beside its height
 INWARDS = (-0.51, -0.86)  # from the middle of a wheel to its name within
 
 
 def draw_names(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The name of each body: within a block, else beside the body."""
     for body in stage.bodies.values():
-        draw_name(body, stage, sheet)
+        name_body(body, stage, sheet)
 
 
-def draw_name(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
+def name_body(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
     """The name of one body."""
     words = named_in(body.body, stage.model.problem)
     at, way = sheet.at(body.place), outer_side(body, stage)
     points = [sheet.at(point) for point in body.bound()]
-    if body.block and flat(body, sheet):
+    if body.block and low_block(body, sheet):
         low = min(y for _, y in points)
         sheet.letters.name(words, (at[0], low), (0.0, -1.0), 3.0, tag=body.name)
     elif body.block:
@@ -43,10 +44,10 @@ def draw_name(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
         sheet.letters.name(words, at, name_side(body, stage), 4.0, inside=True, tag=body.name)
     elif points:
         way = name_side(body, stage)
-        sheet.letters.name(words, beside(body, points, way, stage, sheet), way, 6.0, tag=body.name)
+        sheet.letters.name(words, place_beside(body, points, way, stage, sheet), way, 6.0, tag=body.name)
 
 
-def beside(body: Figured, points: Sequence[Point], way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
+def place_beside(body: Figured, points: Sequence[Point], way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
     """The place of a body next to which its name goes: the middle of a rod, off which it goes where a place on it is told."""
     if not shape_of(body.body).slender:
         return max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
@@ -57,10 +58,11 @@ def beside(body: Figured, points: Sequence[Point], way: Point, stage: PlaneStage
     return shifted_by(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
 
 
-def flat(body: Figured, sheet: ScenePaper) -> bool:
+def low_block(body: Figured, sheet: ScenePaper) -> bool:
     """Whether a block has no room for its name within, since it is too low."""
-    ys = [y for _, y in body.outlines[0].points]
-    return (max(ys) - min(ys)) * sheet.scale < SIZE + 2.0
+    xs, ys = [x for x, _ in body.outlines[0].points], [y for _, y in body.outlines[0].points]
+    high, wide = max(ys) - min(ys), max(xs) - min(xs)
+    return high * sheet.scale < SIZE + 2.0 and wide > LONG * high
 
 
 def name_side(body: Figured, stage: PlaneStage) -> Point:

@@ -1,4 +1,4 @@
-"""Course: the numbers of a motion at the moments that are drawn, each read once."""
+"""MotionReading: the numbers of a motion at the moments that are drawn, each read once."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rotsolve.simulation.run import Run
 from rotsolve.simulation.tape import Scalar
 
 
-class Course:
+class MotionReading:
     """A motion at some moments."""
 
     def __init__(self, run: Run, times: tuple[float, ...]) -> None:
