@@ -17,7 +17,7 @@ def chosen_names(run: Run, wanted: Sequence[str]) -> tuple[str, ...]:
     """The names of what is asked for, each once."""
     if not wanted:
         return columns_of(run)
-    told = list(dict.fromkeys(name for part in run.regimes for name in part.system.outputs))
+    told = told_in_order(run)
     found: dict[str, None] = {}
     for word in (part.strip() for item in wanted for part in item.split(",")):
         names = list(meant(word, told, run))
@@ -25,6 +25,14 @@ def chosen_names(run: Run, wanted: Sequence[str]) -> tuple[str, ...]:
             raise untold(word, told, run)
         found |= dict.fromkeys(names)
     return tuple(found)
+
+
+def told_in_order(run: Run) -> list[str]:
+    """All that the motion tells at some time: of bodies, then of connections, as the scene lists them."""
+    owners = [item.name for item in (*run.problem.bodies, *run.problem.connections)]
+    places = {owner: number for number, owner in enumerate(owners)}
+    names = {name for part in run.regimes for name in part.system.outputs}
+    return sorted(names, key=lambda name: (places.get(name.partition(".")[0], len(owners)), name))
 
 
 def meant(word: str, told: Sequence[str], run: Run) -> Iterator[str]:

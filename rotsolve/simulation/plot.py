@@ -57,16 +57,21 @@ def draw_curves(run: Run, panels: dict[str, list[str]], axes: Any, heights: Sequ
     names = tuple(name for held in panels.values() for name in held)
     times = [run.end * k / (POINTS - 1) for k in range(POINTS)]
     found = [run.at(time, names) for time in times]
-    colours = dict(zip(dict.fromkeys(name.partition(".")[0] for name in names), cycle(COLOURS), strict=False))
+    colours = dict(zip(dict.fromkeys(map(curve_owner, names)), cycle(COLOURS), strict=False))
     for axis, height, held in zip(axes, heights, panels.values(), strict=True):
         ends = []
         for name in held:
-            style, colour = STYLES.get(axis_in_name(name), "-"), colours[name.partition(".")[0]]
+            style, colour = STYLES.get(axis_in_name(name), "-"), colours[curve_owner(name)]
             values = [row[name][0] if name in row else float("nan") for row in found]
             axis.plot(times, values, style, color=colour, linewidth=1.6)
             last = next((value for value in reversed(values) if value == value), 0.0)
             ends.append((last, curve_label(run, name), colour))
         name_ends(axis, ends, LINE / height)
+
+
+def curve_owner(name: str) -> str:
+    """Of what a quantity is: `block` of `block.velocity.x`, `string.block` of `string.block.tension`."""
+    return name.partition(f".{quantity_word(name)}")[0]
 
 
 def axis_in_name(name: str) -> str:
