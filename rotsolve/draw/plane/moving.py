@@ -28,6 +28,7 @@ SAMPLES = 60  # moments by which the room for a motion is told
 
 
 Places = Mapping[str, tuple[Point, float]]
+Meeting = tuple[PointRef, PointRef, Point]  # two points, and how much further the second goes until they meet
 
 
 class BodyWay(Struct, frozen=True):
@@ -44,6 +45,7 @@ class PlaneMotion(Struct):
     ways: list[dict[str, BodyWay]]
     hanging: list[dict[str, float]]
     holding: list[frozenset[str]]  # the connections that are there
+    event: str = ""  # that at which it ends
 
 
 class MovingStage(PlaneStage):
@@ -56,9 +58,10 @@ class MovingStage(PlaneStage):
         state: str,
         moments: Callable[[PlaneStage], PlaneMotion],
         longer: Mapping[str, float] | None = None,
+        met: tuple[Meeting, ...] = (),
     ) -> None:
         super().__init__(configuration, numbers, state, longer)
-        self.moved = moments
+        self.moved, self.met = moments, met
         self.known: PlaneMotion | None = None
         self.holding: frozenset[str] | None = None
         self.shown: list[Places] = []  # where all bodies are in each picture
@@ -105,6 +108,9 @@ class MovingStage(PlaneStage):
             body.place = shifted_by(shifted_by(way.about, way.by), arm)
             body.turn = turn + way.turn
 
+    def meetings(self) -> tuple[Meeting, ...]:
+        return self.met
+
     def connections(self) -> tuple[Connection, ...]:
         """Those that are there at the moment."""
         known = super().connections()
@@ -114,15 +120,32 @@ class MovingStage(PlaneStage):
 def moving_stage(
     configuration: Configuration, numbers: dict[str, float], state: str, moments: Callable[[PlaneStage], PlaneMotion]
 ) -> MovingStage:
-    """A scene arranged for its motion, with strings and springs so long that no end comes to the other."""
-    tried = MovingStage(configuration, numbers, state, moments).arranged()
-    longer = lengthenings(tried)
-    stage = MovingStage(configuration, numbers, state, moments, longer).arranged() if longer else tried
+    """A scene arranged for its motion: strings and springs so long that no end comes to the other, what meets at its end as far apart."""
+    stage = MovingStage(configuration, numbers, state, moments).arranged()
+    longer, met = lengthenings(stage), tuple(meetings_at_end(stage))
+    if longer or met:
+        stage = MovingStage(configuration, numbers, state, moments, longer, met).arranged()
     for item in stage.kinds.contacts:
         rider, carrier = (ref.owner for ref in item.pair()[:2])
         if rider in stage.bodies and carrier in stage.bodies and stage.bodies[carrier].block:
             widen_carrier(stage.bodies[carrier], stage.bodies[rider], stage)
     return stage
+
+
+def meetings_at_end(stage: MovingStage) -> Iterator[Meeting]:
+    """The points that meet in the event at which a motion ends."""
+    first = stage.places()
+    for event in stage.model.problem.events:
+        points = event.points(stage.model.problem.connections)
+        if event.name != stage.motion.event or len(points) != 2 or any(ref.owner not in stage.bodies for ref in points):
+            continue
+        gaps = []
+        for number in (0, -1):
+            stage.set(number, first)
+            (ax, ay), (bx, by) = (stage.bodies[ref.owner].spot(stage.model.drawn(ref)) for ref in points)
+            gaps.append((bx - ax, by - ay))
+        stage.restore(first)
+        yield points[0], points[1], shifted_by(gaps[1], gaps[0], -1.0)
 
 
 def widen_carrier(carrier: Figured, rider: Figured, stage: MovingStage) -> None:

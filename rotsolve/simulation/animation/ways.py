@@ -46,7 +46,7 @@ class PlaneMoments:
         for number in range(len(self.reading.times)):
             own = {host: self.gone(item, number, known) for host, item in hosts.items()}
             ways.append({name: BodyWay(about[host], *own[host]) for name, host in names.items()})
-        return PlaneMotion(ways, list(self.hanging(stage)), list(self.holding()))
+        return PlaneMotion(ways, list(self.hanging(stage)), list(self.holding()), self.event())
 
     def gone(self, host: Host, number: int, known: SceneFacts) -> tuple[Point, float]:
         """How far the point has gone of which a body's motion is told, and how far the body has turned."""
@@ -79,6 +79,12 @@ class PlaneMoments:
             system = self.reading.regime(time).system
             assert isinstance(system, PlanarSystem)
             yield frozenset(item.name for item in system.moment.configuration.problem.connections)
+
+    def event(self) -> str:
+        """The event at which the motion ends, '' where it ends at none."""
+        run = self.reading.run
+        reached = run.events[-1].state if run.events else ""
+        return next((event.name for event in run.problem.events if reached and event.from_ == reached), "")
 
 
 def host_of(name: str, moment: Instant, known: SceneFacts) -> Host:

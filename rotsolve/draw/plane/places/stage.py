@@ -100,6 +100,10 @@ class PlaneStage:
         """Sets the bodies as they stand at each moment that a picture is to have room for: where they are, and nowhere else."""
         yield
 
+    def meetings(self) -> tuple[tuple[PointRef, PointRef, Point], ...]:
+        """Points that meet in an event, with how much further the second goes than the first until then, where a motion tells that."""
+        return ()
+
     def connections(self) -> tuple[Connection, ...]:
         """What connects bodies in the picture."""
         return tuple(self.model.acting.connections)
