@@ -116,6 +116,10 @@ def test_readouts_are_the_numbers_of_the_table() -> None:
     assert "ball.velocity " in said and "(right)" in said and "m/s" in said
 
 
+def test_the_page_says_that_bodies_are_small() -> None:
+    assert "drawn small" in page_of("pulleys/atwood", 10.0, 1.0) and "drawn small" not in page_of("pulleys/atwood", 1.0)
+
+
 def test_events_are_marked_and_named() -> None:
     parts = Parts(page_of("rolling/bowling-ball", 3.0))
     tick = next(item for item in parts.all("i") if item.get("class") == "tick")
@@ -168,6 +172,33 @@ def test_strings_stay_as_long_as_they_are() -> None:
         assert len(legs) == 2 and min(legs) > 5.0
         long.append(sum(legs))
     assert long == pytest.approx([long[0]] * len(long))
+
+
+MEETING = """
+title: Rod that swings down and strikes a ball
+given: {M: 3 kg, m: 0.5 kg, L: 0.8 m, g: 9.81 m/s^2}
+bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: right}}
+connections: {pivot: {hinge: rod.start}}
+states:
+  released: {rod.angle: 0, rod.angular_velocity: 0, ball.velocity: 0}
+  lowest: {rod.angle: -90 deg}
+  after: {}
+events: {hit: {joins: [ball, rod.end], from: lowest, to: after}}
+find: {w: rod.angular_velocity at after}
+"""
+
+
+def test_what_meets_at_the_end_is_together_there() -> None:
+    run = simulate(MEETING, 2.0)
+    reel = film(MotionReading(run, clock_for(run.end, run.end / FEW).times))
+    gaps = []
+    for picture in reel.pictures:
+        ball = next(mark for mark in picture if isinstance(mark, Circle) and mark.role.name == "solid")
+        rod = next(mark for mark in picture if isinstance(mark, Line) and mark.role.name == "body")
+        end = [(x + u) / 2 for (x, u) in zip(rod.points[1], rod.points[2], strict=True)]
+        gaps.append(math.dist(ball.centre, end))
+    assert gaps[-1] < 0.5 and gaps == sorted(gaps, reverse=True) and gaps[0] > 100.0
+    assert "<code>hit</code> happens at <code>lowest</code>" in animated(run, columns_of(run), 0.1)
 
 
 def test_a_top_leans_as_its_axis_does() -> None:

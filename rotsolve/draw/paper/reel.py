@@ -17,6 +17,7 @@ class Reel(Struct):
     pictures: list[list[Mark]]
     labels: list[Label]
     shifts: list[list[Point]]
+    shrunk: float = 1.0  # its scale, as a part of that of a still picture
 
     def box(self) -> Box:
         """The paper that all pictures need together."""

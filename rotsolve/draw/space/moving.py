@@ -114,7 +114,8 @@ def moving_scale(stage: MovingSpaceStage) -> float:
 
 def space_pictures(stage: MovingSpaceStage, title: str, description: str) -> Reel:
     """The pictures of all moments of a motion."""
-    scale, reel = moving_scale(stage), Reel(title, description, [], [], [])
+    scale = moving_scale(stage)
+    reel = Reel(title, description, [], [], [], scale / space_scale(stage))
     base = ScenePaper(scale)
     draw_floors(stage, base)
     draw_axes(stage, base)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Sequence
 
 from rotsolve.draw.paper.reel import Reel
@@ -17,6 +18,9 @@ from rotsolve.simulation.run import Run
 from rotsolve.simulation.senses import sense_words
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)  # of the show, beside its usual one
+SHRUNK = 0.2  # of the scale of a still picture, below which bodies are small
+SMALL = '<p class="note">The bodies go far beyond their own size, and are drawn small: a shorter time shows them larger.</p>'
+CODE = re.compile("`([^`]*)`")  # a name of the scene in a message
 MOST_EVENTS = 60  # that have a mark
 
 
@@ -40,6 +44,7 @@ def animation_page(reading: MotionReading, names: Sequence[str], clock: Clock, r
         f'<body class="rotsolve"><main><h1>{title}</h1>',
         *picture_lines(slots, reel),
         *control_lines(run, clock),
+        *([SMALL] if reel.shrunk < SHRUNK else []),
         *readout_lines(names, reading),
         *event_lines(run),
         f'<p class="note">{run.signs.translate(SPECIAL)}</p>',
@@ -106,7 +111,7 @@ def pace_sentence(clock: Clock, run: Run) -> str:
     """Whether the motion is shown as fast as it is, and where it ends."""
     shown = "Shown in real time." if clock.pace == 1.0 else f"Shown {pace_words(clock.pace)} than it is."
     ended = f" It ends at t = {time_text(run.end, 0.0)} s: {run.ended}." if run.ended else ""
-    return f"{shown}{ended}".translate(SPECIAL)
+    return CODE.sub(r"<code>\1</code>", f"{shown}{ended}".translate(SPECIAL))
 
 
 def readout_lines(names: Sequence[str], reading: MotionReading) -> Iterator[str]:
