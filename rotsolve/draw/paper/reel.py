@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
+
 from msgspec import Struct
 
 from rotsolve.draw.paper.figure import MARGIN, Box, Figure, Label, Line, Mark, Point, around, box_of
@@ -17,7 +20,7 @@ class Reel(Struct):
     pictures: list[list[Mark]]
     labels: list[Label]
     shifts: list[list[Point]]
-    shrunk: float = 1.0  # its scale, as a part of that of a still picture
+    largest: float = math.inf  # points of the largest body that has a size
 
     def box(self) -> Box:
         """The paper that all pictures need together."""
@@ -33,3 +36,8 @@ class Reel(Struct):
 def moving_marks(figure: Figure) -> list[Mark]:
     """The marks of a picture that are true at any moment: none that measures how it stood at first."""
     return [mark for mark in figure.marks if not (isinstance(mark, Line) and mark.role.name in MEASURING)]
+
+
+def largest_of(sizes: Iterable[float]) -> float:
+    """The largest of some sizes; of points alone it is not told."""
+    return max((size for size in sizes if size > 0.0), default=math.inf)

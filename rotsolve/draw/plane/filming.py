@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 from rotsolve.draw.paper.figure import THIN, Figure, Label, Line, Point, ray, shifted_by
-from rotsolve.draw.paper.reel import Reel, moving_marks
+from rotsolve.draw.paper.reel import Reel, largest_of, moving_marks
 from rotsolve.draw.plane.moving import MovingStage, Places, motion_scale
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.outlines import spun
 from rotsolve.draw.plane.places.stage import PlaneStage
-from rotsolve.draw.plane.scene import plane_scale
+from rotsolve.draw.plane.scene import spans
 from rotsolve.draw.plane.signs.ground import draw_surfaces
 from rotsolve.draw.plane.signs.names import name_body
 from rotsolve.draw.plane.signs.sheet import ScenePaper
@@ -32,7 +32,8 @@ def motion_pictures(stage: MovingStage, title: str, description: str) -> Reel:
     draw_surfaces(stage, base)
     ground = list(base.figure.marks)
     turning = {name for ways in stage.motion.ways for name, way in ways.items() if abs(way.turn) > VISIBLE}
-    reel = Reel(title, description, [], [], [], scale / plane_scale(stage))
+    sizes = [max(spans(body.bound())) for body in stage.bodies.values()]
+    reel = Reel(title, description, [], [], [], largest_of(scale * size for size in sizes))
     for number in range(len(stage.motion.ways)):
         stage.set(number, first)
         figure = picture_now(number, stage, scale, turning)

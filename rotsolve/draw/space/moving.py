@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.confirm.space.arrows import ALONG, Arrow, Turned, less, product_of, scaled, sum_of, times_arrow
 from rotsolve.draw.paper.figure import Figure, Label, Point
-from rotsolve.draw.paper.reel import Reel
+from rotsolve.draw.paper.reel import Reel, largest_of
 from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.draw.space.marks import draw_name
 from rotsolve.draw.space.scene import draw_axes, draw_bodies, draw_floors, space_scale
@@ -115,7 +115,7 @@ def moving_scale(stage: MovingSpaceStage) -> float:
 def space_pictures(stage: MovingSpaceStage, title: str, description: str) -> Reel:
     """The pictures of all moments of a motion."""
     scale = moving_scale(stage)
-    reel = Reel(title, description, [], [], [], scale / space_scale(stage))
+    reel = Reel(title, description, [], [], [], largest_of(2.0 * scale * solid.size for solid in stage.solids.values()))
     base = ScenePaper(scale)
     draw_floors(stage, base)
     draw_axes(stage, base)

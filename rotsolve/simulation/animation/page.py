@@ -18,7 +18,7 @@ from rotsolve.simulation.run import Run
 from rotsolve.simulation.senses import sense_words
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)  # of the show, beside its usual one
-SHRUNK = 0.2  # of the scale of a still picture, below which bodies are small
+SMALLEST = 10.0  # points of the largest body, below which all are small
 SMALL = '<p class="note">The bodies go far beyond their own size, and are drawn small: a shorter time shows them larger.</p>'
 CODE = re.compile("`([^`]*)`")  # a name of the scene in a message
 MOST_EVENTS = 60  # that have a mark
@@ -44,7 +44,7 @@ def animation_page(reading: MotionReading, names: Sequence[str], clock: Clock, r
         f'<body class="rotsolve"><main><h1>{title}</h1>',
         *picture_lines(slots, reel),
         *control_lines(run, clock),
-        *([SMALL] if reel.shrunk < SHRUNK else []),
+        *([SMALL] if reel.largest < SMALLEST else []),
         *readout_lines(names, reading),
         *event_lines(run),
         f'<p class="note">{run.signs.translate(SPECIAL)}</p>',
