@@ -75,12 +75,7 @@ def draw_spoke(body: Figured, sheet: ScenePaper) -> None:
 def place_labels(reel: Reel, stage: MovingStage, base: ScenePaper, first: Places) -> None:
     """The names of bodies that move, where the first picture has room; then those of what stays, and the letters of surfaces, clear
     of all that comes by."""
-    going = {
-        name
-        for places in stage.shown
-        for name, (place, _) in places.items()
-        if math.dist(place, first[name][0]) * base.scale > STAYS
-    }
+    going = {name for places in stage.shown for name in places if goes(stage.bodies[name], places, first, base.scale)}
     names = ScenePaper(base.scale)
     names.figure = Figure(marks=reel.pictures[0])
     for body in stage.bodies.values():
@@ -88,12 +83,12 @@ def place_labels(reel: Reel, stage: MovingStage, base: ScenePaper, first: Places
     reel.labels += names.finished().labels
     number = len(reel.pictures)
     samples = sorted({round(k * (number - 1) / AVOIDED) for k in range(AVOIDED + 1)})
-    passing = Figure(marks=[mark for k in samples for mark in reel.pictures[k]])
+    passing = Figure(marks=[mark for k in samples for mark in reel.pictures[k]], labels=reel.labels)
     for k in samples:
         for label in reel.labels:
             passing.marks.append(framed(label, label_shift(label, stage.shown[k], first, stage, base.scale)))
     base.figure = passing
-    reel.labels += base.finished().labels
+    base.finished()
 
 
 def framed(label: Label, by: Point) -> Line:
@@ -107,10 +102,26 @@ def label_shift(label: Label, now: Places, first: Places, stage: PlaneStage, sca
     """How far a label has gone with its body: round that with a rod, beside which it stays so."""
     if label.tag not in now:
         return 0.0, 0.0
-    (x, y), turned = now[label.tag]
-    (x0, y0), turn = first[label.tag]
+    body = stage.bodies[label.tag]
+    x, y = middle_at(body, now)
+    x0, y0 = middle_at(body, first)
     arm = (label.at[0] - scale * x0, label.at[1] - scale * y0)
-    outlines = stage.bodies[label.tag].outlines
-    round_ = bool(outlines) and outlines[0].radius is not None
-    moved = arm if round_ else spun(arm, turned - turn)
+    moved = arm if is_round(body) else spun(arm, now[body.name][1] - first[body.name][1])
     return scale * (x - x0) + moved[0] - arm[0], scale * (y - y0) + moved[1] - arm[1]
+
+
+def is_round(body: Figured) -> bool:
+    """Whether a body looks the same as it turns: a circle or a dot."""
+    return bool(body.outlines) and body.outlines[0].radius is not None
+
+
+def middle_at(body: Figured, places: Places) -> Point:
+    """The middle of a round body where it stands, which may go round with it; the origin of others."""
+    place, turn = places[body.name]
+    return shifted_by(place, spun(body.outlines[0].points[0], turn)) if is_round(body) else place
+
+
+def goes(body: Figured, now: Places, first: Places, scale: float) -> bool:
+    """Whether a body, and so its name, has gone from where it was at first."""
+    turned = not is_round(body) and abs(now[body.name][1] - first[body.name][1]) > VISIBLE
+    return turned or math.dist(middle_at(body, now), middle_at(body, first)) * scale > STAYS
