@@ -20,7 +20,7 @@ def chosen_names(run: Run, wanted: Sequence[str]) -> tuple[str, ...]:
     told = told_in_order(run)
     found: dict[str, None] = {}
     for word in (part.strip() for item in wanted for part in item.split(",")):
-        names = list(meant(word, told, run))
+        names = list(meant_by(word, told, run))
         if not names:
             raise untold(word, told, run)
         found |= dict.fromkeys(names)
@@ -35,7 +35,7 @@ def told_in_order(run: Run) -> list[str]:
     return sorted(names, key=lambda name: (places.get(name.partition(".")[0], len(owners)), name))
 
 
-def meant(word: str, told: Sequence[str], run: Run) -> Iterator[str]:
+def meant_by(word: str, told: Sequence[str], run: Run) -> Iterator[str]:
     """What a word stands for: a quantity, all of one kind, all of a body or a connection, or one of the two sets that have a name."""
     if word == MOTION:
         yield from columns_of(run)

@@ -99,14 +99,14 @@ def name_ends(axis: Any, ends: Sequence[tuple[float, str, str]], line: float) ->
     low, high = axis.get_ylim()
     ordered = sorted(ends)
     wished = [(last - low) / (high - low) for last, _, _ in ordered]
-    for place, (_, words, colour) in zip(apart(wished, line), ordered, strict=True):
+    for place, (_, words, colour) in zip(ends_apart(wished, line), ordered, strict=True):
         axis.annotate(
             words, (1.0, place), xycoords="axes fraction", xytext=(6, 0), textcoords="offset points", color=colour,
             fontsize=LETTERS, va="center", ha="left",
         )  # fmt: skip
 
 
-def apart(wished: Sequence[float], gap: float) -> list[float]:
+def ends_apart(wished: Sequence[float], gap: float) -> list[float]:
     """Places in rising order near those that are wished, each a gap beyond the one before, from 0 to 1 as far as they have room."""
     found: list[float] = []
     for place in wished:

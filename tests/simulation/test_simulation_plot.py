@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve import simulate
 from rotsolve.simulation.choosing import chosen_names
-from rotsolve.simulation.plot import apart, curve_label, curve_owner, panels_of, plot_run
+from rotsolve.simulation.plot import curve_label, curve_owner, ends_apart, panels_of, plot_run
 from rotsolve.simulation.senses import sense_words
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
@@ -63,7 +63,7 @@ def test_a_panel_holds_one_quantity() -> None:
 
 @pytest.mark.parametrize("wished", [(0.5,), (0.2, 0.2, 0.2), (0.97, 0.98, 1.0), (-0.2, 0.0, 0.5, 0.52, 1.1)])
 def test_names_at_the_ends_keep_apart(wished: tuple[float, ...]) -> None:
-    found = apart(wished, 0.1)
+    found = ends_apart(wished, 0.1)
     assert all(above - below >= 0.1 - 1e-12 for below, above in pairwise(found))
     assert found[0] >= 0.0 and found[-1] <= 1.0
 

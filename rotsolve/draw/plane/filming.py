@@ -106,11 +106,11 @@ def label_shift(label: Label, now: Places, first: Places, stage: PlaneStage, sca
     x, y = middle_at(body, now)
     x0, y0 = middle_at(body, first)
     arm = (label.at[0] - scale * x0, label.at[1] - scale * y0)
-    moved = arm if is_round(body) else spun(arm, now[body.name][1] - first[body.name][1])
+    moved = arm if looks_round(body) else spun(arm, now[body.name][1] - first[body.name][1])
     return scale * (x - x0) + moved[0] - arm[0], scale * (y - y0) + moved[1] - arm[1]
 
 
-def is_round(body: Figured) -> bool:
+def looks_round(body: Figured) -> bool:
     """Whether a body looks the same as it turns: a circle or a dot."""
     return bool(body.outlines) and body.outlines[0].radius is not None
 
@@ -118,10 +118,10 @@ def is_round(body: Figured) -> bool:
 def middle_at(body: Figured, places: Places) -> Point:
     """The middle of a round body where it stands, which may go round with it; the origin of others."""
     place, turn = places[body.name]
-    return shifted_by(place, spun(body.outlines[0].points[0], turn)) if is_round(body) else place
+    return shifted_by(place, spun(body.outlines[0].points[0], turn)) if looks_round(body) else place
 
 
 def goes(body: Figured, now: Places, first: Places, scale: float) -> bool:
     """Whether a body, and so its name, has gone from where it was at first."""
-    turned = not is_round(body) and abs(now[body.name][1] - first[body.name][1]) > VISIBLE
+    turned = not looks_round(body) and abs(now[body.name][1] - first[body.name][1]) > VISIBLE
     return turned or math.dist(middle_at(body, now), middle_at(body, first)) * scale > STAYS
