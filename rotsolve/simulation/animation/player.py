@@ -11,7 +11,7 @@ STYLE = (
     ".controls{display:flex;flex-wrap:wrap;gap:.8rem;align-items:center;margin-top:.8rem}"
     "button,select,output{font:inherit;color:inherit}"
     "button,select{background:var(--body);border:1px solid var(--faint);border-radius:4px;padding:.15rem .6rem}"
-    "#play{min-width:2.8rem}"
+    "#play{width:3.6rem}"
     ".track{position:relative;flex:1 1 14rem;height:2rem}"
     ".track input{width:100%;margin:0;height:1.3rem;accent-color:var(--spin)}"
     ".tick{position:absolute;top:1.3rem;left:calc(8px + (100% - 16px) * var(--at) / 100);width:2px;height:.6rem;margin-left:-1px;"
