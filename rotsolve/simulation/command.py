@@ -6,10 +6,12 @@ import sys
 
 from msgspec import Struct, field
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.page.columns import page_text
 from rotsolve.run import advancing, coloured
 from rotsolve.run.attempt import BAD, SOLVED, failure_outcome, name_of, piped, scene_source
 from rotsolve.run.delivery import write_file
+from rotsolve.simulation.choosing import chosen_names
 from rotsolve.simulation.report import csv_lines, run_lines, times_of
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.simulating import simulate
@@ -28,6 +30,8 @@ class SimulationRequest(Struct, frozen=True):
     width: int = 120
     certified: bool = False
     output: str | None = None  # a file for the numbers
+    animate: str | None = None  # a file for the page that moves
+    show: tuple[str, ...] = ()  # the quantities that are asked for
 
 
 def run_simulation(request: SimulationRequest) -> int:
@@ -54,18 +58,39 @@ def fail(message: str, code: int) -> int:
     return code
 
 
+def write_animation(found: Run, file: str, names: tuple[str, ...], request: SimulationRequest) -> int:
+    """The page on which the scene moves, into its file."""
+    from rotsolve.simulation.animation.page import animated
+
+    try:
+        with advancing("pictures"):
+            page = animated(found, names, request.step)
+    except Exception as error:
+        failed = failure_outcome(request.file, error)
+        return fail(failed.message, failed.code)
+    code = write_file(file, page)
+    return fail(f"wrote {file}: {drawn(found)}", SOLVED) if code == SOLVED else code
+
+
 def write_run(found: Run, request: SimulationRequest) -> int:
     """The picture into its file, the numbers or the table to standard output."""
+    try:
+        names = chosen_names(found, request.show)
+    except Unsolvable as error:
+        failed = failure_outcome(request.file, error)
+        return fail(failed.message, failed.code)
     if request.plot is not None:
         from rotsolve.simulation.plot import NoPlots, plot_run
 
         try:
-            plot_run(found, request.plot)
+            plot_run(found, request.plot, names)
         except NoPlots as error:
             return fail(f"error: {error}", BAD)
         except OSError as error:
             return fail(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)
         return fail(f"wrote {request.plot}: {drawn(found)}", SOLVED)
+    if request.animate is not None:
+        return write_animation(found, request.animate, names, request)
     if request.csv:
         numbers = csv_lines(found, times_of(found, request.step))
         if request.output is not None:
@@ -74,7 +99,7 @@ def write_run(found: Run, request: SimulationRequest) -> int:
         for line in numbers:
             print(line)
         return SOLVED
-    written = list(run_lines(found, request.width, request.step))
+    written = list(run_lines(found, request.width, request.step, names))
     if coloured():
         from rotsolve.page.terminal import show
 

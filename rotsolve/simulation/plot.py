@@ -1,12 +1,14 @@
-"""Plot: a motion as a picture: places above, speeds below, what happens on the way as marks in both."""
+"""Plot: a motion as a picture: a panel for each quantity, its curves named at their ends, what happens on the way as marks in all."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import cycle
 from typing import Any
 
-from rotsolve.simulation.report import columns_of, quantity_unit, quantity_word
+from rotsolve.simulation.report import quantity_unit, quantity_word
 from rotsolve.simulation.run import Run
+from rotsolve.simulation.senses import sense_words
 
 POINTS = 1200  # moments of a curve
 RATES = ("velocity", "angular_velocity")
@@ -14,37 +16,62 @@ MOST_MARKS = 12  # events that are named; of more only the lines are drawn
 COLOURS = ("#0b6e99", "#d1495b", "#5b8c3a", "#8d5a97", "#e08e1b", "#4a4e69")
 STYLES = {"x": "-", "y": "--", "z": ":"}
 INK, FAINT = "#2b2d33", "#d9dbe0"
+WIDE, TALL = 10.0, 1.9  # inches of the picture, and of a panel of few curves
+LETTERS, LINE = 8.5, 0.17  # points of a name, and inches from one to the next
+PER_LETTER = 0.0085  # of the width of a panel, for a letter of the name of an event
 
 
 class NoPlots(Exception):
     """The package that draws is not there."""
 
 
-def plot_run(run: Run, path: str) -> None:
-    """Draw a motion into an .svg or .png file."""
+def plot_run(run: Run, path: str, names: Sequence[str]) -> None:
+    """Draw a motion into an .svg or .png file, the same for the same motion."""
     try:
+        from matplotlib import rc_context
         from matplotlib.figure import Figure
     except ImportError:
         raise NoPlots("drawing takes matplotlib: pip install 'rotsolve[plot]'") from None
-    names = columns_of(run)
     panels = panels_of(names)
-    figure = Figure(figsize=(9, 1.2 + 2.1 * len(panels)), layout="constrained")
+    heights = [max(TALL, LINE * (len(held) + 2)) for held in panels.values()]
+    figure = Figure(figsize=(WIDE, 1.0 + sum(heights)), layout="constrained")
     figure.suptitle(run.problem.title or run.problem.file, color=INK, fontsize=13, x=0.02, ha="left")
-    axes: Any = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
-    times = [run.end * k / (POINTS - 1) for k in range(POINTS)]
-    found = [run.at(time, names) for time in times]
-    colours = dict(zip(dict.fromkeys(name.partition(".")[0] for name in names), cycle(COLOURS), strict=False))
-    for axis, (unit, held) in zip(axes, panels.items(), strict=True):
-        for name in held:
-            style = STYLES.get(axis_in_name(name), "-")
-            values = [row[name][0] if name in row else float("nan") for row in found]
-            colour = colours[name.partition(".")[0]]
-            axis.plot(times, values, style, color=colour, linewidth=1.6, label=curve_label(name))
-        dress(axis, unit, len(held))
-    mark_events(axes, run)
+    axes: Any = figure.subplots(len(panels), 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": heights})[
+        :, 0
+    ]
+    draw_curves(run, panels, axes, heights)
+    rows = name_events(axes[0], run)
+    for number, (axis, title) in enumerate(zip(axes, panels, strict=True)):
+        dress(axis, title, rows if number == 0 else 0)
+        for event in run.events:
+            axis.axvline(event.time, color=INK, linewidth=0.7, linestyle=":", alpha=0.6)
     axes[-1].set_xlabel("t in s", color=INK)
     axes[-1].set_xlim(0, run.end or 1)
-    figure.savefig(path, dpi=150)
+    dated = {"Date": None} if path.lower().endswith(".svg") else {}
+    with rc_context({"svg.hashsalt": "rotsolve", "svg.fonttype": "none"}):
+        figure.savefig(path, dpi=150, metadata=dated)
+
+
+def draw_curves(run: Run, panels: dict[str, list[str]], axes: Any, heights: Sequence[float]) -> None:
+    """All curves, each with its name at its end."""
+    names = tuple(name for held in panels.values() for name in held)
+    times = [run.end * k / (POINTS - 1) for k in range(POINTS)]
+    found = [run.at(time, names) for time in times]
+    colours = dict(zip(dict.fromkeys(map(curve_owner, names)), cycle(COLOURS), strict=False))
+    for axis, height, held in zip(axes, heights, panels.values(), strict=True):
+        ends = []
+        for name in held:
+            style, colour = STYLES.get(axis_in_name(name), "-"), colours[curve_owner(name)]
+            values = [row[name][0] if name in row else float("nan") for row in found]
+            axis.plot(times, values, style, color=colour, linewidth=1.6)
+            last = next((value for value in reversed(values) if value == value), 0.0)
+            ends.append((last, curve_label(run, name), colour))
+        name_ends(axis, ends, LINE / height)
+
+
+def curve_owner(name: str) -> str:
+    """Of what a quantity is: `block` of `block.velocity.x`, `string.block` of `string.block.tension`."""
+    return name.partition(f".{quantity_word(name)}")[0]
 
 
 def axis_in_name(name: str) -> str:
@@ -53,36 +80,65 @@ def axis_in_name(name: str) -> str:
     return component if component in STYLES else ""
 
 
-def curve_label(name: str) -> str:
-    """Whose curve it is: `block`, `lower x`."""
-    return " ".join(filter(None, (name.partition(".")[0], axis_in_name(name))))
+def curve_label(run: Run, name: str) -> str:
+    """What a curve shows, which way it counts, and its unit: `block.velocity (down), m/s`."""
+    sense = sense_words(run, name)
+    return f"{name}{f' ({sense})' if sense else ''}, {quantity_unit(name)}"
 
 
-def panels_of(names: tuple[str, ...]) -> dict[str, list[str]]:
-    """The curves by what stands on the axis: angles, ways, then their rates."""
+def panels_of(names: Sequence[str]) -> dict[str, list[str]]:
+    """The curves by their quantity: angles, ways, then their rates."""
     found: dict[str, list[str]] = {}
     for name in sorted(names, key=lambda name: quantity_word(name) in RATES):
-        found.setdefault(f"{quantity_word(name).replace('_', ' ')} in {quantity_unit(name)}", []).append(name)
+        found.setdefault(quantity_word(name).replace("_", " "), []).append(name)
     return found
 
 
-def dress(axis: Any, title: str, curves: int) -> None:
-    """The look of a panel: its title above the left end, no frame, faint lines across."""
-    axis.set_title(title, loc="left", fontsize=9.5, color=INK)
+def name_ends(axis: Any, ends: Sequence[tuple[float, str, str]], line: float) -> None:
+    """The names of curves on the right of their ends, so far apart that none lies on another; `line` is a part of the panel's height."""
+    low, high = axis.get_ylim()
+    ordered = sorted(ends)
+    wished = [(last - low) / (high - low) for last, _, _ in ordered]
+    for place, (_, words, colour) in zip(ends_apart(wished, line), ordered, strict=True):
+        axis.annotate(
+            words, (1.0, place), xycoords="axes fraction", xytext=(6, 0), textcoords="offset points", color=colour,
+            fontsize=LETTERS, va="center", ha="left",
+        )  # fmt: skip
+
+
+def ends_apart(wished: Sequence[float], gap: float) -> list[float]:
+    """Places in rising order near those that are wished, each a gap beyond the one before, from 0 to 1 as far as they have room."""
+    found: list[float] = []
+    for place in wished:
+        found.append(max(place, found[-1] + gap) if found else max(place, 0.0))
+    top = 1.0
+    for number in reversed(range(len(found))):
+        found[number] = min(found[number], top)
+        top = found[number] - gap
+    return found
+
+
+def dress(axis: Any, title: str, rows: int) -> None:
+    """The look of a panel: its title above the left end and above rows of names, no frame, faint lines across."""
+    axis.set_title(title, loc="left", fontsize=9.5, color=INK, pad=5 + 72 * LINE * rows)
     axis.grid(axis="y", color=FAINT, linewidth=0.7)
     axis.tick_params(colors=INK, labelsize=9, length=0)
     for side in ("top", "right", "left"):
         axis.spines[side].set_visible(False)
     axis.spines["bottom"].set_color(FAINT)
-    axis.legend(frameon=False, fontsize=8.5, labelcolor=INK, loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 
-def mark_events(axes: Any, run: Run) -> None:
-    """A line through all panels where something happens, named at the top."""
-    for event in run.events:
-        for axis in axes:
-            axis.axvline(event.time, color=INK, linewidth=0.7, linestyle=":", alpha=0.6)
-    place = {"xycoords": ("data", "axes fraction"), "xytext": (3, -3), "textcoords": "offset points"}
-    look = {"fontsize": 8, "color": INK, "rotation": 90, "va": "top", "ha": "left"}
+def name_events(axis: Any, run: Run) -> int:
+    """What happens on the way above its mark, in as many rows as it takes; how many these are."""
+    ends: list[float] = []  # of the last name in each row, as a part of the width
     for event in run.events if len(run.events) <= MOST_MARKS else ():
-        axes[0].annotate(event.state or event.what, (event.time, 1.0), **place, **look)
+        words, start = event.state or event.what, event.time / run.end
+        long = PER_LETTER * (len(words) + 2)
+        start = max(0.0, min(start, 1.0 - long))
+        row = next((number for number, end in enumerate(ends) if end <= start), len(ends))
+        ends[row : row + 1] = [start + long]
+        axis.annotate(
+            words, (start, 1.0), xycoords="axes fraction", xytext=(0, 3 + 72 * LINE * row), textcoords="offset points",
+            fontsize=8, color=INK, va="bottom", ha="left",
+        )  # fmt: skip
+    return len(ends)

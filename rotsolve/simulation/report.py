@@ -23,13 +23,15 @@ UNSETTLED, NOWHERE = "?", "–"  # what is not settled, what has no value at tha
 STANDS = "Nothing moves: it starts at rest where nothing pushes it, and stays there, even where the least push would end that."
 
 
-def run_lines(run: Run, width: int, step: float | None = None) -> Iterator[TextLine]:
-    """The whole report."""
+def run_lines(
+    run: Run, width: int, step: float | None = None, names: Sequence[str] | None = None
+) -> Iterator[TextLine]:
+    """The whole report, with these quantities; with places and speeds where none are named."""
     if run.problem.title:
         yield TextLine(run.problem.title, "title")
         yield TextLine("")
     times = times_of(run, step)
-    names = columns_of(run)
+    names = columns_of(run) if names is None else names
     yield from paragraph_lines(run.signs, 0, width)
     yield TextLine("")
     yield from table_lines(run, names, times, width)
@@ -43,7 +45,7 @@ def run_lines(run: Run, width: int, step: float | None = None) -> Iterator[TextL
         yield TextLine("")
     yield TextLine("Accuracy", "heading", len("Accuracy"))
     yield from paragraph_lines(bounds_sentence(run, names), 2, width)
-    if not is_at_rest(run, names):
+    if not is_at_rest(run):
         yield from paragraph_lines(balances_sentence(run), 2, width)
 
 
@@ -153,16 +155,16 @@ def time_text(time: float, bound: float) -> str:
 def bounds_sentence(run: Run, names: Sequence[str]) -> str:
     """How wide the bounds are at the end."""
     found = run.at(run.end, tuple(names))
-    if not found or is_at_rest(run, names):
+    if not found or is_at_rest(run):
         return STANDS
     name = max(found, key=lambda name: found[name][1])
     wide = f"{bound_text(found[name][1], 2)} {quantity_unit(name)}, of {name} at the end"
     return f"Every digit shown is settled by the bound of its number; the widest is {wide}."
 
 
-def is_at_rest(run: Run, names: Sequence[str]) -> bool:
+def is_at_rest(run: Run) -> bool:
     """Whether nothing happens: all speeds are zero at both ends, and no event lies between."""
-    speeds = tuple(name for name in names if quantity_word(name) in ("velocity", "angular_velocity"))
+    speeds = tuple(name for name in columns_of(run) if quantity_word(name) in ("velocity", "angular_velocity"))
     ends_ = (run.at(0.0, speeds), run.at(run.end / 2, speeds), run.at(run.end, speeds))
     return not run.events and not any(value for found in ends_ for value, _ in found.values())
 

@@ -49,6 +49,14 @@ def test_numbers_with_their_bounds() -> None:
         (("problems/angular-momentum/disc-drop.yaml",), 1, "begins with the event `drop`"),
         ((SCENE, "--plot", "rod.pdf"), 2, "is no .svg or .png"),
         ((SCENE, "--plot", "rod.svg", "--csv"), 2, "either a picture or numbers"),
+        ((SCENE, "--animate", "rod.gif"), 2, "is no .html"),
+        ((SCENE, "--animate", "rod.html", "--csv"), 2, "either a page or numbers"),
+        ((SCENE, "--animate", "rod.html", "--plot", "rod.svg"), 2, "either a page or a plot"),
+        ((SCENE, "--show", "forces", "--csv"), 2, "--csv prints all quantities"),
+        ((SCENE, "--show", "tension"), 1, "the motion tells no `tension`"),
+        (("problems/kinematics/angle-units.yaml", "--animate", "units.html"), 1, "no bodies to draw"),
+        (("problems/swings/swinging-rod.yaml", "--animate", "rod.html"), 1, "the angle of `rod` at first is not told"),
+        ((SCENE, "--until", "1s", "--animate", "no/such/folder/rod.html"), 2, "cannot write no/such/folder/rod.html"),
         ((SCENE, "--accuracy", "2"), 2, "not in the range"),
         (("nowhere.yaml",), 2, "read `nowhere.yaml`: No such file"),
         (("problems/swings/swinging-rod.yaml",), 1, "the angle of `rod` at first is not told"),
@@ -68,6 +76,29 @@ def test_a_picture_is_drawn_or_its_package_named(tmp_path: Path, kind: str) -> N
     else:
         assert ran.returncode == 0 and path.stat().st_size > 1000
         assert ran.stderr == f"wrote {path}: t = 0 to 1 s\n"
+
+
+def test_a_page_moves(tmp_path: Path) -> None:
+    path = tmp_path / "rod.html"
+    ran = simulate(SCENE, "--until", "1s", "--step", "0.5s", "--animate", str(path))
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", f"wrote {path}: t = 0 to 1 s\n")
+    page = path.read_text(encoding="utf-8")
+    assert page.startswith("<!DOCTYPE html>") and '"times":["0.0","0.5","1.0"]' in page
+
+
+def test_quantities_are_chosen_by_name() -> None:
+    def columns(*names: str) -> list[str]:
+        options = (option for name in names for option in ("--show", name))
+        ran = simulate("problems/pulleys/atwood.yaml", "--until", "1s", *options)
+        return next(line for line in ran.stdout.splitlines() if line.strip().startswith("t  ")).split()[1:]
+
+    assert columns() == columns("motion")
+    assert columns("string.light.tension") == ["string.light.tension"]
+    assert columns("tension") == columns("string") == ["string.heavy.tension", "string.light.tension"]
+    assert columns("velocity,light.position", "pulley.angle") == [
+        "light.velocity", "heavy.velocity", "light.position", "pulley.angle",
+    ]  # fmt: skip
+    assert set(columns("forces")) >= {"string.heavy.tension", "axle.force.y"}
 
 
 def test_numbers_go_into_a_file(tmp_path: Path) -> None:

@@ -77,6 +77,7 @@ class Label(Struct, frozen=True):
     box: Box
     ink: str = "ink"
     size: float = 10.5
+    tag: str = ""
 
 
 Mark = Line | Circle
@@ -134,7 +135,7 @@ def moved_mark(mark: Mark, by: Point) -> Mark:
 def moved_label(label: Label, by: Point) -> Label:
     left, low, right, high = label.box
     box = (left + by[0], low + by[1], right + by[0], high + by[1])
-    return Label(label.text, label.latex, shifted_by(label.at, by), box, label.ink, label.size)
+    return Label(label.text, label.latex, shifted_by(label.at, by), box, label.ink, label.size, label.tag)
 
 
 def box_of(mark: Mark) -> Box:

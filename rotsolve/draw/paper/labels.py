@@ -41,6 +41,7 @@ class Wish(Struct, frozen=True):
     ink: str = "ink"
     size: float = SIZE
     inside: bool = False  # whether the place itself is the best, as within a block
+    tag: str = ""  # of what these are the words, where somebody asks
 
 
 Segment = tuple[Point, Point]
@@ -60,10 +61,11 @@ class Lettering(Struct):
         ink: str = "ink",
         size: float = SIZE,
         inside: bool = False,
+        tag: str = "",
     ) -> None:
         """Asks for words at a place."""
         if words.text:
-            self.wishes.append(Wish(words, at, unit_of(way), reach, ink, size, inside))
+            self.wishes.append(Wish(words, at, unit_of(way), reach, ink, size, inside, tag))
 
     def place(self, figure: Figure) -> None:
         """Puts all labels into a picture, those with the least room first."""
@@ -107,7 +109,7 @@ def best_label(wish: Wish, lines: Sequence[Segment], others: Sequence[Label]) ->
         if best is None or cost < best[0]:
             best = cost, middle
     middle = best[1] if best is not None else below_all(wish, wide, high, others)
-    return Label(wish.words.text, wish.words.latex, middle, box_at(middle, wide, high), wish.ink, wish.size)
+    return Label(wish.words.text, wish.words.latex, middle, box_at(middle, wide, high), wish.ink, wish.size, wish.tag)
 
 
 def candidates(wish: Wish, wide: float, high: float) -> list[tuple[float, Point]]:

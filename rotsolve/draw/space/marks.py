@@ -43,7 +43,7 @@ def draw_name(solid: DrawnSolid, stage: SpaceStage, sheet: ScenePaper) -> None:
         return
     way = (0.8, -0.6)
     edge = max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
-    sheet.letters.name(named_in(solid.body, stage.problem), edge, way, 3.0)
+    sheet.letters.name(named_in(solid.body, stage.problem), edge, way, 3.0, tag=solid.name)
 
 
 def draw_weight(solid: DrawnSolid, stage: SpaceStage, sheet: ScenePaper) -> None:

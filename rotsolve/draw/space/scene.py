@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 
 from rotsolve.confirm.signs import GROUND
-from rotsolve.confirm.space.arrows import Arrow, Z, arrow_length, crossed, inner_product, normed, scaled, sum_of
+from rotsolve.confirm.space.arrows import Arrow, Z, arrow_length, crossed, inner_product, less, normed, scaled, sum_of
 from rotsolve.draw.paper.figure import AXIS, BODY, HATCH, HOLE, SOLID, STRING, SUPPORT, THIN, Figure, Point
 from rotsolve.draw.paper.figure import GROUND as EARTH
 from rotsolve.draw.paper.lettering import letter
@@ -29,14 +29,19 @@ def draw_space(stage: SpaceStage, title: str = "", description: str = "") -> Fig
     sheet = ScenePaper(space_scale(stage), title, description)
     draw_floors(stage, sheet)
     draw_axes(stage, sheet)
+    draw_bodies(stage, sheet)
+    draw_marks(stage, sheet)
+    return sheet.finished()
+
+
+def draw_bodies(stage: SpaceStage, sheet: ScenePaper) -> None:
+    """All bodies, the farthest first, their axes and their joints."""
     for solid in sorted(stage.solids.values(), key=lambda solid: depth(solid.place)):
         draw_axis_behind(solid, stage, sheet)
         draw_solid(solid, sheet)
     for name in stage.solids:
         for joint in stage.joints(name):
             draw_joint(joint, stage, sheet)
-    draw_marks(stage, sheet)
-    return sheet.finished()
 
 
 def space_scale(stage: SpaceStage) -> float:
@@ -64,7 +69,9 @@ def draw_solid(solid: DrawnSolid, sheet: ScenePaper) -> None:
 
 def middle_depth(piece: Piece) -> tuple[float, float]:
     """Holes after the faces in which they are, sides of a hull after the hull."""
-    order = {"edge": 0.0, "hull": 1.0, "face": 1.0, "rod": 1.0, "hole": 2.0, "front": 3.0, "dot": 3.0}[piece.kind]
+    order = {"edge": 0.0, "hull": 1.0, "face": 1.0, "rod": 1.0, "hole": 2.0, "mark": 2.5, "front": 3.0, "dot": 3.0}[
+        piece.kind
+    ]
     ahead = sum(depth(point) for point in piece.points) / len(piece.points)
     return (order, ahead) if piece.kind != "face" or piece.way is None else (1.5, ahead)
 
@@ -99,6 +106,11 @@ def draw_front(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.line([on_paper(point, sheet) for point in ordered], THIN)
 
 
+def draw_mark(piece: Piece, sheet: ScenePaper) -> None:
+    if piece.way is None or faces(piece.way):
+        sheet.figure.line([on_paper(point, sheet) for point in piece.points], THIN)
+
+
 def draw_dot(piece: Piece, sheet: ScenePaper) -> None:
     sheet.figure.circle(on_paper(piece.points[0], sheet), DOT, SOLID)
 
@@ -109,6 +121,7 @@ PIECES: dict[str, Callable[[Piece, ScenePaper], None]] = {
     "hole": draw_hole,
     "rod": draw_rod,
     "edge": draw_edge,
+    "mark": draw_mark,
     "front": draw_front,
     "dot": draw_dot,
 }
@@ -198,7 +211,10 @@ def draw_floors(stage: SpaceStage, sheet: ScenePaper) -> None:
             out = outward(joint, stage)
             low = min((inner_product(point, out) for piece in solid.pieces for point in piece.points), default=0.0)
             foot = sum_of(solid.place, scaled(low - inner_product(solid.place, out), out))
-            floor_patch(foot, out, FLOOR * max(solid.size, 0.4 * stage.whole), sheet)
+            gone = [less(stage.solids[name].place, solid.place) for _ in stage.moments()]
+            foot = sum_of(foot, *(scaled(0.5, end) for end in (gone[0], gone[-1])))
+            reach = max(math.dist(arrow, scaled(0.5, gone[-1])) for arrow in gone)
+            floor_patch(foot, out, reach + FLOOR * max(solid.size, 0.4 * stage.whole), sheet)
 
 
 def outward(joint: Joint, stage: SpaceStage) -> Arrow:
@@ -232,7 +248,13 @@ def draw_axes(stage: SpaceStage, sheet: ScenePaper) -> None:
     if len(held) == 1:
         origin, long = held[0], 2.0 * size + 18.0 / sheet.scale
     else:
-        points = [seen(point) for solid in stage.solids.values() for piece in solid.pieces for point in piece.points]
+        points = [
+            seen(point)
+            for _ in stage.moments()
+            for solid in stage.solids.values()
+            for piece in solid.pieces
+            for point in piece.points
+        ]
         long = 26.0 / sheet.scale
         left = min((x for x, _ in points), default=0.0) - 2.0 * long
         low = min((y for _, y in points), default=0.0) + 0.6 * long

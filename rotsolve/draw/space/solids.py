@@ -35,7 +35,8 @@ class Piece(Struct, frozen=True):
     """A part of a body in its own axes. What its kind means:
 
     `face`: a flat side, filled, with the way out of it in `way` where it has only one; `hull`: what is filled is all that its points
-    hide; `edge`: a line; `rod`: a stout one; `dot`: a point; `hole`: a flat side that shows the paper.
+    hide; `edge`: a line; `rod`: a stout one; `dot`: a point; `hole`: a flat side that shows the paper;
+    `mark`: a line on a flat side.
     """
 
     kind: str

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from functools import cached_property
 
 from msgspec import Struct
@@ -110,6 +111,10 @@ class SpaceStage:
             return True
 
     # places
+
+    def moments(self) -> Iterator[None]:
+        """Sets the bodies as they stand at each moment that a picture is to have room for: where they are, and nowhere else."""
+        yield
 
     def joints(self, name: str) -> list[Joint]:
         """The joints that hold a body."""

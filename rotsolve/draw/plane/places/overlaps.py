@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
+from typing import TypeVar
 
 from rotsolve.confirm.seating import joints_of
 from rotsolve.draw.paper.figure import Point, shifted_by
@@ -13,14 +14,20 @@ from rotsolve.draw.plane.places.rules import arrange
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.motion.configuration import Configuration
 
+Stage = TypeVar("Stage", bound=PlaneStage)
+
 ROUNDS = 14  # of going apart
 FREE = 0.25  # between two groups, in the width of the larger one
 TOUCHING = 1e-3  # of its size, by which a body may overlap one that it touches
 
 
 def plane_stage(configuration: Configuration, numbers: dict[str, float], state: str) -> PlaneStage:
-    """A scene at a state: groups side by side, and the strings of what would overlap so long that it does not."""
-    stage = PlaneStage(configuration, numbers, state)
+    """A scene at a state with a place for everything."""
+    return set_apart(PlaneStage(configuration, numbers, state))
+
+
+def set_apart(stage: Stage) -> Stage:
+    """Groups side by side, and the strings of what would overlap so long that it does not."""
     for _ in range(ROUNDS):
         stage.shifts.clear()
         arrange(stage)
@@ -39,7 +46,7 @@ def groups_beside(stage: PlaneStage) -> None:
             names.setdefault(group, []).append(name)
     edge: float | None = None
     for members in names.values():
-        points = [point for name in members for point in stage.bodies[name].bound()]
+        points = [point for _ in stage.moments() for name in members for point in stage.bodies[name].bound()]
         left, right = min(x for x, _ in points), max(x for x, _ in points)
         low, high = min(y for _, y in points), max(y for _, y in points)
         gap = max(FREE * (right - left), 0.6 * stage.sizes.block, 0.35 * stage.sizes.whole)

@@ -97,9 +97,13 @@ def join(stage: PlaneStage) -> None:
     """Points of two bodies that are at one place; of a scene with places that are told the fixed axis is the origin."""
     meshing = [{ref.owner for ref in item.touches()} for item in (*stage.kinds.gears, *stage.kinds.belts)]
     coming = meetings_to_come(stage)
+    met = [{one.owner, two.owner} for one, two, _ in stage.meetings()]
+    for one, two, gone in stage.meetings():
+        first, second = (stage.place_of(ref.owner, stage.model.drawn(ref)) for ref in (one, two))
+        meet_soon(one, two, first, second, stage, gone)
     for one, two in joints_of(stage.model):
         pair = {one.owner, two.owner}
-        if pair in meshing or not pair <= set(stage.bodies):
+        if pair in meshing or pair in met or not pair <= set(stage.bodies):
             continue
         first, second = (stage.place_of(ref.owner, stage.model.drawn(ref)) for ref in (one, two))
         if pair in coming and not any(pair <= set(union) for union in stage.model.unions):
@@ -138,14 +142,18 @@ def riding_pair(pair: set[str], stage: PlaneStage) -> bool:
     return any({ride.rider.owner, ride.carrier.owner} == pair for ride in rides if ride is not None)
 
 
-def meet_soon(one: PointRef, two: PointRef, first: Place, second: Place, stage: PlaneStage) -> None:
-    """What will meet in an event stands a little before that, along its way."""
+def meet_soon(
+    one: PointRef, two: PointRef, first: Place, second: Place, stage: PlaneStage, gone: Point | None = None
+) -> None:
+    """What will meet in an event stands a little before that, along its way; as far as the second has `gone` more than the first."""
     model = stage.model
     mover = one.owner if model.line(one.owner) is not None or one.owner not in model.held else two.owner
     way = model.line(mover) or (0.0, -1.0)
     sign = 1.0 if mover == one.owner else -1.0
     back: Point = (-way[0], -way[1])
     room = stage.bodies[one.owner].reach(way) + stage.bodies[two.owner].reach(back)
-    room = (0.0 if stage.bodies[mover].dot else room) + COMING * stage.sizes.whole
-    for part, along in zip(gap_between_places(first, second), way, strict=True):
-        stage.layout.equal(part, sign * along * room, WISH)
+    room = 0.0 if stage.bodies[mover].dot else room
+    little = -sign * COMING * stage.sizes.whole
+    gone = gone or (little * way[0], little * way[1])
+    for part, along, own in zip(gap_between_places(first, second), way, gone, strict=True):
+        stage.layout.equal(part, sign * along * room - own, WISH)

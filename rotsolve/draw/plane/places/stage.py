@@ -7,9 +7,9 @@ straight, weights below their wheels, what is not tied to anything stands side b
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import radius_of, side_of
@@ -25,7 +25,10 @@ from rotsolve.draw.plane.places.kinds import by_kind
 from rotsolve.draw.plane.places.outlines import Value, spun, value_function
 from rotsolve.elements.connections.strings import String
 from rotsolve.language.bodies import PointRef, Surface
+from rotsolve.language.elements import Connection
 from rotsolve.motion.configuration import Configuration
+
+Decision = TypeVar("Decision")
 
 SIDE = 1.5  # from one thing to the next beside it, in the measure of the scene
 
@@ -33,7 +36,13 @@ SIDE = 1.5  # from one thing to the next beside it, in the measure of the scene
 class PlaneStage:
     """A scene at one of its states, with a place for everything once its rules have been written."""
 
-    def __init__(self, configuration: Configuration, numbers: dict[str, float], state: str) -> None:
+    def __init__(
+        self,
+        configuration: Configuration,
+        numbers: dict[str, float],
+        state: str,
+        longer: Mapping[str, float] | None = None,
+    ) -> None:
         self.configuration, self.state = configuration, state
         self.model = Model(configuration.problem, numbers, state)
         self.kinds = by_kind(self.model.acting.connections)
@@ -41,7 +50,9 @@ class PlaneStage:
         self.sizes: Measures = scene_measures(self.model, self.kinds, self.value)
         self.q = self._standing()
         self.bodies: dict[str, Figured] = figured(self.model, self.kinds, self.value, self.q, self.sizes)
-        self.longer: dict[str, float] = {}  # by how much strings and springs are longer than they are wished to be
+        self.longer = dict(longer or {})  # by how much strings and springs are longer than they are wished to be
+        self.hanging: dict[str, float] = {}  # how much of a rope hangs in front, where a motion tells it
+        self.decided: dict[object, Any] = {}
         self.shifts: dict[str, Point] = {}
         self.drawn_ground: list[Point] = []  # points of surfaces on paper, beside which other things go
         self.braced: set[str] = set()  # wheels whose support is drawn
@@ -76,6 +87,26 @@ class PlaneStage:
             self.bodies[name].place = shifted_by(
                 (x.at(self.found), y.at(self.found)), self.shifts.get(name, (0.0, 0.0))
             )
+
+    # a scene that moves
+
+    def kept(self, key: object, decide: Callable[[], Decision]) -> Decision:
+        """What a picture chooses where the scene leaves it open, such as how far off a ceiling is: once for all pictures of a motion."""
+        if key not in self.decided:
+            self.decided[key] = decide()
+        return cast("Decision", self.decided[key])
+
+    def moments(self) -> Iterator[None]:
+        """Sets the bodies as they stand at each moment that a picture is to have room for: where they are, and nowhere else."""
+        yield
+
+    def meetings(self) -> tuple[tuple[PointRef, PointRef, Point], ...]:
+        """Points that meet in an event, with how much further the second goes than the first until then, where a motion tells that."""
+        return ()
+
+    def connections(self) -> tuple[Connection, ...]:
+        """What connects bodies in the picture."""
+        return tuple(self.model.acting.connections)
 
     # what is where, as far as it depends on unknowns
 

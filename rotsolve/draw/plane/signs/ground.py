@@ -22,6 +22,7 @@ from rotsolve.language.bodies import Surface
 
 BEYOND, SHORT = 24.0, 3.0  # points of a surface beyond what lies on it; between its edge and a wheel
 DEEP = 34.0  # of the side of a table that is seen
+RUN_OUT = 200.0  # of a slope beyond what lies on it, at most
 ANCHOR = 66.0  # from a body to the ground to which a spring ties it
 ARC = 30.0  # radius of the arc of an angle
 
@@ -46,14 +47,9 @@ def surface_extent(
 ) -> tuple[float, float, bool, bool]:
     """From where to where along a flat surface it is drawn, on paper; and whether it ends in an edge at either end."""
     bounds = []
-    for item in lying_on(surface.name, stage):
-        body = stage.bodies[item.lying()]
-        if props(item, stage):
-            continue
-        touching = stage.point(item.pair()[0])
-        rod = shape_of(body.body).slender
-        points = body.bound() if not rod or touching is None else [touching]
-        bounds += [x * along[0] + y * along[1] for x, y in map(sheet.at, points)]
+    for _ in stage.moments():
+        for x, y in map(sheet.at, lying_points(surface, stage)):
+            bounds.append(x * along[0] + y * along[1])
     for ref in anchored(surface, stage):
         x, y = sheet.at(stage.bodies[ref].place)
         bounds.append(x * along[0] + y * along[1] - ANCHOR)
@@ -68,6 +64,17 @@ def surface_extent(
         else:
             low, edges[0] = edge + room, True
     return low, high, edges[0], edges[1]
+
+
+def lying_points(surface: Surface, stage: PlaneStage) -> Iterator[Point]:
+    """The points under which a surface has to be: those of all that lies on it, of a rod where it touches."""
+    for item in lying_on(surface.name, stage):
+        body = stage.bodies[item.lying()]
+        if props(item, stage):
+            continue
+        touching = stage.point(item.pair()[0])
+        rod = shape_of(body.body).slender
+        yield from body.bound() if not rod or touching is None else [touching]
 
 
 def anchored(surface: Surface, stage: PlaneStage) -> Iterator[str]:
@@ -156,7 +163,9 @@ def draw_slope(surface: Slope, where: float, stage: PlaneStage, sheet: ScenePape
     out, up = normal(surface, stage.model), uphill(surface, stage.model)
     foot, top = flat_ends(surface, where, up, out, stage, sheet)
     strung = any(True for _ in wheels_beyond(surface, up, stage))
-    foot = shifted_by(foot, up, -(BEYOND if strung else max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND))))
+    foot = shifted_by(
+        foot, up, -(BEYOND if strung else min(max(2 * BEYOND, 0.9 * (math.dist(foot, top) - 2 * BEYOND)), RUN_OUT))
+    )
     right = up[0] > 0
     if abs(up[1]) < 1e-6:
         sheet.hatched([foot, top] if right else [top, foot])

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rotsolve.draw.paper.figure import Point, shifted_by
+from rotsolve.draw.paper.lettering import SIZE
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
@@ -13,38 +16,53 @@ from rotsolve.draw.plane.signs.wording import named_in
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef
 
+LONG = 3.0  # width of a low block beside its height
 INWARDS = (-0.51, -0.86)  # from the middle of a wheel to its name within
 
 
 def draw_names(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The name of each body: within a block, else beside the body."""
     for body in stage.bodies.values():
-        words = named_in(body.body, stage.model.problem)
-        at = sheet.at(body.place)
-        points = [sheet.at(point) for point in body.bound()]
-        if body.block:
-            sheet.letters.name(
-                words, at, outer_side(body, stage), sheet.scale * body.reach(outer_side(body, stage)) + 3.0, inside=True
-            )
-        elif points:
-            if broad(body, sheet):
-                sheet.letters.name(words, sheet.at(body_middle(body)), (0.5, -0.5), 6.0, inside=True)
-                continue
-            middle = (sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points))
-            way = name_side(body, stage)
-            if roomy(body, sheet):
-                off = (inner_radius(body, sheet) + core_radius(body, sheet)) / 2
-                at = shifted_by(sheet.at(body.place), INWARDS, max(off, 0.58 * inner_radius(body, sheet)))
-                sheet.letters.name(words, at, way, 4.0, inside=True)
-                continue
-            if shape_of(body.body).slender and any(
-                told_words(stage, ref.argument) for ref in mentioned(body.name, stage)
-            ):
-                end = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "end"))))
-                middle = shifted_by(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
-            if not shape_of(body.body).slender:
-                middle = max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
-            sheet.letters.name(words, middle, way, 6.0)
+        name_body(body, stage, sheet)
+
+
+def name_body(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
+    """The name of one body."""
+    words = named_in(body.body, stage.model.problem)
+    at, way = sheet.at(body.place), outer_side(body, stage)
+    points = [sheet.at(point) for point in body.bound()]
+    if body.block and low_block(body, sheet):
+        low = min(y for _, y in points)
+        sheet.letters.name(words, (at[0], low), (0.0, -1.0), 3.0, tag=body.name)
+    elif body.block:
+        sheet.letters.name(words, at, way, sheet.scale * body.reach(way) + 3.0, inside=True, tag=body.name)
+    elif points and broad(body, sheet):
+        sheet.letters.name(words, sheet.at(body_middle(body)), (0.5, -0.5), 6.0, inside=True, tag=body.name)
+    elif points and roomy(body, sheet):
+        off = (inner_radius(body, sheet) + core_radius(body, sheet)) / 2
+        at = shifted_by(at, INWARDS, max(off, 0.58 * inner_radius(body, sheet)))
+        sheet.letters.name(words, at, name_side(body, stage), 4.0, inside=True, tag=body.name)
+    elif points:
+        way = name_side(body, stage)
+        sheet.letters.name(words, place_beside(body, points, way, stage, sheet), way, 6.0, tag=body.name)
+
+
+def place_beside(body: Figured, points: Sequence[Point], way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
+    """The place of a body next to which its name goes: the middle of a rod, off which it goes where a place on it is told."""
+    if not shape_of(body.body).slender:
+        return max(points, key=lambda point: point[0] * way[0] + point[1] * way[1])
+    middle = (sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points))
+    if not any(told_words(stage, ref.argument) for ref in mentioned(body.name, stage)):
+        return middle
+    end = sheet.at(body.spot(stage.model.spot(PointRef(body.name, "end"))))
+    return shifted_by(middle, (end[0] - middle[0], end[1] - middle[1]), 0.75)
+
+
+def low_block(body: Figured, sheet: ScenePaper) -> bool:
+    """Whether a block has no room for its name within, since it is too low."""
+    xs, ys = [x for x, _ in body.outlines[0].points], [y for _, y in body.outlines[0].points]
+    high, wide = max(ys) - min(ys), max(xs) - min(xs)
+    return high * sheet.scale < SIZE + 2.0 and wide > LONG * high
 
 
 def name_side(body: Figured, stage: PlaneStage) -> Point:

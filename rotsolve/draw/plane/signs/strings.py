@@ -42,18 +42,23 @@ LONGEST = 150.0  # of a rope that hangs
 ROPE = 3.0  # of a rope that hangs, in the measure of a block, where its length is not told
 
 
-def leg_ends(leg: StringPart, stage: PlaneStage, sheet: ScenePaper) -> list[Point]:
+def leg_ends(name: str, leg: StringPart, stage: PlaneStage, sheet: ScenePaper) -> list[Point]:
     """The ends of a leg on paper; one that is fixed anywhere is straight on from the other."""
     ends: list[Point | None] = []
     for ref, side in ((leg.first, leg.sides[0]), (leg.second, leg.sides[1])):
         ends.append(leg_end(ref, side, leg, stage, sheet))
-    way = leg.along or (1.0, 0.0)
+    x, y = leg.along or (1.0, 0.0)
     first, second = ends
     if first is None and second is not None:
-        first = shifted_by(second, way, -free_length(leg.first, second, (-way[0], -way[1]), stage, sheet))
+        first = straight_on(name, leg.first, second, (-x, -y), stage, sheet)
     if second is None and first is not None:
-        second = shifted_by(first, way, free_length(leg.second, first, way, stage, sheet))
+        second = straight_on(name, leg.second, first, (x, y), stage, sheet)
     return [first or (0.0, 0.0), second or (0.0, 0.0)]
+
+
+def straight_on(name: str, ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
+    """Where a string to something that is fixed anywhere ends; once for all pictures of a motion."""
+    return stage.kept(name, lambda: shifted_by(at, way, free_length(name, ref, at, way, stage, sheet)))
 
 
 def leg_end(ref: PointRef, side: int, leg: StringPart, stage: PlaneStage, sheet: ScenePaper) -> Point | None:
@@ -79,7 +84,7 @@ def edge_along(body: Figured, way: Point) -> float:
     return min((size / abs(part) for size, part in ((x, own[0]), (y, own[1])) if abs(part) > 1e-9), default=0.0)
 
 
-def free_length(ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> float:
+def free_length(name: str, ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> float:
     """How long a string is to a wall that stands somewhere, else as long as it looks well; those to a ceiling end at one height."""
     known = stage.surfaces.get(ref.owner)
     if known is not None and not isinstance(known[1], tuple):
@@ -90,16 +95,17 @@ def free_length(ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: 
         if across > 0.1 and gap > 0.0:
             return gap / across
     if abs(way[1]) > 0.9:
-        tops = [sheet.at(point)[1] for body in stage.bodies.values() for point in body.bound() if body.seen]
+        seen = [body for body in stage.bodies.values() if body.seen]
+        tops = [sheet.at(point)[1] for _ in stage.moments() for body in seen for point in body.bound()]
         end = max(tops) + LOOSE if way[1] > 0 else min(tops) - LOOSE
         return max((end - at[1]) / way[1], LOOSE / 2)
-    return LOOSE
+    return LOOSE + stage.longer.get(name, 0.0) * sheet.scale
 
 
 def draw_string(item: String, stage: PlaneStage, sheet: ScenePaper) -> None:
     """Its legs, what of it lies on the rims between them, and what holds its ends."""
     legs = stage.model.legs(item)
-    ends = [leg_ends(leg, stage, sheet) for leg in legs]
+    ends = [leg_ends(f"{item.name} {number}", leg, stage, sheet) for number, leg in enumerate(legs)]
     for leg, (start, end) in zip(legs, ends, strict=True):
         front = any(
             fixed_on_round(ref, side, stage) for ref, side in zip((leg.first, leg.second), leg.sides, strict=True)
@@ -182,13 +188,13 @@ def draw_spring(item: Spring, stage: PlaneStage, sheet: ScenePaper) -> None:
     places = [None if (place := spring_place(ref, stage)) is None else sheet.at(place) for ref in item.spring]
     way = spring_way(item, stage.model) if None in places else (1.0, 0.0)
     first, second = places
-    long = LOOSE + 20.0
+    back = (-way[0], -way[1])
     if first is None and second is not None:
-        second = edge_of(item.spring[1], second, (-way[0], -way[1]), stage, sheet)
-        first = shifted_by(second, way, -spring_reach(item.spring[0], second, (-way[0], -way[1]), long, stage, sheet))
+        second = edge_of(item.spring[1], second, back, stage, sheet)
+        first = spring_end(item, item.spring[0], second, back, stage, sheet)
     elif second is None and first is not None:
         first = edge_of(item.spring[0], first, way, stage, sheet)
-        second = shifted_by(first, way, spring_reach(item.spring[1], first, way, long, stage, sheet))
+        second = spring_end(item, item.spring[1], first, way, stage, sheet)
     if first is None or second is None:
         return
     sheet.figure.line(coil(first, second), STRING)
@@ -203,8 +209,12 @@ def draw_spring(item: Spring, stage: PlaneStage, sheet: ScenePaper) -> None:
         sheet.letters.name(words, middle, side if side[1] > -0.1 else (-side[0], -side[1]), COIL + 3.0)
 
 
-def spring_reach(ref: PointRef, at: Point, way: Point, long: float, stage: PlaneStage, sheet: ScenePaper) -> float:
-    return free_length(ref, at, way, stage, sheet) if ref.owner in stage.surfaces else long
+def spring_end(item: Spring, ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
+    """Where a spring to something that is fixed anywhere ends; once for all pictures of a motion."""
+    long = LOOSE + 20.0 + stage.longer.get(item.name, 0.0) * sheet.scale
+    if ref.owner in stage.surfaces:
+        return stage.kept(item.name, lambda: shifted_by(at, way, free_length(item.name, ref, at, way, stage, sheet)))
+    return stage.kept(item.name, lambda: shifted_by(at, way, long))
 
 
 def spring_place(ref: PointRef, stage: PlaneStage) -> Point | None:
@@ -261,7 +271,7 @@ def draw_rope(item: Drapes, stage: PlaneStage, sheet: ScenePaper) -> None:
     rope, over, *tied = item.drapes
     right = -1.0 if stage.model.body(rope.owner).moves == "left" else 1.0
     hanging = rope_lengths(item, stage)
-    shrunk = min(1.0, LONGEST / max(max(hanging) * sheet.scale, 1e-9))
+    shrunk = stage.kept(("shrunk", item.name), lambda: min(1.0, LONGEST / max(max(hanging) * sheet.scale, 1e-9)))
     long = [max(12.0, size * sheet.scale * shrunk) for size in hanging]
     if over.owner in stage.bodies:
         centre = sheet.at(stage.bodies[over.owner].place)
@@ -273,7 +283,8 @@ def draw_rope(item: Drapes, stage: PlaneStage, sheet: ScenePaper) -> None:
     front = (centre[0] + right * radius, centre[1])
     ends = [(front[0], front[1] - long[0])]
     if over.owner in stage.surfaces or over.owner in stage.model.surfaces:
-        down = lying_rope(front, right, long, sheet)
+        table = stage.kept(("table", item.name), lambda: long[1])
+        down = lying_rope(front, right, long, table, sheet)
         name_rope(item, (down[0], down[1] + long[0]), down, right, stage, sheet)
         return
     if over.owner not in stage.bodies:
@@ -289,10 +300,10 @@ def draw_rope(item: Drapes, stage: PlaneStage, sheet: ScenePaper) -> None:
         body.place = shifted_by(low, (0.0, -body.reach((0.0, 1.0))))
 
 
-def lying_rope(front: Point, right: float, long: Sequence[float], sheet: ScenePaper) -> Point:
-    """A rope that lies on a table and hangs over its edge; its lower end."""
+def lying_rope(front: Point, right: float, long: Sequence[float], table: float, sheet: ScenePaper) -> Point:
+    """A rope that lies on a table, so long, and hangs over its edge; its lower end."""
     edge = (front[0] - right * 5.0, front[1])
-    top = [(edge[0] - right * (long[1] + 22.0), edge[1]), edge, (edge[0], edge[1] - 34.0)]
+    top = [(edge[0] - right * (table + 22.0), edge[1]), edge, (edge[0], edge[1] - 34.0)]
     sheet.hatched(top if right > 0 else top[::-1])
     bend = [
         shifted_by((edge[0], edge[1] - 2.0), ray(a if right > 0 else math.pi - a, 4.5))
@@ -325,4 +336,5 @@ def rope_lengths(item: Drapes, stage: PlaneStage) -> list[float]:
         path = line.path
         if path is not None and path.owner == item.name and path.quantity == "length" and line.value is not None:
             front = stage.value(line.value)
+    front = stage.hanging.get(item.name, front)
     return [front, max(whole - front, 0.0)]

@@ -35,10 +35,10 @@ def draw_hinge(item: Hinge, stage: PlaneStage, sheet: ScenePaper) -> None:
     body = stage.bodies[ref.owner]
     at = sheet.at(body.spot(stage.model.drawn(ref)))
     grounded = len(item.hinge) == 1 or item.hinge[0].owner not in stage.bodies
-    centre = sheet.at(group_middle(ref.owner, stage))
-    above = centre[1] < at[1] - 1.0
     light_arms(ref.owner, at, stage, sheet)
-    stands = grounded and stage.model.problem.plane == "vertical" and at_edge(ref.owner, at, stage, sheet)
+    upright = grounded and stage.model.problem.plane == "vertical"
+    above = stage.kept(("above", item.name), lambda: sheet.at(group_middle(ref.owner, stage))[1] < at[1] - 1.0)
+    stands = upright and stage.kept(("stands", item.name), lambda: at_edge(ref.owner, at, stage, sheet))
     sheet.pin(at, (0.0, 1.0) if above else (0.0, -1.0), stands)
 
 
@@ -93,7 +93,7 @@ def draw_gear(item: Gear, stage: PlaneStage, sheet: ScenePaper) -> None:
         radius = (radius_of(stage.model.body(ref.owner), ref.point, stage.value) or 0.0) * sheet.scale
         count = max(12, round(2 * math.pi * radius / TEETH))
         for k in range(count):
-            way = ray(2 * math.pi * k / count)
+            way = ray(stage.bodies[ref.owner].turn + 2 * math.pi * k / count)
             sheet.figure.line([shifted_by(centre, way, radius - 2.4), shifted_by(centre, way, radius)], THIN)
         sheet.hub(centre)
 
@@ -118,8 +118,7 @@ def draw_shaft(item: Shaft, stage: PlaneStage, sheet: ScenePaper) -> None:
     at = sheet.at(stage.bodies[ref.owner].spot(stage.model.drawn(ref)))
     out = stage.value(item.distance) * sheet.scale if item.distance is not None else 0.0
     x = at[0] - out
-    heights = [sheet.at(point)[1] for body in stage.bodies.values() for point in body.bound()]
-    low, high = min(heights) - 22.0, max(heights) + 26.0
+    low, high = shaft_ends(stage, sheet)
     sheet.figure.line([(x, low), (x, high)], AXIS)
     sheet.figure.line([(x, at[1] - 16.0), (x, at[1] + 16.0)], SUPPORT)
     if out > 1.0:
@@ -138,6 +137,12 @@ def draw_shaft(item: Shaft, stage: PlaneStage, sheet: ScenePaper) -> None:
     spin = told_words(stage, item.turning)
     if spin is not None:
         sheet.letters.name(spin, (x, high - 9.0), (1.0, 0.0), 12.0, SPIN.ink)
+
+
+def shaft_ends(stage: PlaneStage, sheet: ScenePaper) -> tuple[float, float]:
+    """How far down and up an upright axis is drawn: beyond all bodies, wherever they go."""
+    heights = [sheet.at(point)[1] for _ in stage.moments() for body in stage.bodies.values() for point in body.bound()]
+    return min(heights) - 22.0, max(heights) + 26.0
 
 
 def draw_rubbing(item: Rubbing, stage: PlaneStage, sheet: ScenePaper) -> None:
@@ -180,7 +185,7 @@ CONNECTIONS: dict[type[Connection], Callable[[Any, PlaneStage, ScenePaper], None
 
 def draw_connections(stage: PlaneStage, sheet: ScenePaper) -> None:
     """All connections, each by the nearest of its classes that has a row."""
-    for item in stage.model.acting.connections:
+    for item in stage.connections():
         draw = row_for(type(item), CONNECTIONS)
         if draw is not None:
             draw(item, stage, sheet)
