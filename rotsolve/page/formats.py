@@ -49,6 +49,7 @@ FORMATS = {
         Format("text", (".txt",), "plain text in aligned columns", "rotsolve.page.text", TERMINAL),
         Format("markdown", (".md", ".markdown"), "Markdown with the formulas as LaTeX", "rotsolve.page.markdown"),
         Format("latex", (".tex",), "a complete LaTeX document", "rotsolve.page.latex"),
+        Format("typst", (".typ",), "a complete Typst document", "rotsolve.page.typst"),
         Format("html", (".html", ".htm"), "a page for a browser, with the formulas as MathML", "rotsolve.page.html"),
         Format("json", (".json",), "everything, for programs", "rotsolve.page.json", DATA),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas, clipped
+from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas
 from rotsolve.page.printer import Printer
 
 HEADING = re.compile(r"<h1>(.*?)</h1>")
@@ -112,10 +112,8 @@ class HtmlRows:
 
     def _marked(self, row: AssessedText) -> str:
         """The text with the columns of the first note that has any marked."""
-        text = clipped(row.text)
-        start, end = next((note.columns for note in row.notes if note.columns and note.columns[0] < len(text)), (0, 0))
-        before, inside, after = (self.printer.prose(part) for part in (text[:start], text[start:end], text[end:]))
-        return f"{before}<mark>{inside}</mark>{after}" if end else before + after
+        before, inside, after = map(self.printer.prose, row.divided)
+        return f"{before}<mark>{inside}</mark>{after}" if inside else before + after
 
 
 def cell(inner: str, kind: str = "") -> str:
