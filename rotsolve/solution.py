@@ -273,16 +273,24 @@ class Solution(Struct, frozen=True, dict=True):
         return DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
 
     def body(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
-        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'.
+        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'typst', 'html' or 'json'.
 
-        In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`.
+        In LaTeX (with the packages amsmath and tikz), Typst and HTML with the picture of the scene, unless without `pictures`.
         """
         page = replace(self.page, pictured=self.problem) if pictures else self.page
         return format_named(format).body(page, width or WIDTH)
 
     def to(self, format: str = "text", *, width: int | None = None, pictures: bool = True) -> str:
-        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'."""
+        """The derivation as a complete document: 'text', 'markdown', 'latex', 'typst', 'html' or 'json'; a PDF is made by `pdf`."""
+        if format_named(format).binary:
+            raise ValueError(f"a {format} document is no text: `{format}()` gives its bytes")
         return format_named(format).document([self.body(format, width=width, pictures=pictures)])
+
+    def pdf(self, *, pictures: bool = True) -> bytes:
+        """The derivation as a PDF, with the package typst."""
+        content = format_named("pdf").file([self.body("pdf", pictures=pictures)])
+        assert isinstance(content, bytes)
+        return content
 
     @property
     def picture(self) -> PictureView:

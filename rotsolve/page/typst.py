@@ -75,7 +75,10 @@ class Typst(Printer):
 
     def table(self, block: blocks.Table) -> Iterator[str]:
         """A table, its head on every page; the first cells are links where they lead to files."""
-        yield from (f"#columns-of({len(block.columns)},", f"  table.header{''.join(f'[{self.prose(head)}]' for head in block.columns)},")
+        yield from (
+            f"#columns-of({len(block.columns)},",
+            f"  table.header{''.join(f'[{self.prose(head)}]' for head in block.columns)},",
+        )
         for row, target in zip(block.rows, block.targets or ("",) * len(block.rows), strict=True):
             first, *others = map(self.words, row)
             link = f"#link({quoted(target)})[{first}];" if target else first

@@ -1,12 +1,14 @@
 """A whole Typst document: what stands before its pages: paper, letters and headings, and the functions that set rows.
 
-What is to be measured (which columns there is room for, where a formula has to be broken) these functions decide, where letters have widths.
+What is to be measured (which columns there is room for, where a formula is broken) these functions decide: letters have widths there.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+
+from rotsolve.algebra.notation.typst import quoted
 
 HEADING = re.compile(r"^= (.*)$", re.MULTILINE)
 LAYOUT = """\
@@ -37,7 +39,10 @@ LAYOUT = """\
 // Labels, each with what belongs to it in a column behind.
 #let labels(..rows) = context {
   let room = calc.max(0pt, ..rows.pos().map(((label, said)) => wide(strong(label)))) + 1em.to-absolute()
-  for (label, said) in rows.pos() { block(par(hanging-indent: room, justify: false, box(width: room, strong(label)) + said)) }
+  for (place, (label, said)) in rows.pos().enumerate() {
+    let text = par(hanging-indent: room, justify: false, box(width: room, strong(label)) + said)
+    block(sticky: place + 1 < rows.pos().len(), text)
+  }
 }
 
 // What is said of formulas, above them.
@@ -66,8 +71,8 @@ LAYOUT = """\
   else { wide(shown(body)) }
 }
 
-// One side of a formula: whole where there is room on a line, else broken at its signs; with smaller letters if a part of it is wider than a
-// line, or if they make it fit, where it would be one part that is broken off.
+// One side of a formula: whole where there is room on a line, else broken at its signs; with smaller letters if a part of it is
+// wider than a line, or if these make it fit, where it would be one part that is broken off.
 #let side-of(side, room) = {
   set par(leading: 0em)  // a tall formula keeps its height
   let least = if side.width > room { widest(side.body) }
@@ -88,27 +93,34 @@ LAYOUT = """\
   if it.mark != [] { [ ] + h(1fr) + box(it.mark) }
 }))
 
-// Lines of formulas with their signs below each other and their numbers at the margin. What is said of one stands before it, or above it where
-// there is no room; a line that is too long then begins at the margin.
-#let formulas(..lines) = layout(size => {
+// Where the columns of lines stand if what is said takes no more than a share of the width; and of each line, whether it fits into them.
+#let columns-by(share, lines, width, inset) = {
+  let most(widths, share) = calc.max(0pt, ..widths.filter(one => one <= share * width))
+  let said = most(lines.map(it => it.said-width), share)
+  let sign = inset + said + most(lines.map(it => it.left.width), 0.3)
+  let own(it) = calc.max(sign, inset + said + it.left.width)
+  let fit = lines.map(it => own(it) + it.right-width <= it.room)
+  let beside = lines.zip(fit).map(((it, fits)) => fits and it.said-width <= said)
+  (start: inset + said, own: own, fit: fit, beside: beside)
+}
+
+// Lines of formulas with their signs below each other and their numbers at the margin. What is said of one stands before it, or above
+// it where there is no room; a line that is too long then begins at the margin.
+#let formulas(..lines) = block(above: 1em, below: 1em, layout(size => {
   set par(justify: false, leading: 0.3em, spacing: 0.5em)
   set text(top-edge: 0.75em, bottom-edge: -0.25em)
   let inset = 1.5em.to-absolute()
-  let lines = lines.pos().map(measured)
-  let most(widths, share) = calc.max(0pt, ..widths.filter(width => width <= share * size.width))
-  let said-room = most(lines.map(it => it.said-width), 0.42)
-  let start = inset + said-room
-  let sign = start + most(lines.map(it => it.left.width), 0.3)
-  for it in lines {
-    let room = size.width - 0.3em.to-absolute() - if it.mark != [] { it.mark-width + inset } else { 0pt }
-    let own-sign = calc.max(sign, start + it.left.width)
-    let fits = own-sign + it.right-width <= room
-    let beside = fits and it.said-width <= said-room
-    if not beside and it.said-width > 0pt { block(sticky: true, it.said) }
-    if fits { set-line(it, start, own-sign, if beside { it.said }, room) }
-    else { set-line(it, inset, calc.min(inset + it.left.width, 0.4 * room), none, room) }
+  let lines = lines.pos().map(measured).map(it => {
+    it + (room: size.width - 0.3em.to-absolute() - if it.mark != [] { it.mark-width + inset } else { 0pt })
+  })
+  let choices = (0.42, 0.55).map(share => columns-by(share, lines, size.width, inset))
+  let (start, own, fit, beside) = choices.sorted(key: it => it.beside.filter(one => not one).len()).first()
+  for (it, fits, before) in lines.zip(fit, beside) {
+    if not before and it.said-width > 0pt { block(sticky: true, it.said) }
+    if fits { set-line(it, start, own(it), if before { it.said }, it.room) }
+    else { set-line(it, inset, calc.min(inset + it.left.width, 0.4 * it.room), none, it.room) }
   }
-})
+}))
 
 // A table with a rule below its head.
 #let columns-of(count, ..cells) = table(
@@ -129,8 +141,17 @@ LAYOUT = """\
 """
 
 
+def picture_page(source: str, wide: float, tall: float, title: str) -> str:
+    """A document of one picture, an SVG of this size in points."""
+    return (
+        f"#set document(title: {quoted(title)}, date: none)\n"
+        f"#set page(width: {wide:.2f}pt, height: {tall:.2f}pt, margin: 0pt)\n"
+        f"#image(bytes({quoted(source)}), width: 100%)\n"
+    )
+
+
 def whole_document(bodies: Sequence[str]) -> str:
-    """A document of pages, each on a sheet of its own, with the title of the first, and without a date: what is the same prints the same."""
+    """A document of pages, each on a sheet of its own, with the title of the first; without a date, so that the same prints the same."""
     found = HEADING.search(bodies[0]) if bodies else None
     title = f"title: [{found[1]}], " if found else ""
     return f"#set document({title}date: none)\n{LAYOUT}" + "\n#pagebreak()\n\n".join(bodies)

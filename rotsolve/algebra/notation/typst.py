@@ -45,7 +45,7 @@ def head_in_typst(head: str) -> str:
 
 
 def attached(sign: str, text: str) -> str:
-    """What is raised by `^` or lowered by `_`: in brackets, which are not printed, where it has several parts; nothing where it is empty."""
+    """What is raised by `^` or lowered by `_`: in brackets, which do not print, where it has parts; nothing where it is empty."""
     simple = text in GREEK_LETTERS or SIMPLE.fullmatch(text)
     return f"{sign}{text}" if simple else f"{sign}({text})" if text else ""
 

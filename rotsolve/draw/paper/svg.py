@@ -74,7 +74,7 @@ def svg(figure: Figure, *, adapts: bool = True) -> str:
 
 def plain_svg(figure: Figure) -> str:
     """A picture for programs that know no variables in style sheets, on light paper, with the letters of a Typst document."""
-    text = svg(figure, adapts=False).replace(FONTS, TYPST_FONT)
+    text = svg(figure, adapts=False).replace(f"{colours(LIGHT)};", "").replace(FONTS, TYPST_FONT)
     return VARIABLE.sub(lambda found: LIGHT[found[1]], text)
 
 
