@@ -61,7 +61,7 @@ class Typst(Printer):
         }
 
     def title(self, block: blocks.Title) -> Iterator[str]:
-        yield from ("", f"{'=' * block.level} {self.words(block.words)}", "")
+        yield from (f"{'=' * block.level} {self.words(block.words)}", "")
 
     def paragraph(self, block: blocks.Paragraph) -> Iterator[str]:
         yield from (self.words(block.words), "")

@@ -19,7 +19,7 @@ from rotsolve.page.blocks import (
 from rotsolve.page.printer import Printer
 
 # what means something anywhere, and what does beside its like, before a number or at the beginning of a line
-MARKUP = re.compile(r"[\\*_`$#@<>\[\]~/=+]|(?<![A-Za-z])-|-(?![A-Za-z])|\.(?=\.)|(?<=\.)\.|(?<=\d)\.(?=\s|$)")
+MARKUP = re.compile(r"[\\*_`$#@<\[\]~/]|^[=+]|(?<=^ )[=+]|(?<![A-Za-z])-|-(?![A-Za-z])|\.(?=\.)|(?<=\.)\.|(?<=\d)\.(?=\s|$)")
 LONG_WORD = re.compile(r"\S{24}(?=\S)")  # of what someone typed: a line may end behind it
 
 
@@ -50,7 +50,7 @@ class TypstRows:
 
     def formulas(self, block: Formulas) -> Iterator[str]:
         """The lines in groups, whose signs stand below each other: a step of which much is said begins one."""
-        yield from ("", f"{'=' * block.level} {self.printer.prose(block.caption)}", "")
+        yield from (f"{'=' * block.level} {self.printer.prose(block.caption)}", "")
         for remark in block.remarks:
             yield f"#above[{self.words(remark)}]"
         lines: list[str] = []
@@ -86,7 +86,7 @@ class TypstRows:
         """A text with what is thought of it, and below it what is said of it."""
         yield "#assessed("
         for row in block.rows:
-            cells = (self.words(row.label), self._marked(row), self.printer.prose(row.said), row.marks)
+            cells = (self.words(row.label), self._marked(row), self.printer.prose(row.said), self.printer.prose(row.marks))
             remarks = [self.words(note.words) for note in row.notes]
             remarks += [f"read as {typst_code(row.read_as)}"] if row.read_as else []
             said = "".join(f", [{cell}]" for cell in (*cells, *remarks))
