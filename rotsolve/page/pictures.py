@@ -34,14 +34,14 @@ def picture_in_tikz(block: Picture) -> Iterator[str]:
 
 def picture_in_typst(block: Picture) -> Iterator[str]:
     """A picture in the middle of the page, no wider than its text."""
-    from rotsolve.algebra.notation.typst import quoted
+    from rotsolve.algebra.notation.typst import typst_string
     from rotsolve.draw.paper.svg import plain_svg
     from rotsolve.draw.pictures import picture_of
 
     figure = picture_of(block.scene)
     if figure is not None:
         left, _, right, _ = figure.box()
-        yield from (f"#picture({min(right - left, TEXT_WIDTH):.2f}pt, {quoted(plain_svg(figure))})", "")
+        yield from (f"#picture({min(right - left, TEXT_WIDTH):.2f}pt, {typst_string(plain_svg(figure))})", "")
 
 
 def with_tikz(document: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
-from rotsolve.algebra.notation.typst import number_to_typst, quoted, to_typst, unit_in_typst
+from rotsolve.algebra.notation.typst import number_to_typst, to_typst, typst_string, unit_in_typst
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.pictures import picture_in_typst
@@ -68,7 +68,7 @@ class Typst(Printer):
 
     def bullets(self, block: Bullets, inset: str = "") -> Iterator[str]:
         for item in block.items:
-            code = f" #block(raw({quoted(chr(10).join(item.code))}))" if item.code else ""
+            code = f" #block(raw({typst_string(chr(10).join(item.code))}))" if item.code else ""
             yield f"{inset}- {self.words(item.words)}{code}"
             yield from self.bullets(Bullets(item.inner), f"{inset}  ")
         yield from () if inset else ("",)
@@ -81,7 +81,7 @@ class Typst(Printer):
         )
         for row, target in zip(block.rows, block.targets or ("",) * len(block.rows), strict=True):
             first, *others = map(self.words, row)
-            link = f"#link({quoted(target)})[{first}];" if target else first
+            link = f"#link({typst_string(target)})[{first}];" if target else first
             yield f"  {' '.join(f'[{cell}],' for cell in (link, *others))}"
         yield from (")", "")
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rotsolve.algebra.notation.typst import quoted
+from rotsolve.algebra.notation.typst import typst_string
 
 HEADING = re.compile(r"^= (.*)$", re.MULTILINE)
 LAYOUT = """\
@@ -71,15 +71,27 @@ LAYOUT = """\
   else { wide(shown(body)) }
 }
 
+// A formula with its fractions, roots and powers on the line, where they can be broken.
+#let flat(body) = {
+  if body.has("children") { body.children.map(flat).join() }
+  else if body.func() == math.lr { flat(body.body) }
+  else if body.func() == math.frac { $($ + flat(body.num) + $) \\/ ($ + flat(body.denom) + $)$ }
+  else if body.func() == math.root { $($ + flat(body.radicand) + $)^(1\\/2)$ }
+  else if body.func() == math.attach { flat(body.base) + math.attach([], t: body.at("t", default: none), b: body.at("b", default: none)) }
+  else { body }
+}
+
 // One side of a formula: whole where there is room on a line, else broken at its signs; with smaller letters if a part of it is
-// wider than a line, or if these make it fit, where it would be one part that is broken off.
+// wider than a line, or if these make it fit, where it would be one part that is broken off; flat where they would be tiny.
 #let side-of(side, room) = {
   set par(leading: 0em)  // a tall formula keeps its height
   let least = if side.width > room { widest(side.body) }
   if side.width <= room { box(shown(side.body)) }
   else if side.width <= 1.25 * room and least > 0.6 * room { box(text(size: 0.99em * (room / side.width), shown(side.body))) }
-  else if least <= room { shown(side.body) }
-  else { text(size: 0.99em * (room / least), shown(side.body)) }
+  else {
+    let body = if least > 1.7 * room { flat(side.body) } else { side.body }
+    text(size: 1em * calc.min(1, 0.99 * room / widest(body)), shown(body))
+  }
 }
 
 // One line: `start` is where its left side begins at the earliest, `sign` where it ends.
@@ -118,7 +130,7 @@ LAYOUT = """\
   for (it, fits, before) in lines.zip(fit, beside) {
     if not before and it.said-width > 0pt { block(sticky: true, it.said) }
     if fits { set-line(it, start, own(it), if before { it.said }, it.room) }
-    else { set-line(it, inset, calc.min(inset + it.left.width, 0.4 * it.room), none, it.room) }
+    else { set-line(it, inset, if it.left.width < 0.4 * it.room { inset + it.left.width } else { 2 * inset }, none, it.room) }
   }
 }))
 
@@ -144,9 +156,9 @@ LAYOUT = """\
 def picture_page(source: str, wide: float, tall: float, title: str) -> str:
     """A document of one picture, an SVG of this size in points."""
     return (
-        f"#set document(title: {quoted(title)}, date: none)\n"
+        f"#set document(title: {typst_string(title)}, date: none)\n"
         f"#set page(width: {wide:.2f}pt, height: {tall:.2f}pt, margin: 0pt)\n"
-        f"#image(bytes({quoted(source)}), width: 100%)\n"
+        f"#image(bytes({typst_string(source)}), width: 100%)\n"
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rotsolve.algebra.notation.typst import quoted
+from rotsolve.algebra.notation.typst import typst_string
 from rotsolve.page.blocks import (
     AnswerRow,
     Answers,
@@ -19,7 +19,9 @@ from rotsolve.page.blocks import (
 from rotsolve.page.printer import Printer
 
 # what means something anywhere, and what does beside its like, before a number or at the beginning of a line
-MARKUP = re.compile(r"[\\*_`$#@<\[\]~/]|^[=+]|(?<=^ )[=+]|(?<![A-Za-z])-|-(?![A-Za-z])|\.(?=\.)|(?<=\.)\.|(?<=\d)\.(?=\s|$)")
+MARKUP = re.compile(
+    r"[\\*_`$#@<\[\]~/]|^[=+]|(?<=^ )[=+]|(?<![A-Za-z])-|-(?![A-Za-z])|\.(?=\.)|(?<=\.)\.|(?<=\d)\.(?=\s|$)"
+)
 LONG_WORD = re.compile(r"\S{24}(?=\S)")  # of what someone typed: a line may end behind it
 
 
@@ -32,7 +34,7 @@ def typst_prose(text: str) -> str:
 def typst_code(text: str) -> str:
     """What someone typed, letter by letter; the semicolon ends the command, whatever stands behind it."""
     pieces = LONG_WORD.sub("\\g<0>\n", text).split("\n") if LONG_WORD.search(text) else [text]
-    return "#sym.zws;".join(f"#raw({quoted(piece)});" for piece in pieces)
+    return "#sym.zws;".join(f"#raw({typst_string(piece)});" for piece in pieces)
 
 
 class TypstRows:
@@ -86,11 +88,16 @@ class TypstRows:
         """A text with what is thought of it, and below it what is said of it."""
         yield "#assessed("
         for row in block.rows:
-            cells = (self.words(row.label), self._marked(row), self.printer.prose(row.said), self.printer.prose(row.marks))
+            cells = (
+                self.words(row.label),
+                self._marked(row),
+                self.printer.prose(row.said),
+                self.printer.prose(row.marks),
+            )
             remarks = [self.words(note.words) for note in row.notes]
             remarks += [f"read as {typst_code(row.read_as)}"] if row.read_as else []
             said = "".join(f", [{cell}]" for cell in (*cells, *remarks))
-            yield f"  (tone: {quoted(row.tone)}, cells: ({said.removeprefix(', ')})),"
+            yield f"  (tone: {typst_string(row.tone)}, cells: ({said.removeprefix(', ')})),"
         yield from (")", "")
 
     def _marked(self, row: AssessedText) -> str:

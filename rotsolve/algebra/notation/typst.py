@@ -20,7 +20,7 @@ def to_typst(formula: Formula) -> str:
     return typeset(formula, MARKS)
 
 
-def quoted(text: str) -> str:
+def typst_string(text: str) -> str:
     """A text between quotes, in which Typst reads nothing; letters that do not print are left out."""
     return f'"{"".join(char for char in text if char.isprintable() or char == chr(10)).translate(SPECIAL)}"'
 
@@ -29,7 +29,7 @@ def name_to_typst(name: str) -> str:
     """An ASCII name as a letter with what stands below it: theta_0, a_"end"; a name that is no letter, such as a path, as text."""
     found = parts(name)
     if found is None:
-        return quoted(name)
+        return typst_string(name)
     below = filter(None, (found.index, head_in_typst(found.word) if found.word else ""))
     head = head_in_typst(found.head)
     if found.dots:
@@ -41,7 +41,7 @@ def name_to_typst(name: str) -> str:
 def head_in_typst(head: str) -> str:
     """A letter or a number as it stands, a word upright."""
     plain = head in GREEK_LETTERS or len(head) == 1 or head.isdigit()
-    return head if plain else quoted(head.replace("_", ","))
+    return head if plain else typst_string(head.replace("_", ","))
 
 
 def attached(sign: str, text: str) -> str:
@@ -71,7 +71,7 @@ def unit_piece(found: re.Match[str]) -> str:
     if found["mark"]:
         return {" ": " thin ", "/": r"\/"}[found["mark"]]
     if found["word"]:
-        return found["word"] if found["word"].isdigit() else quoted(found["word"])
+        return found["word"] if found["word"].isdigit() else typst_string(found["word"])
     raised = found["raised"]
     return attached("^", raised[2:-1] if raised[0] == "^" else from_superscript(raised))
 
