@@ -14,7 +14,7 @@ from rotsolve.draw.pictures import free_body_picture, scene_picture
 from rotsolve.language.problem import Problem
 from rotsolve.run import advancing
 from rotsolve.run.attempt import BAD, SOLVED, failure_outcome, piped, scene_source, scenes
-from rotsolve.run.delivery import say, summary, write_file
+from rotsolve.run.delivery import put_content, say, summary, write_file
 from rotsolve.scene.read import read_source
 
 
@@ -41,7 +41,24 @@ def as_tikz(figure: Figure) -> str:
     return document([figure])
 
 
-WRITERS: dict[str, Callable[[Figure], str]] = {"svg": as_svg, "tex": as_tikz}  # by how their files end
+def as_pdf(figure: Figure) -> bytes:
+    from rotsolve.page.press import printed_picture
+
+    return printed_picture(figure, "pdf")
+
+
+def as_png(figure: Figure) -> bytes:
+    from rotsolve.page.press import printed_picture
+
+    return printed_picture(figure, "png")
+
+
+WRITERS: dict[str, Callable[[Figure], str | bytes]] = {  # by how their files end
+    "svg": as_svg,
+    "tex": as_tikz,
+    "pdf": as_pdf,
+    "png": as_png,
+}
 
 
 def run_draw(request: DrawRequest) -> int:
@@ -97,11 +114,10 @@ def folder_name(file: str) -> str:
     return f"{path.parent.name}-{path.stem}"
 
 
-def put_picture(picture: str, name: str) -> int:
+def put_picture(picture: str | bytes, name: str) -> int:
     """Write a picture into its file, whose folder is made if need be, or to standard output."""
     if not name:
-        sys.stdout.write(picture)
-        return SOLVED
+        return put_content(None, picture)
     try:
         Path(name).parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

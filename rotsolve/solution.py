@@ -303,18 +303,27 @@ class Solution(Struct, frozen=True, dict=True):
         detail: str = NORMAL,
         numbers: str = STEPS,
     ) -> str:
-        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'.
+        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'typst', 'html' or 'json'.
 
-        In LaTeX (with the packages amsmath and tikz) and HTML with the picture of the scene, unless without `pictures`. `detail` may be
-        'brief' (laws and answers), 'normal' or 'full' (the way of a second law too), `numbers` 'none', 'results' or 'steps'. The
+        In LaTeX (with the packages amsmath and tikz), Typst and HTML with the picture of the scene, unless without `pictures`. `detail`
+        may be 'brief' (laws and answers), 'normal' or 'full' (the way of a second law too), `numbers` 'none', 'results' or 'steps'. The
         `language` is English, or that of another table ('de').
         """
         page = self.page_with(pictures=pictures, detail=detail, numbers=numbers)
         return format_named(format, language).body(page, width or WIDTH)
 
     def to(self, format: str = "text", *, language: str = ENGLISH, **told: Any) -> str:
-        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'; all else as for `body`."""
+        """The derivation as a complete document: 'text', 'markdown', 'latex', 'typst', 'html' or 'json'; a PDF is made by `pdf`. All else
+        is as for `body`."""
+        if format_named(format).binary:
+            raise ValueError(f"a {format} document is no text: `{format}()` gives its bytes")
         return format_named(format, language).document([self.body(format, language=language, **told)])
+
+    def pdf(self, *, language: str = ENGLISH, **told: Any) -> bytes:
+        """The derivation as a PDF, with the package typst; with what may be said for `body`."""
+        content = format_named("pdf", language).file([self.body("pdf", language=language, **told)])
+        assert isinstance(content, bytes)
+        return content
 
     @property
     def picture(self) -> PictureView:

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rotsolve.cli.options import Seed, Width, one_of
+from rotsolve.cli.options import Seed, Width, one_of, ready_for_bytes
 from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly, page_width
 
@@ -71,6 +71,9 @@ def check_command(
     if (answers is None) == (not typed):
         raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
     chosen = (output, format, variant, variants, seed, width or page_width(output))
+    request = CheckRequest(problem, answers or "", tuple(typed or ()), *chosen)
+    if FORMATS[request.shown_as].binary:
+        ready_for_bytes(request.shown_as, output)
     with orderly():
-        code = run_check(CheckRequest(problem, answers or "", tuple(typed or ()), *chosen))
+        code = run_check(request)
     raise typer.Exit(code)

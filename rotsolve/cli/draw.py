@@ -6,10 +6,11 @@ from typing import Annotated
 
 import typer
 
-from rotsolve.cli.options import Settings, one_of, read_settings
+from rotsolve.cli.options import Settings, one_of, read_settings, ready_for_bytes
 from rotsolve.process import orderly
 
-ENDINGS = {"svg": ".svg", "tikz": ".tex"}  # of the files of each format
+ENDINGS = {"svg": ".svg", "tikz": ".tex", "pdf": ".pdf", "png": ".png"}  # of the files of each format
+BINARY = ("pdf", "png")
 
 Files = Annotated[
     list[str],
@@ -23,7 +24,7 @@ Place = Annotated[
         "--output",
         "-o",
         metavar="FILE|DIR",
-        help="Write to a file, .svg or .tex, or into a folder: a picture for each scene. [default: standard output]",
+        help="Write to a file, .svg, .tex, .pdf or .png, or into a folder: a picture for each scene. [default: standard output]",
     ),
 ]
 Kind = Annotated[
@@ -48,10 +49,10 @@ def ending_chosen(format: str | None, output: str | None) -> str:
         raise typer.BadParameter(
             f"{output!r} does not end in {wanted}, as {format} pictures do", param_hint="'--output'"
         )
-    if output and output.lower().endswith((".png", ".pdf")):
-        message = f"{output!r}: pictures are .svg or .tex; a browser prints the one and LaTeX the other as a PDF"
-        raise typer.BadParameter(message, param_hint="'--output'")
-    return (wanted or by_name or ".svg").removeprefix(".")
+    ending = (wanted or by_name or ".svg").removeprefix(".")
+    if ending in BINARY:
+        ready_for_bytes(ending, output)
+    return ending
 
 
 def draw_command(
@@ -67,7 +68,7 @@ def draw_command(
     \b
     Examples:
       rotsolve draw problems/pulleys/double-atwood.yaml -o atwood.svg
-      rotsolve draw problems/hinged/ladder.yaml --free-bodies -o ladder.tex
+      rotsolve draw problems/hinged/ladder.yaml --free-bodies -o ladder.pdf
       rotsolve draw problems/angular-momentum/projectile-into-rod.yaml --state top > top.svg
       rotsolve draw problems/rolling -o pictures
 
@@ -77,7 +78,7 @@ def draw_command(
     from rotsolve.drawing import DrawRequest, run_draw
     from rotsolve.run.attempt import scenes
 
-    named = output is not None and output.lower().endswith((".svg", ".tex"))
+    named = output is not None and output.lower().endswith(tuple(ENDINGS.values()))
     if (output is None or named) and len(scenes(tuple(files))) > 1:
         message = "several scenes are several pictures: name a folder for them"
         raise typer.BadParameter(message, param_hint="'--output'")

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rotsolve.cli.options import Digits, Seed, Spoken, one_of
+from rotsolve.cli.options import Digits, Seed, Spoken, one_of, ready_for_bytes
 from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly
 
@@ -50,7 +50,7 @@ def key_command(
     \b
     Examples:
       rotsolve key problems/pulleys/atwood.yaml -o sheets
-      rotsolve key problems/rolling -o sheets --solutions -f latex
+      rotsolve key problems/rolling -o sheets --solutions -f pdf
       rotsolve key problems/pulleys/atwood.yaml -o sheets --variants 30 -f html -f csv
 
     sheet.html holds the statements, key.html the answers, solutions.html the derivations; with variants there are
@@ -59,6 +59,9 @@ def key_command(
     from rotsolve.keys.command import KeyRequest, run_key
 
     formats = tuple(dict.fromkeys(format or ("html",)))
+    for name in formats:
+        if name in FORMATS and FORMATS[name].binary:
+            ready_for_bytes(name, output)
     with orderly():
         code = run_key(KeyRequest(tuple(problems), output, formats, variants or 0, seed, solutions, digits, language))
     raise typer.Exit(code)

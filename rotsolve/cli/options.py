@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Annotated
 
 import typer
@@ -36,6 +37,17 @@ def one_of(choices: tuple[str, ...], value: str | None) -> str | None:
     if value is None or value in choices:
         return value
     raise typer.BadParameter(f"{value!r} is not one of {', '.join(choices)}")
+
+
+def ready_for_bytes(kind: str, output: str | None) -> None:
+    """A usage error where what is no text, such as a PDF, can not be made here, or would go to a terminal."""
+    from rotsolve.page.press import MISSING, lacks_press
+
+    if lacks_press():
+        raise typer.BadParameter(MISSING.format(kind.upper()), param_hint="'--format'")
+    if output is None and sys.stdout.isatty():
+        message = f"a {kind.upper()} is no text for a terminal; name a file with -o, or lead it into a pipe"
+        raise typer.BadParameter(message, param_hint="'--output'")
 
 
 def seconds_of(text: str, option: str) -> float:

@@ -7,7 +7,17 @@ from typing import Annotated
 import typer
 from msgspec.structs import replace
 
-from rotsolve.cli.options import Digits, Output, Settings, Spoken, Width, one_of, read_settings, seconds_of
+from rotsolve.cli.options import (
+    Digits,
+    Output,
+    Settings,
+    Spoken,
+    Width,
+    one_of,
+    read_settings,
+    ready_for_bytes,
+    seconds_of,
+)
 from rotsolve.page.depth import DETAILS, NORMAL, NUMBERS, STEPS
 from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
@@ -29,7 +39,10 @@ def moment_checked(text: str | None) -> str | None:
 def format_chosen(format: str | None, output: str | None, show: str | None) -> str:
     """The format that is asked for, by the name of the file where it is not said."""
     by_name = format_of_file(output) if output and not show else None
-    return format or (by_name.name if by_name else "text")
+    chosen = FORMATS[format or (by_name.name if by_name else "text")]
+    if chosen.binary:
+        ready_for_bytes(chosen.name, output)
+    return chosen.name
 
 
 Files = Annotated[
@@ -75,7 +88,10 @@ Confirm = Annotated[
     typer.Option("--confirm/--no-confirm", help="Hold an assembly of all bodies' equations against the answers."),
 ]
 Pictures = Annotated[
-    bool, typer.Option("--pictures/--no-pictures", help="Draw the scene in HTML and LaTeX, above its derivation.")
+    bool,
+    typer.Option(
+        "--pictures/--no-pictures", help="Draw the scene in HTML, LaTeX, Typst and PDF, above its derivation."
+    ),
 ]
 Detail = Annotated[
     str,

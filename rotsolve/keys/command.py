@@ -10,7 +10,7 @@ from pathlib import Path
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.keys.files import NamedText, sheet_files
+from rotsolve.keys.files import NamedContent, sheet_files
 from rotsolve.keys.sheets import Sheet
 from rotsolve.keys.variants import worked_variants
 from rotsolve.keys.working import Worked
@@ -110,7 +110,7 @@ def problem_names(files: Sequence[str]) -> list[str]:
     return [Path(file).stem if count[Path(file).stem] == 1 else str(Path(file).with_suffix("")) for file in files]
 
 
-def named_texts(sheets: Iterable[Sheet], request: KeyRequest) -> Iterator[NamedText]:
+def named_texts(sheets: Iterable[Sheet], request: KeyRequest) -> Iterator[NamedContent]:
     """All files, those of a variant as soon as it is there; none where nothing was solved."""
     places = len(str(request.variants)) if request.variants else 0
     writers = [
@@ -126,14 +126,14 @@ def named_texts(sheets: Iterable[Sheet], request: KeyRequest) -> Iterator[NamedT
         yield from writer.close()
 
 
-def write_files(files: Iterable[NamedText], folder: str) -> int:
+def write_files(files: Iterable[NamedContent], folder: str) -> int:
     """Write the files one by one, each whole or not at all; a run that was interrupted can be run again."""
-    for name, text in files:
+    for name, content in files:
         try:
             Path(folder).mkdir(parents=True, exist_ok=True)
         except OSError as error:
             return refuse_key(f"cannot make the folder {folder}: {error.strerror or error}")
-        code = write_file(str(Path(folder, name)), text)
+        code = write_file(str(Path(folder, name)), content)
         if code != SOLVED:
             return code
     return SOLVED

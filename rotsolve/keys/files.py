@@ -14,7 +14,7 @@ from rotsolve.page.formats import DATA, Format, format_named
 from rotsolve.page.languages import ENGLISH
 from rotsolve.run.delivery import harmless
 
-NamedText = tuple[str, str]  # the name of a file, and its text
+NamedContent = tuple[str, str | bytes]  # the name of a file, and what it holds
 Row = tuple[str, ...]
 CSV = "csv"
 CSV_FORMAT = Format(CSV, (".csv",), "tables for spreadsheets", "")  # no page, and none of the formats of pages
@@ -38,11 +38,11 @@ class SheetFiles(ABC):
         self.solved = solved  # whether the derivations are wanted too
 
     @abstractmethod
-    def add(self, sheet: Sheet) -> Iterator[NamedText]:
+    def add(self, sheet: Sheet) -> Iterator[NamedContent]:
         """Take in one variant; the files that are its own."""
 
     @abstractmethod
-    def close(self) -> Iterator[NamedText]:
+    def close(self) -> Iterator[NamedContent]:
         """The files that hold all variants."""
 
     def name(self, word: str, variant: int = 0) -> str:
@@ -59,20 +59,20 @@ class PageFiles(SheetFiles):
         self.sheets: list[str] = []
         self.key: list[PageBlock] = [Title(1, ("Answer key",))]
 
-    def add(self, sheet: Sheet) -> Iterator[NamedText]:
+    def add(self, sheet: Sheet) -> Iterator[NamedContent]:
         if sheet.variant and not self.sheets:
             self.key.append(Paragraph((f"Variants by seed {sheet.seed}",)))
         self.sheets.append(self.format.body(SheetPage(sheet)))
         self.key.extend(key_blocks(sheet, self.digits))
         if sheet.variant:
-            yield self.name("sheet", sheet.variant), self.format.document(self.sheets[-1:])
+            yield self.name("sheet", sheet.variant), self.format.file(self.sheets[-1:])
         if self.solved:
             bodies = [*map(self.format.body, solution_pages(sheet, self.digits))]
-            yield self.name("solutions", sheet.variant), self.format.document(bodies)
+            yield self.name("solutions", sheet.variant), self.format.file(bodies)
 
-    def close(self) -> Iterator[NamedText]:
-        yield self.name("sheet"), self.format.document(self.sheets)
-        yield self.name("key"), self.format.document([self.format.body(FixedPage(tuple(self.key)))])
+    def close(self) -> Iterator[NamedContent]:
+        yield self.name("sheet"), self.format.file(self.sheets)
+        yield self.name("key"), self.format.file([self.format.body(FixedPage(tuple(self.key)))])
 
 
 class DataFiles(SheetFiles):
@@ -84,24 +84,24 @@ class DataFiles(SheetFiles):
         self.key: list[dict[str, Any]] = []
         self.bodies: list[str] = []
 
-    def add(self, sheet: Sheet) -> Iterator[NamedText]:
+    def add(self, sheet: Sheet) -> Iterator[NamedContent]:
         self.sheets.append(SheetPage(sheet).data())
         self.key.append(key_data(sheet, self.digits))
         if self.solved:
             self.bodies += map(self.format.body, solution_pages(sheet, self.digits))
         yield from ()
 
-    def close(self) -> Iterator[NamedText]:
+    def close(self) -> Iterator[NamedContent]:
         for name, sheets in (("sheet", self.sheets), ("key", self.key)):
-            yield self.name(name), self.format.document([self.format.body(FixedPage(values={"sheets": sheets}))])
+            yield self.name(name), self.format.file([self.format.body(FixedPage(values={"sheets": sheets}))])
         if self.solved:
-            yield self.name("solutions"), self.format.document(self.bodies)
+            yield self.name("solutions"), self.format.file(self.bodies)
 
 
 class TableFiles(DataFiles):
     """CSV for spreadsheets: all statements and all answers, a row each; no cell can be a formula."""
 
-    def close(self) -> Iterator[NamedText]:
+    def close(self) -> Iterator[NamedContent]:
         yield self.name("sheet"), csv_text(PROBLEM_COLUMNS, rows_of_sheets(self.sheets, problem_cells))
         yield self.name("key"), csv_text(ANSWER_COLUMNS, rows_of_sheets(self.key, answer_cells))
 

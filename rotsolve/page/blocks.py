@@ -332,6 +332,14 @@ class AssessedText(Struct, frozen=True):
     notes: tuple[Note, ...] = ()
     read_as: str = ""
 
+    @property
+    def divided(self) -> tuple[str, str, str]:
+        """The text as far as it is shown: before, in and behind the columns of the first note that has any."""
+        text = clipped(self.text)
+        columns = (note.columns for note in self.notes)
+        start, end = next((both for both in columns if both and both[0] < len(text)), (0, 0))
+        return text[:start], text[start:end], text[end:]
+
 
 class AssessedTexts(PageBlock, frozen=True):
     """Texts below each other, each with what is thought of it, and what is said of it below."""

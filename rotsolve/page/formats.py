@@ -32,6 +32,7 @@ class Format(Struct, frozen=True):
     module: str
     use: str = PAGES
     language: str = ENGLISH
+    binary: bool = False  # whether its files hold what Typst makes of the document, and no text
 
     @property
     def printer(self) -> Printer:
@@ -54,8 +55,16 @@ class Format(Struct, frozen=True):
         return self.printer.body(self.spoken(page), width)
 
     def document(self, bodies: Sequence[str]) -> str:
-        """A complete document of one or several pages."""
+        """A complete document of one or several pages, as text."""
         return self.printer.document(bodies)
+
+    def file(self, bodies: Sequence[str]) -> str | bytes:
+        """What a file of it holds."""
+        if not self.binary:
+            return self.document(bodies)
+        from rotsolve.page.press import printed_document
+
+        return printed_document(self.document(bodies))
 
 
 FORMATS = {
@@ -64,6 +73,8 @@ FORMATS = {
         Format("text", (".txt",), "plain text in aligned columns", "rotsolve.page.text", TERMINAL),
         Format("markdown", (".md", ".markdown"), "Markdown with the formulas as LaTeX", "rotsolve.page.markdown"),
         Format("latex", (".tex",), "a complete LaTeX document", "rotsolve.page.latex"),
+        Format("typst", (".typ",), "a complete Typst document", "rotsolve.page.typst"),
+        Format("pdf", (".pdf",), "a PDF, made by Typst", "rotsolve.page.typst", binary=True),
         Format("html", (".html", ".htm"), "a page for a browser, with the formulas as MathML", "rotsolve.page.html"),
         Format("json", (".json",), "everything, for programs", "rotsolve.page.json", DATA),
     )

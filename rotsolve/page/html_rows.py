@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas, clipped
+from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas
+from rotsolve.page.mathml_lines import math_pieces
 from rotsolve.page.printer import Printer
 
 HEADING = re.compile(r"<h1>(.*?)</h1>")
@@ -27,11 +28,15 @@ h3 { font-size: 1em; margin: 1em 0 .3em; }
 p, ul { margin: .4em 0; }
 table { border-collapse: collapse; margin: .3em 0; }
 td { padding: .25em .6em .25em 0; vertical-align: baseline; }
-td.left { text-align: right; padding-right: .1em; white-space: nowrap; }
-td.right { padding-right: 1.2em; white-space: nowrap; }
+td.left { text-align: right; padding-right: .25em; }
+td.right { padding-right: 1.2em; }
 td.said { color: #333; min-width: 8em; }
-td.step { padding-top: .6em; }
-td.left math, td.right math { math-style: normal; }
+p.step { margin: .7em 0 .2em; break-after: avoid; }
+p.line { margin: .1em 0 .1em 2em; padding: .2em 0 .2em 2em; text-indent: -2em; break-inside: avoid; }
+p.line { overflow-x: auto; overflow-y: hidden; }
+p.step.line { margin-left: 0; }
+.line math, td.left math, td.right math { math-style: normal; }
+.mark { float: right; padding-left: 1em; text-indent: 0; }
 tr { break-inside: avoid; }
 .wide { overflow-x: auto; }
 .label { font-weight: bold; margin-right: .5em; }
@@ -69,18 +74,27 @@ class HtmlRows:
         """A row for each equality: before the first stands where it comes from, the last has the number, which stands before a law."""
         yield f"<h{block.level}>{block.caption}</h{block.level}>"
         yield from (f"<p>{self.words(remark)}</p>" for remark in block.remarks)
-        yield from table_of(line for row in block.rows for line in self._formula_rows(row))
+        laws = [row for row in block.rows if row.numbered]
+        yield from table_of(line for row in laws for line in self._law_rows(row))
+        yield from (line for row in block.rows if not row.numbered for line in self._steps(row))
 
-    def _formula_rows(self, row: FormulaRow) -> Iterator[str]:
-        apart = row.says_much
-        if apart:
-            yield f'<td class="step" colspan="4">{self.words(row.words)}:</td>'
+    def _law_rows(self, row: FormulaRow) -> Iterator[str]:
+        """A law: its number, what it is called, and its sides in columns."""
         for number, (left, right) in enumerate(map(self.printer.sides, row.chain)):
-            said = cell("", "said") if number or apart else cell(self.words(row.words), "said")
+            said = cell("" if number else self.words(row.words), "said")
+            yield f"{cell(row.mark)}{said}{cell(self.math(left), 'left')}{cell(math_pieces(right), 'right')}"
+
+    def _steps(self, row: FormulaRow) -> Iterator[str]:
+        """A step: what is done, and below it, or beside it where it is one, its lines; the last has the number."""
+        said = f"{self.words(row.words)}{'' if row.begins or not row.words else ':'}"
+        if row.says_much:
+            yield f'<p class="step">{said}</p>'
+        for number, (left, right) in enumerate(map(self.printer.sides, row.chain)):
             right += "".join(map(self.printer.part, row.worth(number)))
-            mark = cell(row.mark if row.numbered or number == len(row.chain) - 1 else "")
-            formulas = cell(self.math(left), "left") + cell(self.math(right), "right")
-            yield f"{mark}{said}{formulas}" if row.numbered else f"{said}{formulas}{mark}"
+            mark = f'<span class="mark">{row.mark}</span>' if row.mark and number == len(row.chain) - 1 else ""
+            beside = f"{said} " if said and not row.says_much else ""
+            kind = "step line" if beside else "line"
+            yield f'<p class="{kind}">{mark}{beside}{math_pieces(left)} {math_pieces(right)}</p>'
 
     def answers(self, block: Answers) -> Iterator[str]:
         yield from table_of([line for row in block.rows for line in self._answer_rows(row)])
@@ -89,7 +103,7 @@ class HtmlRows:
         """An answer and its components; of a matrix the numbers stand below the exact entries."""
         symbol = self.math(self.printer.formula(row.symbol))
         said = cell(self.words(row.behind).removeprefix(", ").strip(), "said")
-        sides = [cell(self.math(f"{self.printer.part('=')}{self.printer.part(form)}"), "right") for form in row.forms]
+        sides = [cell(math_pieces(f"{self.printer.part('=')}{self.printer.part(form)}"), "right") for form in row.forms]
         if row.matrix:
             for number, side in enumerate(sides):
                 last = number == len(sides) - 1
@@ -112,10 +126,8 @@ class HtmlRows:
 
     def _marked(self, row: AssessedText) -> str:
         """The text with the columns of the first note that has any marked."""
-        text = clipped(row.text)
-        start, end = next((note.columns for note in row.notes if note.columns and note.columns[0] < len(text)), (0, 0))
-        before, inside, after = (self.printer.prose(part) for part in (text[:start], text[start:end], text[end:]))
-        return f"{before}<mark>{inside}</mark>{after}" if end else before + after
+        before, inside, after = map(self.printer.prose, row.divided)
+        return f"{before}<mark>{inside}</mark>{after}" if inside else before + after
 
 
 def cell(inner: str, kind: str = "") -> str:

@@ -1,4 +1,4 @@
-"""Pictures on a page: the scene as SVG or TikZ, drawn where it is printed; nothing where it can not be drawn."""
+"""Pictures on a page: the scene as SVG, TikZ or, for Typst, SVG within, drawn where it is printed; nothing where it can not be drawn."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rotsolve.page.blocks import Picture
 
+TEXT_WIDTH = 453  # points, of a page of Typst
 BEGIN, TIKZ = "\\begin{document}\n", "\\usepackage{tikz}\n"
 
 
@@ -29,6 +30,18 @@ def picture_in_tikz(block: Picture) -> Iterator[str]:
     figure = picture_of(block.scene)
     if figure is not None:
         yield from (r"\begin{center}", tikz(figure).rstrip("\n"), r"\end{center}", "")
+
+
+def picture_in_typst(block: Picture) -> Iterator[str]:
+    """A picture in the middle of the page, no wider than its text."""
+    from rotsolve.algebra.notation.typst import typst_string
+    from rotsolve.draw.paper.svg import plain_svg
+    from rotsolve.draw.pictures import picture_of
+
+    figure = picture_of(block.scene)
+    if figure is not None:
+        left, _, right, _ = figure.box()
+        yield from (f"#picture({min(right - left, TEXT_WIDTH):.2f}pt, {typst_string(plain_svg(figure))})", "")
 
 
 def with_tikz(document: str) -> str:

@@ -71,11 +71,7 @@ def write_document(outcomes: Sequence[FileOutcome], request: SolveRequest) -> in
     """All that was solved as one document, to the file or to standard output; nothing where nothing was solved."""
     if not any(outcome.page for outcome in outcomes) and (not for_programs(request) or len(outcomes) == 1):
         return SOLVED
-    text = joined_document(outcomes, request)
-    if request.output:
-        return write_file(request.output, text)
-    sys.stdout.write(text)
-    return SOLVED
+    return put_content(request.output, joined_document(outcomes, request))
 
 
 def for_programs(request: SolveRequest) -> bool:
@@ -83,7 +79,19 @@ def for_programs(request: SolveRequest) -> bool:
     return format_named(request.format).use == DATA
 
 
-def joined_document(outcomes: Sequence[FileOutcome], request: SolveRequest) -> str:
+def put_content(output: str | None, content: str | bytes) -> int:
+    """Write to the file that is named, whole or not at all, or to standard output."""
+    if output is not None:
+        return write_file(output, content)
+    if isinstance(content, bytes):
+        sys.stdout.flush()
+        sys.stdout.buffer.write(content)
+    else:
+        sys.stdout.write(content)
+    return SOLVED
+
+
+def joined_document(outcomes: Sequence[FileOutcome], request: SolveRequest) -> str | bytes:
     """All that was solved as one document; for programs, among several, also what was not."""
     chosen, bodies = format_named(request.format, request.language), []
     for outcome in outcomes:
@@ -94,22 +102,23 @@ def joined_document(outcomes: Sequence[FileOutcome], request: SolveRequest) -> s
 
             failed = {"file": outcome.file, "solved": False, "kind": outcome.kind, "error": outcome.message}
             bodies.append(chosen.body(FixedPage(values=failed)))
-    return chosen.document(bodies)
+    return chosen.file(bodies)
 
 
-def write_file(name: str, text: str) -> int:
-    """Write the whole text or nothing: into a new file beside the old one, which it then replaces."""
+def write_file(name: str, content: str | bytes) -> int:
+    """Write the whole content or nothing: into a new file beside the old one, which it then replaces."""
     from pathlib import Path
 
     path = Path(os.path.realpath(name))
+    data = content.encode("utf-8") if isinstance(content, str) else content
     try:
         if path.exists() and not path.is_file():  # /dev/stdout, a named pipe
-            path.write_text(text, encoding="utf-8")
+            path.write_bytes(data)
             return SOLVED
         mode = path.stat().st_mode & 0o777 if path.exists() else None
         fresh = path.with_name(f".{path.name}.{os.getpid()}.new")
         try:
-            fresh.write_text(text, encoding="utf-8")
+            fresh.write_bytes(data)
             if mode is not None:
                 fresh.chmod(mode)
             fresh.replace(path)

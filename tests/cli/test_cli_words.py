@@ -20,7 +20,7 @@ Run = Callable[..., Any]
 EXPECTED = Path(__file__).parent / "expected"
 
 
-@pytest.mark.parametrize("command", ["", "solve", "simulate", "key", "check", "elements", "schema"])
+@pytest.mark.parametrize("command", ["", "solve", "draw", "simulate", "key", "check", "elements", "schema"])
 def test_help(rotsolve: Run, command: str, expected: Callable[[Path, str], None]) -> None:
     ran = rotsolve(*filter(None, [command]), "--help")
     assert (ran.code, ran.err) == (0, "")
@@ -41,7 +41,7 @@ def test_without_arguments_the_help_is_shown(rotsolve: Run) -> None:
     ("arguments", "message"),
     [
         (["--law", "hooke"], f"Invalid value for '--law': 'hooke' is not one of {', '.join(LAWS)}"),
-        (["-f", "pdf"], f"Invalid value for '--format' / '-f': 'pdf' is not one of {', '.join(FORMATS)}"),
+        (["-f", "docx"], f"Invalid value for '--format' / '-f': 'docx' is not one of {', '.join(FORMATS)}"),
         (["--show", "all"], "Invalid value for '--show': 'all' is not one of facts, equations, plan, confirm"),
         (["--digits", "0"], "Invalid value for '--digits': 0 is not in the range 1<=x<=50."),
         (["--digits", "few"], "Invalid value for '--digits': 'few' is not a valid int range."),

@@ -44,7 +44,9 @@ WITHOUT = {  # what a block on a disc has no use for
     "rotsolve.page.json",
     "rotsolve.page.latex",
     "rotsolve.page.markdown",
+    "rotsolve.page.press",
     "rotsolve.page.terminal",
+    "rotsolve.page.typst",
     "rotsolve.run.processes",
     "rotsolve.run.profiled",
 }

@@ -75,7 +75,9 @@ def test_printing(solution: Solution) -> None:
     assert solution._repr_latex_().startswith("\\section*{A fall}\n")
     assert solution.to("latex").startswith("\\documentclass{article}\n")
     assert '"file": "fall.yaml"' in solution.to("json")
-    with pytest.raises(KeyError, match="unknown format 'pdf'"):
+    with pytest.raises(KeyError, match="unknown format 'docx'"):
+        solution.to("docx")
+    with pytest.raises(ValueError, match=r"`pdf\(\)` gives its bytes"):
         solution.to("pdf")
 
 

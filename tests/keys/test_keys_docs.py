@@ -40,6 +40,7 @@ def run(command: str) -> int:
 
 
 def test_every_command_of_the_page(desk: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("typst")
     commands = [line for block in blocks("sh") for line in block.splitlines()]
     assert len(commands) >= 4
     for command in commands:
@@ -51,9 +52,9 @@ def test_every_command_of_the_page(desk: Path, capsys: pytest.CaptureFixture[str
     together = ["sheets.html", "sheets.csv", "key.csv"]
     assert {path.name for path in (desk / "sheets").iterdir()} == {*pages, *first, *together}
     assert {path.name for path in (desk / "homework").iterdir()} == {
-        "key.tex",
-        "sheets.tex",
-        *(f"sheet-{number}.tex" for number in range(1, 6)),
+        "key.pdf",
+        "sheets.pdf",
+        *(f"sheet-{number}.pdf" for number in range(1, 6)),
     }
 
 

@@ -5,6 +5,7 @@ Written with the standard library alone: to import a drawing library takes three
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from zlib import crc32
 
@@ -21,6 +22,8 @@ DARK = {
     "force": "#ff8a80", "sense": "#7bd6a2", "spin": "#8ab8f5",
 }  # fmt: skip
 FONTS = "'STIX Two Text','Latin Modern Roman',Georgia,'Times New Roman',serif"
+TYPST_FONT = "'New Computer Modern'"
+VARIABLE = re.compile(r"var\(--(\w+)\)")
 BASELINE = 0.34  # of a text's size, from its middle down to its line
 
 
@@ -67,6 +70,12 @@ def svg(figure: Figure, *, adapts: bool = True) -> str:
         lines += svg_mark(mark, origin)
     lines += [label_line(label, origin) for label in figure.labels]
     return "\n".join([*lines, "</svg>", ""])
+
+
+def plain_svg(figure: Figure) -> str:
+    """A picture for programs that know no variables in style sheets, on light paper, with the letters of a Typst document."""
+    text = svg(figure, adapts=False).replace(f"{colours(LIGHT)};", "").replace(FONTS, TYPST_FONT)
+    return VARIABLE.sub(lambda found: LIGHT[found[1]], text)
 
 
 def short_number(value: float) -> str:

@@ -119,10 +119,6 @@ def show_page(page: Page, request: CheckRequest, output: str | None) -> int:
 
         show(PRINTER.lines(page, request.width), sys.stdout)
         return ALL_RIGHT
-    text = chosen.document([chosen.body(page, request.width)])
-    if output is not None:
-        from rotsolve.run.delivery import write_file
+    from rotsolve.run.delivery import put_content
 
-        return write_file(output, text)
-    sys.stdout.write(text)
-    return ALL_RIGHT
+    return put_content(output, chosen.file([chosen.body(page, request.width)]))

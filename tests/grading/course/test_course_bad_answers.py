@@ -82,7 +82,7 @@ def test_a_folder(made_up: Command) -> None:
     [
         ([], "Invalid value for 'ANSWERS': either a file of answers, or --answer"),
         (["ada.txt", "--answer", "a = g"], "Invalid value for 'ANSWERS': either a file of answers, or --answer"),
-        (["ada.txt", "-f", "pdf"], "'pdf' is not one of text, markdown, latex, html, json"),
+        (["ada.txt", "-f", "docx"], "'docx' is not one of text, markdown, latex, typst, pdf, html, json"),
         (["ada.txt", "--variant", "0"], "Invalid value for '--variant': 0 is not in the range x>=1."),
     ],
 )

@@ -129,7 +129,7 @@ def test_a_disk_that_is_full(made_up: Command, monkeypatch: pytest.MonkeyPatch) 
     def full(self: Path, *arguments: Any, **options: Any) -> int:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(Path, "write_text", full)
+    monkeypatch.setattr(Path, "write_bytes", full)
     ran = made_up("class.csv", "-o", "report")
     assert (ran.code, ran.out) == (2, "")
     assert ran.err == "error: cannot write report/students/0001-student-0.html: No space left on device\n"

@@ -38,11 +38,11 @@ def write_report(course: MarkedClass, folder: Path, format: Format, tell: Callab
         target = "" if result.marked is None else f"{STUDENTS}/{file_name(number, result)}{ending}"
         if result.marked is not None:
             page = StudentPage(course.task, result.marked, result.variant)
-            if code := write_file(str(folder / target), format.document([format.body(page)])):
+            if code := write_file(str(folder / target), format.file([format.body(page)])):
                 return code
         targets.append(target)
         tell(number / len(course.results))
-    summary = format.document([format.body(SummaryPage(course, tuple(targets)))])
+    summary = format.file([format.body(SummaryPage(course, tuple(targets)))])
     failed = write_file(str(folder / f"{SUMMARY}{ending}"), summary)
     return failed or write_file(str(folder / MARKS), marks_table(course))
 
