@@ -9,9 +9,11 @@ from pathlib import Path
 
 from msgspec import Struct, field
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.draw.paper.figure import Figure
 from rotsolve.draw.pictures import free_body_picture, scene_picture
 from rotsolve.language.problem import Problem
+from rotsolve.pipeline import solve_problem
 from rotsolve.run import advancing
 from rotsolve.run.attempt import BAD, SOLVED, failure_outcome, piped, scene_source, scenes
 from rotsolve.run.delivery import put_content, say, summary, write_file
@@ -87,7 +89,13 @@ def run_draw(request: DrawRequest) -> int:
 
 def picture_asked(problem: Problem, request: DrawRequest) -> Figure:
     """The picture of one scene that is asked for."""
-    return (free_body_picture if request.free_bodies else scene_picture)(problem, request.state)
+    if not request.free_bodies:
+        return scene_picture(problem, request.state)
+    try:
+        forward = solve_problem(problem, confirm=False).trace.forward
+    except Unsolvable:
+        forward = frozenset()  # nothing tells which way frictions act
+    return free_body_picture(problem, request.state, forward)
 
 
 def file_names(files: tuple[str, ...], request: DrawRequest) -> dict[str, str]:

@@ -39,6 +39,7 @@ class Trace(Struct, frozen=True):
     # the solution in letters of the case that some numbers are of, and the signs that it took
     case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
+    forward: frozenset[tuple[str, str]] = frozenset()  # frictions that act the way in which their bodies are counted
     by_law: Callable[[str], Derivation] | None = None  # the same questions by another law
     letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
     points: tuple[Mapping[str, Fraction], ...] = ()  # numbers of which letters the cases of the answers were found
@@ -145,10 +146,11 @@ class PictureView(Struct, frozen=True):
 
     problem: Problem
     state: str = ""
+    forward: frozenset[tuple[str, str]] = frozenset()
 
     def at(self, state: str) -> PictureView:
         """The same scene at another state."""
-        return PictureView(self.problem, state)
+        return replace(self, state=state)
 
     @property
     def svg(self) -> str:
@@ -172,7 +174,7 @@ class PictureView(Struct, frozen=True):
         from rotsolve.draw.paper.svg import svg
         from rotsolve.draw.pictures import free_body_picture
 
-        return svg(free_body_picture(self.problem, self.state))
+        return svg(free_body_picture(self.problem, self.state, self.forward))
 
     def _repr_svg_(self) -> str:
         return self.svg
@@ -328,7 +330,7 @@ class Solution(Struct, frozen=True, dict=True):
     @property
     def picture(self) -> PictureView:
         """The picture of the scene, which a notebook shows."""
-        return PictureView(self.problem)
+        return PictureView(self.problem, forward=self.trace.forward)
 
     def __repr__(self) -> str:
         return f"<Solution of {self.derivation.title!r}: {', '.join(self.answers)}>"

@@ -262,6 +262,7 @@ def composed(
         lambda: validity_of(search),
         lambda: meanings_of(composer),
         idle=idle,
+        forward=search.scene.configuration.forward,
         by_law=lambda law: solved(problem, search.scene.configuration, law, digits, at).derivation,
         letter=lambda letter: solved_for(letter, search),
     )

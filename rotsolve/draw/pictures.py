@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TypeVar
 
+from msgspec.structs import replace
+
 from rotsolve.confirm import NotConfirmed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.writing import spoken
@@ -35,25 +37,30 @@ def scene_picture(problem: Problem, state: str = "") -> Figure:
     return draw_scene(stage_of(problem, at), problem.title, picture_words(problem))
 
 
-def free_body_pictures(problem: Problem, state: str = "") -> list[tuple[str, Figure]]:
-    """A diagram for each body on which something acts at a state, with the name of the body."""
+Forward = frozenset[
+    tuple[str, str]
+]  # frictions, by owner and moment, that act the way in which their bodies are counted
+
+
+def free_body_pictures(problem: Problem, state: str = "", forward: Forward = frozenset()) -> list[tuple[str, Figure]]:
+    """A diagram for each body on which something acts at a state, with the name of the body; frictions as they are known to act."""
     if problem.space:
         help = "the picture of the scene shows its weights and what the actions exert; `solve --show facts` says all forces"
         raise undrawable("free-body diagrams are drawn of scenes in the plane, and this one is in space", problem, help)
     from rotsolve.draw.plane.facts import SceneFacts
     from rotsolve.draw.plane.freebody import free_body_figures
 
-    found = free_body_figures(SceneFacts(stage_of(problem, state_named(problem, state))))
+    found = free_body_figures(SceneFacts(stage_of(problem, state_named(problem, state), forward)))
     if not found:
         raise undrawable("nothing acts on any body, so there is no free-body diagram", problem)
     return found
 
 
-def free_body_picture(problem: Problem, state: str = "") -> Figure:
+def free_body_picture(problem: Problem, state: str = "", forward: Forward = frozenset()) -> Figure:
     """All free-body diagrams of a state in one picture."""
     from rotsolve.draw.plane.freebody import diagrams_in_rows
 
-    found = free_body_pictures(problem, state)
+    found = free_body_pictures(problem, state, forward)
     said = "; ".join(f"{figure.title}: {figure.description}" for _, figure in found)
     return diagrams_in_rows([figure for _, figure in found], f"{problem.title}: free-body diagrams", said)
 
@@ -66,9 +73,9 @@ def picture_of(problem: Problem) -> Figure | None:
         return None
 
 
-def stage_of(problem: Problem, state: str) -> PlaneStage:
+def stage_of(problem: Problem, state: str, forward: Forward = frozenset()) -> PlaneStage:
     """A scene in the plane with a place for everything."""
-    return standing_at(plane_stage, configured(problem), state, problem)
+    return standing_at(plane_stage, replace(configured(problem), forward=forward), state, problem)
 
 
 def standing_at(
