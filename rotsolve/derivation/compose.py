@@ -35,6 +35,7 @@ from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
 from rotsolve.derivation.headings import section_title
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.results import LONG, Results, readable
+from rotsolve.derivation.sought import sought_words
 from rotsolve.language.problem import Condition, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
@@ -191,7 +192,7 @@ class DerivationComposer:
             title=self.problem.title,
             source=self.problem.source,
             givens=tuple(given for given in numbered if self.letters.tells(given.name)),
-            finds=tuple(dict.fromkeys((Symbol(item.find.group),) for item in self.search.in_order())),
+            finds=self._sought(),
             states=tuple(state_words(state, self._reached(state.name)) for state in self.problem.states),
             conventions=self._conventions(),
             sections=tuple(sections),
@@ -323,6 +324,11 @@ class DerivationComposer:
         return tuple(map(self.letters.words, fresh))
 
     # head
+
+    def _sought(self) -> tuple[Words, ...]:
+        """What is asked for, a vector once."""
+        timeline = self.scene.configuration.timeline
+        return tuple(dict.fromkeys(sought_words(item.find, timeline) for item in self.search.in_order()))
 
     def _conventions(self) -> tuple[Words, ...]:
         kinds = {key_of(name).kind for name in self.letters.names}

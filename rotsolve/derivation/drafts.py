@@ -176,9 +176,17 @@ class Diagrams(Struct, frozen=True):
     def _drawn(self, draft: Draft) -> Iterator[BodyFacts]:
         """The bodies of which the laws of a section speak, with what acts on them."""
         equations = [self.pool[index] for index in draft.laws]
+        if self._ends_a_phase(draft.key) and not any(equation.family == NEWTON for equation in equations):
+            return iter(())  # laws of the way to a state: what acts on it has been told
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
         facts = self._facts(draft)
         return (body for body in (facts.diagrams if facts is not None else ()) if body.name in names)
+
+    def _ends_a_phase(self, key: str) -> bool:
+        """Whether a section is about the state at the end of a phase."""
+        timeline = self.scene.configuration.timeline
+        before = timeline.before(key) if key in timeline.order else None
+        return before is not None and before.event is None
 
     def _facts(self, draft: Draft) -> Facts | None:
         """The facts that a section is about: of its state, of its phase, or of swings; none of an event.

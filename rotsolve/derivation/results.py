@@ -329,11 +329,13 @@ class Results(Struct, frozen=True):
         return words[0 if sign > 0 else 1] if any(words) and sign else ""
 
     def _sign(self, answered: Answered) -> int | None:
-        """The sign of friction in letters, as far as it is the same for all that they may be: its direction is told by words alone."""
+        """The sign in letters, as far as it is the same for all that they may be; of friction, whose direction is told by words alone, for
+        all that are meant to be positive."""
         find, formula = answered.asked.find, answered.found.formula
-        if formula is None or [term.path.quantity for term in find.terms] != [SIZED] or find.formula != Symbol("#0"):
+        if formula is None:
             return None
-        return self.search.signs.as_meant(formula)
+        friction = [term.path.quantity for term in find.terms] == [SIZED] and find.formula == Symbol("#0")
+        return self.search.signs.as_meant(formula) if friction else self.search.signs.by_letters(formula)
 
     def _positive(self, answered: Answered) -> str:
         """What a positive value means, in words, where a negative one means something else; friction is told by its size."""

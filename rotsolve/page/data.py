@@ -9,13 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Answer, Derivation, Equality, Refusal, Section
+from rotsolve.core.derivation import Answer, Derivation, Equality, Refusal, Section, Words
 from rotsolve.page.blocks import equation
 from rotsolve.page.text import plain_text
 from rotsolve.page.values import certified_digits, given_equation, machine_number, shown_givens
 
 if TYPE_CHECKING:
     from rotsolve.language.problem import Given
+
+
+def letters_in(phrase: Words) -> Words:
+    """The letters alone of what a phrase says of them."""
+    return tuple(part for part in phrase if not isinstance(part, str)) or phrase
 
 
 def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
@@ -27,7 +32,7 @@ def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
         "digits": digits,
         "given": [given_data(given) for given in shown_givens(derivation.givens)],
         "conventions": [plain_text(item) for item in derivation.conventions],
-        "find": [plain_text(item) for item in derivation.finds],
+        "find": [plain_text(letters_in(item)) for item in derivation.finds],
         "states": [plain_text(item) for item in derivation.states],
         "sections": [section_data(section) for section in derivation.sections],
         "answers": [answer_data(answer, digits) for answer in derivation.answers],

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
-from rotsolve.core.derivation import Answer, Derivation, Move, Refusal, Section
+from rotsolve.core.derivation import Answer, Derivation, Equality, Move, Refusal, Section
 from rotsolve.page.abbreviations import abbreviated, printed_forms
 from rotsolve.page.blocks import (
     WITH,
@@ -85,13 +85,14 @@ class DerivationPage(Page, frozen=True):
 
     def section_blocks(self, derivation: Derivation, numbers: InsertedNumbers) -> Iterator[PageBlock]:
         """All sections of a derivation, with as much as is to be told."""
+        printed: set[Equality] = set()
         for section in derivation.sections:
             if section.title:
                 yield Title(2, (section.title,))
             if self.detail == BRIEF:
                 yield from law_blocks(section)
             else:
-                yield from section_blocks(section, numbers if self.numbers == STEPS else None)
+                yield from section_blocks(section, numbers if self.numbers == STEPS else None, printed)
 
     def answer_rows(self, derivation: Derivation) -> tuple[AnswerRow, ...]:
         """The answers in all cases; without their values where formulas are all that is wanted, and there are any."""
@@ -137,8 +138,8 @@ def without_value(answer: Answer) -> Answer:
     return replace(answer, value=value, components=components, otherwise=tuple(map(without_value, answer.otherwise)))
 
 
-def section_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[PageBlock]:
-    """Forces, laws and algebra of one instant, phase or event."""
+def section_blocks(section: Section, numbers: InsertedNumbers | None, printed: set[Equality]) -> Iterator[PageBlock]:
+    """Forces, laws and algebra of one instant, phase or event; `printed` are the lines before."""
     level = section_level(section)
     if section.forces:
         positive = [f"positive: {line.positive}" if line.positive else "" for line in section.forces]
@@ -147,7 +148,8 @@ def section_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterato
     yield from law_blocks(section)
     if section.moves:
         known = None if section.supposed else numbers
-        yield Formulas("Solve", level, (), tuple(step_row(move, known) for move in section.moves))
+        printed.update(law.equation for law in section.laws)
+        yield Formulas("Solve", level, (), tuple(step_row(move, known, printed) for move in section.moves))
 
 
 def section_level(section: Section) -> int:
@@ -162,9 +164,15 @@ def law_blocks(section: Section) -> Iterator[PageBlock]:
         yield Formulas("Laws", section_level(section), section.remarks, tuple(law_rows))
 
 
-def step_row(move: Move, numbers: InsertedNumbers | None) -> FormulaRow:
-    """A step of algebra: where it comes from, else why it is made; and what it comes to where there are `numbers`."""
+def step_row(move: Move, numbers: InsertedNumbers | None, printed: set[Equality]) -> FormulaRow:
+    """A step of algebra: where it comes from, else why it is made; and what it comes to where there are `numbers`.
+
+    An equation that it begins with and that stands above is not printed again, unless numbers are put into it.
+    """
     said, (place, values) = said_of_step(move), (-1, ()) if numbers is None else numbers.values(move)
     remark = move.reason if said else ()
-    begins = move.sources == WITH
-    return FormulaRow(said or move.reason, move.chain, move.number, remark, begins=begins, values=values, valued=place)
+    begins, chain = move.sources == WITH, move.chain
+    if len(chain) > 1 and chain[0] in printed and not (values and place == 0):
+        chain, place = chain[1:], place - (place > 0)
+    printed.update(chain)
+    return FormulaRow(said or move.reason, chain, move.number, remark, begins=begins, values=values, valued=place)

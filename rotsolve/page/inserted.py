@@ -26,9 +26,10 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move
 from rotsolve.page.abbreviations import Abbreviation
 from rotsolve.page.blocks import WITH, Amount, Math, Phrase
-from rotsolve.page.values import certified_digits
+from rotsolve.page.values import certified_digits, machine_number
 
 LONGEST = 72  # columns of a formula with numbers that is worth reading
+MORE = 3  # digits by which numbers put in may have to be finer than what they come to
 SAME = 1e-9  # beside which two numbers differ
 EXACT = 6  # digits of a given that is written as it is
 SEEN_THROUGH = frozenset(("sqrt", "abs", "asin", "acos", "atan", "atan2"))  # functions whose arguments are shown
@@ -101,7 +102,7 @@ class InsertedNumbers:
         if isinstance(formula, (Symbol, Number, Negative)) and not formula.children():
             return ()
         try:
-            put_in = self.put_in(formula)
+            put_in = self.reproducing(formula, answer)
         except (NotShown, Undefined):
             return ()
         text = to_text(put_in)
@@ -110,16 +111,28 @@ class InsertedNumbers:
         unit = None if put_in.holds(*INVERSE) else coherent_unit(answer)
         return (Amount(Product((put_in,)) if isinstance(put_in, Sum) and unit is not None else put_in, unit),)
 
-    def put_in(self, node: Formula) -> Formula:
+    def reproducing(self, formula: Formula, answer: Answer) -> Formula:
+        """The formula with numbers of as many digits as it takes to come to the number that is printed of the answer; of a few more where
+        none do."""
+        assert answer.value is not None
+        factor = 1.0 if answer.unit is None else evaluate(answer.unit.factor, {}).float
+        printed = rounded(answer.value.float, self.digits)
+        for digits in range(self.digits, self.digits + MORE + 1):
+            put_in = self.put_in(formula, digits)
+            if rounded(worth_of(put_in) / factor, self.digits) == printed:
+                return put_in
+        return self.put_in(formula, self.digits)
+
+    def put_in(self, node: Formula, digits: int) -> Formula:
         """A formula with decimals for its letters; a sine or an exponential of numbers is one number."""
         if isinstance(node, Symbol):
-            return self.decimal(self.exact_text(node.name) or "", node)
+            return self.decimal(self.exact_text(node.name) or "", node, digits)
         if isinstance(node, Integral):
             raise NotShown
         if isinstance(node, Call) and (node.function not in SEEN_THROUGH or node.function in ELLIPTIC):
-            return self.decimal("", node)
+            return self.decimal("", node, digits)
         children = node.children()
-        return node.with_children(tuple(map(self.put_in, children))) if children else node
+        return node.with_children(tuple(self.put_in(child, digits) for child in children)) if children else node
 
     def exact_text(self, name: str) -> str | None:
         """The decimals of a given that are short enough to be written as they are."""
@@ -128,10 +141,10 @@ class InsertedNumbers:
             return None
         return exact_decimals(value.value)
 
-    def decimal(self, text: str, node: Formula) -> Formula:
-        """A number for a node, certified to the digits of the page."""
+    def decimal(self, text: str, node: Formula, digits: int) -> Formula:
+        """A number for a node, with so many certified digits where it is not written as it is."""
         if not text:
-            text, note = certified_digits(self.number(node), self.digits)
+            text, note = certified_digits(self.number(node), digits)
             if not text or note:
                 raise NotShown
         size = Decimal(text.lstrip("−-"))
@@ -150,6 +163,20 @@ class InsertedNumbers:
                 raise NotShown
             self.roots[name] = self.number(told)
         return self.roots[name]
+
+
+def worth_of(put_in: Formula) -> float:
+    """What a formula with numbers put in comes to as it is printed."""
+    return evaluate(put_in.transform(plain_number), {}).float
+
+
+def plain_number(node: Formula) -> Formula:
+    """A number that has been put in, as one with which can be calculated."""
+    return Number(Fraction(machine_number(node.name))) if isinstance(node, Decimal) else node
+
+
+def rounded(value: float, digits: int) -> str:
+    return f"{value:.{digits - 1}e}"
 
 
 INVERSE = frozenset(("asin", "acos", "atan", "atan2"))

@@ -17,7 +17,7 @@ from rotsolve.page.text import plain_text
 from rotsolve.page.values import machine_number
 from solutions import solved
 
-ROUNDED = 2e-3  # of numbers that are put in with four digits, after differences of them
+ROUNDED = 6e-4  # of numbers that are put in so that they come to four digits
 
 
 def size(amount: Amount) -> float:

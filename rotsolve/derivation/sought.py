@@ -1,0 +1,75 @@
+"""Sought: what a scene asks for, in words around its letters: "angular velocity ω of rod just after the hit"."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import Symbol
+from rotsolve.core.derivation import Words
+from rotsolve.core.writing import spoken
+from rotsolve.derivation.headings import moment_title
+from rotsolve.language.problem import ANY_TIME, Find, Term
+from rotsolve.motion.timeline import Timeline
+from rotsolve.paths.meaning import label_of
+
+PLAIN = Symbol("#0")  # the formula of a question for one quantity alone
+NAMES = {"inertia": "moment of inertia", "gyration": "radius of gyration", "cm": "centre of mass"}  # of quantities
+SWINGS = ("small swings", "swings")  # modifiers that say of which motion a period is
+WITHIN = ("gravity", "net", "rotational", "translational")  # components that the name of a quantity has in it
+COUNTED = ("rotations", "translations")  # components that are quantities of their own
+
+
+def sought_words(find: Find, timeline: Timeline) -> Words:
+    """The letter of a question, within words where it asks for one quantity."""
+    letter = Symbol(find.group)
+    term = find.terms[0] if len(find.terms) == 1 and find.formula == PLAIN else None
+    if term is None or find.where is not None or find.choice is not None or term.other is not None:
+        return (letter,)
+    if not term.path.owner and term.path.quantity != "time":
+        return (letter,)
+    before, (word, owner) = part_asked(find, term), named(find, term)
+    behind = f"{owner}{seen_from(term)}{moment_words(term, timeline)}"
+    if before.endswith(" of the "):
+        return (before.removesuffix("of the "), letter, f" of the {word}{behind}")
+    return (f"{before}{word} ", letter, behind) if behind else (f"{before}{word} ", letter)
+
+
+def named(find: Find, term: Term) -> tuple[str, str]:
+    """What a quantity is called, and of what it is: "moment of inertia", " of disc about the centre"."""
+    quantity, component = term.path.quantity, term.path.component or ""
+    head, _, owner = label_of(term.path, term).partition(spoken(quantity))
+    if component in COUNTED and not find.whole:
+        return component, owner
+    return head + NAMES.get(quantity, spoken(quantity)), owner
+
+
+def part_asked(find: Find, term: Term) -> str:
+    """What of the quantity is asked for: its size, its x component, a tangential part, its mean."""
+    modifier = find.modifier or term.modifier
+    component = "" if find.whole else term.path.component or ""
+    before = "" if modifier in SWINGS or not modifier else f"{modifier} "
+    if before.endswith("of "):
+        before = f"{before.replace('of change', 'of the change')}the "
+    if component in ("x", "y", "z"):
+        return f"{before}{component} component of the "
+    return before if component in ("", *WITHIN, *COUNTED) else f"{before}{component} "
+
+
+def seen_from(term: Term) -> str:
+    """In which axes, relative to which body, or in which swings."""
+    swings = f" in {term.modifier}" if term.modifier in SWINGS else ""
+    if term.relative:
+        return f"{swings} relative to {spoken(term.relative)}"
+    return f"{swings} in {term.axes} axes" if term.axes else swings
+
+
+def moment_words(term: Term, timeline: Timeline) -> str:
+    """At which state, or between which, where a scene has several."""
+    if len(timeline.named) < 2:
+        return ""
+    if term.start is not None and term.end is not None:
+        return f" from {spoken(term.start)} to {spoken(term.end)}"
+    if term.during is not None:
+        return f" in the {spoken(term.during)}"
+    if term.at is None or term.at == ANY_TIME or term.at not in timeline.order:
+        return ""
+    title = moment_title(term.at, timeline)
+    return f" {title[:1].lower()}{title[1:]}"
