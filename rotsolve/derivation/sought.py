@@ -26,7 +26,7 @@ def sought_words(find: Find, timeline: Timeline) -> Words:
     if not term.path.owner and term.path.quantity != "time":
         return (letter,)
     before, (word, owner) = part_asked(find, term), named(find, term)
-    behind = f"{owner}{seen_from(term)}{moment_words(term, timeline)}"
+    behind = f"{owner}{observed_in(term)}{moment_words(term, timeline)}"
     if before.endswith(" of the "):
         return (before.removesuffix("of the "), letter, f" of the {word}{behind}")
     return (f"{before}{word} ", letter, behind) if behind else (f"{before}{word} ", letter)
@@ -53,7 +53,7 @@ def part_asked(find: Find, term: Term) -> str:
     return before if component in ("", *WITHIN, *COUNTED) else f"{before}{component} "
 
 
-def seen_from(term: Term) -> str:
+def observed_in(term: Term) -> str:
     """In which axes, relative to which body, or in which swings."""
     swings = f" in {term.modifier}" if term.modifier in SWINGS else ""
     if term.relative:

@@ -116,10 +116,10 @@ class InsertedNumbers:
         none do."""
         assert answer.value is not None
         factor = 1.0 if answer.unit is None else evaluate(answer.unit.factor, {}).float
-        printed = rounded(answer.value.float, self.digits)
+        printed = to_digits(answer.value.float, self.digits)
         for digits in range(self.digits, self.digits + MORE + 1):
             put_in = self.put_in(formula, digits)
-            if rounded(worth_of(put_in) / factor, self.digits) == printed:
+            if to_digits(worth_of(put_in) / factor, self.digits) == printed:
                 return put_in
         return self.put_in(formula, self.digits)
 
@@ -167,15 +167,15 @@ class InsertedNumbers:
 
 def worth_of(put_in: Formula) -> float:
     """What a formula with numbers put in comes to as it is printed."""
-    return evaluate(put_in.transform(plain_number), {}).float
+    return evaluate(put_in.transform(number_put_in), {}).float
 
 
-def plain_number(node: Formula) -> Formula:
+def number_put_in(node: Formula) -> Formula:
     """A number that has been put in, as one with which can be calculated."""
     return Number(Fraction(machine_number(node.name))) if isinstance(node, Decimal) else node
 
 
-def rounded(value: float, digits: int) -> str:
+def to_digits(value: float, digits: int) -> str:
     return f"{value:.{digits - 1}e}"
 
 

@@ -1,4 +1,4 @@
-"""Lines of MathML: a long formula in pieces between which a browser may end a line, before its signs at the outermost level."""
+"""Lines of MathML: a long formula in split_at_signs between which a browser may end a line, before its signs at the unnested level."""
 
 from __future__ import annotations
 
@@ -15,13 +15,15 @@ def math_pieces(inner: str) -> str:
         return ""
     if len(inner) <= LONG:
         return f"<math>{inner}</math>"
-    return " ".join(f"<math>{piece}</math>" for piece in pieces(ElementTree.fromstring(f"<math>{inner}</math>")))
+    return " ".join(
+        f"<math>{piece}</math>" for piece in split_at_signs(ElementTree.fromstring(f"<math>{inner}</math>"))
+    )
 
 
-def pieces(formula: ElementTree.Element) -> Iterator[str]:
+def split_at_signs(formula: ElementTree.Element) -> Iterator[str]:
     """The children of a formula, in groups that begin with a sign."""
     group: list[str] = []
-    for child in outermost(formula):
+    for child in unnested(formula):
         sign = child.tag == "mo" and child.text in BEFORE
         if sign and group:
             yield "".join(group)
@@ -33,7 +35,7 @@ def pieces(formula: ElementTree.Element) -> Iterator[str]:
         yield "".join(group)
 
 
-def outermost(formula: ElementTree.Element) -> Iterator[ElementTree.Element]:
+def unnested(formula: ElementTree.Element) -> Iterator[ElementTree.Element]:
     """The children of a formula, those of a sum or an equality among them instead of it."""
     for child in formula:
         if child.tag == "mrow" and any(one.tag == "mo" and one.text in BEFORE for one in child[1:]):

@@ -93,7 +93,10 @@ class Pushes:
             except Unsolvable:  # its laws are not written either
                 continue
             size = dot_product(push.along(IN_SPACE), out)
-            kept, otherwise = f"{spoken(joint.owner)} keeps contact", f"{spoken(joint.body.owner)} leaves the surface"
+            kept, otherwise = (
+                f"{spoken(joint.body.owner)} keeps contact",
+                f"{spoken(joint.body.owner)} leaves the surface",
+            )
             yield Requirement(joint.owner, TOUCHES, size, ZERO, kept, otherwise)
 
     def weight(self, name: str) -> ForceInSpace | None:

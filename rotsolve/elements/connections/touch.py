@@ -284,7 +284,8 @@ class Touch(Connection, frozen=True):
         push, way = unit(facing), surface.away or f"away from the {surface.word}"
         force = Force(self.name, NORMAL, name, normal, push, arm, "normal force", way, works=False, internal=True)
         yield from self.both(force, instant, "push", surface.into, ref.owner)
-        kept, otherwise = f"{spoken(self.name)} keeps contact", f"{spoken(ref.owner)} leaves the surface"
+        lying = spoken(ref.owner)
+        kept, otherwise = f"{lying} stays on the {spoken(surface.name)}", f"{lying} leaves the surface"
         yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
         if not surface.curved:
             yield from self.lies_in_front(facing, instant)
