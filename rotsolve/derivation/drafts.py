@@ -8,7 +8,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import ForceLine, Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_LAW, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.symbols import is_key
 from rotsolve.core.writing import spoken
@@ -229,7 +229,20 @@ class Diagrams(Struct, frozen=True):
         if silent and not spoken_of:
             alone = f"{joined_names(nouns(silent))}: no torque about the {support_of(silent)}"
             return ForceLine(spoken(body.name), ((alone,),), body.positive)
-        return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, without_torque(silent))
+        remarks = (*without_torque(silent), *self._through_the_centre(body, draft))
+        return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, remarks)
+
+    def _through_the_centre(self, body: BodyFacts, draft: Draft) -> tuple[Words, ...]:
+        """Which forces have no torque about the centre of mass, about which a body turns that nothing holds."""
+        laws = (self.pool[index] for index in draft.laws)
+        if body.motion.kind == "axis" or not any(law.law == ROTATION and body.name in law.bodies for law in laws):
+            return ()
+        acting = [force for force in body.forces if not force.role.unseen and force.size != ZERO]
+        central = [force for force in acting if body.torque_of(force) == ZERO]
+        if not central or len(central) == len(acting):
+            return ()
+        names, verb = nouns(central), "have" if len(nouns(central)) > 1 else "has"
+        return ((f"{joined_names(names)} {verb} no torque about the centre of mass",),)
 
     def _pushed(self, body: BodyFacts, draft: Draft) -> bool:
         """Whether a law of a section is Newton's second for a body."""
@@ -261,7 +274,7 @@ def joined_names(names: list[str]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
-def nouns(silent: list[Force | Couple]) -> list[str]:
+def nouns(silent: Sequence[Force | Couple]) -> list[str]:
     """What some forces are called, each noun once."""
     return list(dict.fromkeys(item.role.noun or item.noun for item in silent))
 

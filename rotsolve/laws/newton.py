@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Sum, add, multiply, negate, sqrt, total
+from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import CARRIED, CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
 from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, Role, signed, square
@@ -42,7 +42,15 @@ def component_equation(body: BodyFacts, axis: Heading, section: str) -> Equation
     if all(force == ZERO for force in forces) and response == ZERO:
         return None
     left, right = law(forces, response)
-    return SECOND_LAW.equation(left, right, section, (body.name,), component=axis_words(body, axis))
+    remark = centre_words(body, acceleration)
+    return SECOND_LAW.equation(left, right, section, (body.name,), remark, component=axis_words(body, axis))
+
+
+def centre_words(body: BodyFacts, acceleration: Formula) -> Words:
+    """The acceleration of the centre of mass along an axis, of a body that turns about another point."""
+    if body.motion.kind != "axis" or isinstance(acceleration, Symbol) or not acceleration.symbols():
+        return ()
+    return ("centre of mass: ", acceleration)
 
 
 def from_outside(body: BodyFacts) -> Sequence[Force]:

@@ -23,21 +23,23 @@ from rotsolve.page.blocks import (
     Labels,
     Listed,
     Listing,
+    Math,
     Page,
     PageBlock,
     Paragraph,
+    Phrase,
     Picture,
     Title,
     authored,
 )
 from rotsolve.page.depth import BRIEF, NONE, NORMAL, STEPS
-from rotsolve.page.inserted import InsertedNumbers
+from rotsolve.page.inserted import InsertedNumbers, coherent_value
 from rotsolve.page.plan import plan_of
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
 from rotsolve.page.wording import said_of_step
 
 if TYPE_CHECKING:
-    from rotsolve.language.problem import Problem
+    from rotsolve.language.problem import Given, Problem
 
 PLAN = "Plan"
 
@@ -65,7 +67,8 @@ class DerivationPage(Page, frozen=True):
             yield Title(1, (authored(derivation.title),))
         if self.pictured is not None:
             yield Picture(self.pictured)
-        opening = [row for row in opening_rows(derivation) if row.items]
+        shown = self.digits if self.numbers == STEPS and self.detail != BRIEF else None
+        opening = [row for row in opening_rows(derivation, shown) if row.items]
         yield Labels(tuple(row for row in opening if row.label != PLAN or self.detail != BRIEF))
         yield from self.section_blocks(derivation, numbers)
         if derivation.answers:
@@ -120,10 +123,17 @@ def refusal_bullet(refusal: Refusal) -> Bullet:
     return Bullet((Symbol(refusal.name), ": ", authored(fault.message), line), help)
 
 
-def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
+def given_with_number(given: Given, digits: int | None) -> Phrase:
+    """A given as the scene writes it, and in the unit with which is calculated where numbers are put in."""
+    said = given_equation(given)
+    coherent = None if digits is None else coherent_value(given, digits)
+    return (said if coherent is None else Math((*said.parts, "=", coherent)),)
+
+
+def opening_rows(derivation: Derivation, digits: int | None) -> Iterator[Labelled]:
     """Source, givens, conventions, what is asked, and the states."""
     yield Labelled("Source", ((authored(derivation.source),),) if derivation.source else ())
-    givens = tuple((given_equation(given),) for given in shown_givens(derivation.givens))
+    givens = tuple(given_with_number(given, digits) for given in shown_givens(derivation.givens))
     yield Labelled("Given", givens, ", ")
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
     yield Labelled("Find", derivation.finds, ", " if only_letters(derivation.finds) else "; ")

@@ -9,6 +9,7 @@ from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import (
     ELLIPTIC,
+    ONE,
     Call,
     Decimal,
     Formula,
@@ -20,10 +21,11 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.units.dimension import NONE, Dimension, DimensionError, base_unit_text, dimension_of
+from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension, DimensionError, base_unit_text, dimension_of
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move
+from rotsolve.language.problem import Given
 from rotsolve.page.abbreviations import Abbreviation
 from rotsolve.page.blocks import WITH, Amount, Math, Phrase
 from rotsolve.page.values import certified_digits, machine_number
@@ -193,6 +195,24 @@ def exact_decimals(value: Fraction) -> str | None:
                 return None
             return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
     return None
+
+
+def coherent_value(given: Given, digits: int) -> Amount | None:
+    """A given in coherent units, with which is calculated, where its own is another measure: 600 rev/min = 62.83 rad/s; None where it is
+    a tenth, a hundredth, … of it, or an angle."""
+    factor = given.unit.factor if given.unit is not None else ONE
+    if given.value is None or given.value.symbols() or given.dimension in (None, ANGLE, NONE) or decimal_power(factor):
+        return None
+    number, note = certified_digits(evaluate(given.value, {}), digits)
+    return None if note or not number or given.dimension is None else Amount(number, coherent_unit_of(given.dimension))
+
+
+def decimal_power(factor: Formula) -> bool:
+    """Whether a factor is a power of ten."""
+    if not isinstance(factor, Number):
+        return False
+    top, bottom = factor.value.numerator, factor.value.denominator
+    return str(top * bottom).strip("0") == "1"
 
 
 def coherent_unit(answer: Answer) -> Unit | None:

@@ -141,8 +141,8 @@ find: {a: block.acceleration, alpha: disc.angular_acceleration}
             "mass: m, ",
             "",
             [
-                "a = 2 m_block g/(M + 2 m_block) (no number: m_block, the mass of block in line 4, is not given)",
-                "α = 2 m_block g/(R (M + 2 m_block)) (no number: m_block, the mass of block in line 4, is not given)",
+                "a = 2 m_block g/(M + 2 m_block), down (no number: m_block, the mass of block in line 4, is not given)",
+                "α = 2 m_block g/(R (M + 2 m_block)), clockwise (no number: m_block, the mass of block in line 4, is not given)",
             ],
         ),
         (
@@ -150,13 +150,13 @@ find: {a: block.acceleration, alpha: disc.angular_acceleration}
             "",
             [
                 "a = 2 m g/(2 m + M) = 4.356 m/s², down",
-                "α = 2 m g/(R_disc (2 m + M)) (no number: R_disc, the radius of disc in line 5, is not given)",
+                "α = 2 m g/(R_disc (2 m + M)), clockwise (no number: R_disc, the radius of disc in line 5, is not given)",
             ],
         ),
         (
             "m: 2 kg",
             "m: kg",  # a letter by intent: nothing is missing
-            ["a = 2 m g/(2 m + M)", "α = 2 m g/(R (2 m + M))"],
+            ["a = 2 m g/(2 m + M), down", "α = 2 m g/(R (2 m + M)), clockwise"],
         ),
     ],
     ids=["mass", "radius", "letter"],
