@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from copy import copy
 from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import Formula
@@ -56,6 +55,8 @@ class Printer:
 
     def in_language(self, language: Language) -> Printer:
         """The same format for pages in another language."""
+        from copy import copy
+
         found = copy(self)
         found.code, found.babel = language.code, language.babel
         found.decimal = self.comma if language.decimal == "," else language.decimal
