@@ -29,7 +29,7 @@ class Arrangement(Struct, frozen=True, dict=True):
     """A problem with its timeline; answers what is connected to what at each state.
 
     `alteration` is what is changed on purpose in what the laws say of it; nothing, save where a mistake is looked for.
-    `forward` holds the frictions, each as owner and moment, that are known to act the way in which the body is counted, not against it.
+    `forward` holds the frictions, each as owner and moment, that act by their numbers the way in which the body is counted, not against it.
     """
 
     problem: Problem

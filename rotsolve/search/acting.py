@@ -1,4 +1,4 @@
-"""Acting: which frictions that hold something are known to act the way in which its body is counted, to be drawn and named so."""
+"""Acting: which frictions that hold something act, by their numbers, the way in which its body is counted, to be drawn and named so."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ FRICTION, SIZE = "friction_force", "size of"
 def acting_forward(search: Search) -> frozenset[tuple[str, str]]:
     """Those that come out negative as they are drawn, each as owner and moment; none of which the scene itself says something signed."""
     problem, quantities = search.scene.configuration.problem, search.scene.registry.quantities
+    if problem.trials or any(find.verge for find in problem.finds):  # the numbers of one case; friction at a limit that has a sense
+        return frozenset()
     told = [quantities[key] for key in {*search.solver.told, *search.solver.solved} if key in quantities]
     negative = [quantity for quantity in told if quantity.kind == FRICTION and sign_told(quantity.key, search) == -1]
     signed = spoken_of(problem) if negative else set()
@@ -20,12 +22,12 @@ def acting_forward(search: Search) -> frozenset[tuple[str, str]]:
 
 
 def sign_told(key: str, search: Search) -> int | None:
-    """The sign of a letter that a step tells, by its number or for all that the letters of the scene may be."""
+    """The sign of the number of a letter that a step tells."""
     found = search.solver.solved.get(key)
     if found is not None and found.number is not None:
         return found.number.sign
     value = search.solver.with_found(Symbol(key))
-    return None if has_quantities(value) else search.signs.sign(value) or search.signs.as_meant(value)
+    return None if has_quantities(value) else search.signs.by_numbers(value)
 
 
 def spoken_of(problem: Problem) -> set[str]:

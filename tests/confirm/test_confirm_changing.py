@@ -251,7 +251,7 @@ def test_ball_up_a_slope_and_back_by_steps() -> None:
     up, top = until(rate, (speed, 0.0), lambda _, state: state[0])
     down, back = until(rate, top, lambda _, state: state[1])
     found = answers("ball-rolls-up-and-back")
-    expected = {"s": top[1], "t": up, "T": up + down, "v": back[0], "f": 0.4 * mass * slowing}
+    expected = {"s": top[1], "t": up, "T": up + down, "v": back[0], "f": -0.4 * mass * slowing}
     for key, value in expected.items():
         assert found[key] == pytest.approx(value, rel=1e-6), key
 

@@ -306,7 +306,7 @@ def test_rod_tips_over_about_its_foot() -> None:
     ahead = half * (math.cos(beta) * turn - math.sin(beta) * rate**2)
     assert answer("rod-tips-on-floor", "omega") == pytest.approx(rate, rel=1e-8)
     assert answer("rod-tips-on-floor", "N") == pytest.approx(mass * (G + up), rel=1e-8)
-    assert answer("rod-tips-on-floor", "f") == pytest.approx(-mass * ahead, rel=1e-8)  # positive to the left
+    assert answer("rod-tips-on-floor", "f") == pytest.approx(mass * ahead, rel=1e-8)  # to the right
 
 
 def test_blow_on_the_end_of_a_rod() -> None:

@@ -52,7 +52,6 @@ def test_what_follows_is_asked(text: str, true: dict[str, float]) -> None:
     for more in ("", ", later: {time: 0.05 s}"):
         found = solve(text.replace("MORE", more))
         numbers = {name: found.answers[name].float for name in true}
-        numbers |= {"f": -numbers["f"]} if "f" in true else {}  # drawn down the slope, where it acts at first
         assert numbers == {name: pytest.approx(value, abs=1e-12) for name, value in true.items()}
 
 

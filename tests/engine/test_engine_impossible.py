@@ -44,7 +44,7 @@ def test_a_place_that_the_data_leave_no_room_for_has_no_forces(beta: float, down
             solve(hoop(beta, down, find))
         return
     solution = solve(hoop(beta, down, find))
-    assert solution.answers["f"].float == pytest.approx(-40 * sin(radians(beta)), rel=1e-3) and not solution.refused
+    assert solution.answers["f"].float == pytest.approx(40 * sin(radians(beta)), rel=1e-3) and not solution.refused
     way = degrees(acos(4 * sin(radians(beta)) / 3))
     places = [sign * way if down == "left" else 180 - sign * way for sign in (1, -1)]
     found = degrees(solution.answers["phi"].float)

@@ -41,7 +41,7 @@ CASES = [
     Case(
         "cylinder that rolls on a plank",
         (SCENES / "contact-cylinder-on-plank.yaml").read_text(encoding="utf-8"),
-        {"A": 30 / (6 + 4 / 3), "a": 10 / (6 + 4 / 3), "alpha": 20 / (6 + 4 / 3) / 0.1, "f": -40 / (6 + 4 / 3)},
+        {"A": 30 / (6 + 4 / 3), "a": 10 / (6 + 4 / 3), "alpha": 20 / (6 + 4 / 3) / 0.1, "f": 40 / (6 + 4 / 3)},
     ),
     Case(
         "blocks that slide down a slope together",
