@@ -335,7 +335,11 @@ class Results(Struct, frozen=True):
         if formula is None:
             return None
         friction = [term.path.quantity for term in find.terms] == [SIZED] and find.formula == Symbol("#0")
-        return self.search.signs.as_meant(formula) if friction else self.search.signs.by_letters(formula)
+        if friction:
+            return self.search.signs.as_meant(formula)
+        return self.search.signs.by_letters(
+            formula.substitute(self.search.values)
+        )  # numbers as they are, letters as they may be
 
     def _positive(self, answered: Answered) -> str:
         """What a positive value means, in words, where a negative one means something else; friction is told by its size."""

@@ -13,7 +13,7 @@ FRICTION, SIZE = "friction_force", "size of"
 def acting_forward(search: Search) -> frozenset[tuple[str, str]]:
     """Those that come out negative as they are drawn, each as owner and moment; none of which the scene itself says something signed."""
     problem, quantities = search.scene.configuration.problem, search.scene.registry.quantities
-    if problem.trials or any(find.verge for find in problem.finds):  # the numbers of one case; friction at a limit that has a sense
+    if any(find.verge for find in problem.finds):  # at its limit it has the sense of the slip that begins
         return frozenset()
     told = [quantities[key] for key in {*search.solver.told, *search.solver.solved} if key in quantities]
     negative = [quantity for quantity in told if quantity.kind == FRICTION and sign_told(quantity.key, search) == -1]
@@ -22,12 +22,12 @@ def acting_forward(search: Search) -> frozenset[tuple[str, str]]:
 
 
 def sign_told(key: str, search: Search) -> int | None:
-    """The sign of the number of a letter that a step tells."""
+    """The sign of a letter that a step tells: of its number, or the same for all that the letters of the scene may be."""
     found = search.solver.solved.get(key)
     if found is not None and found.number is not None:
         return found.number.sign
     value = search.solver.with_found(Symbol(key))
-    return None if has_quantities(value) else search.signs.by_numbers(value)
+    return None if has_quantities(value) else search.signs.sign(value)
 
 
 def spoken_of(problem: Problem) -> set[str]:
