@@ -39,7 +39,7 @@ class Trace(Struct, frozen=True):
     # the solution in letters of the case that some numbers are of, and the signs that it took
     case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
-    forward: frozenset[tuple[str, str]] = frozenset()  # frictions that act the way in which their bodies are counted
+    forward: frozenset[str] = frozenset()  # whose friction acts the way in which its body is counted
     by_law: Callable[[str], Derivation] | None = None  # the same questions by another law
     letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
     points: tuple[Mapping[str, Fraction], ...] = ()  # numbers of which letters the cases of the answers were found
@@ -146,7 +146,7 @@ class PictureView(Struct, frozen=True):
 
     problem: Problem
     state: str = ""
-    forward: frozenset[tuple[str, str]] = frozenset()
+    forward: frozenset[str] = frozenset()
 
     def at(self, state: str) -> PictureView:
         """The same scene at another state."""

@@ -156,10 +156,10 @@ def solve_command(
         raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
     page = (format_chosen(format, output, show), output, digits)
     request = SolveRequest(tuple(files), law, *page, read_settings(settings or []), show, width or page_width(output))
-    moment = moment_checked(at)
     limit = None if time_limit is None else seconds_of(time_limit, "'--time-limit'")
-    request = replace(request, at=moment, jobs=jobs, time_limit=limit, profile=profile, confirm=confirm)
-    request = replace(request, pictures=pictures, detail=detail, numbers=numbers, language=language)
+    run = {"at": moment_checked(at), "jobs": jobs, "time_limit": limit, "profile": profile, "confirm": confirm}
+    told = {"pictures": pictures, "detail": detail, "numbers": numbers, "language": language}
+    request = replace(request, **run, **told)
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

@@ -329,17 +329,15 @@ class Results(Struct, frozen=True):
         return words[0 if sign > 0 else 1] if any(words) and sign else ""
 
     def _sign(self, answered: Answered) -> int | None:
-        """The sign in letters, as far as it is the same for all that they may be; of friction, whose direction is told by words alone, for
-        all that are meant to be positive."""
+        """The sign with the numbers that there are, as far as it is the same for all that letters may be; of friction, whose direction
+        words alone tell, for all that are meant to be positive."""
         find, formula = answered.asked.find, answered.found.formula
         if formula is None:
             return None
         friction = [term.path.quantity for term in find.terms] == [SIZED] and find.formula == Symbol("#0")
         if friction:
             return self.search.signs.as_meant(formula)
-        return self.search.signs.by_letters(
-            formula.substitute(self.search.values)
-        )  # numbers as they are, letters as they may be
+        return self.search.signs.by_letters(formula.substitute(self.search.values))
 
     def _positive(self, answered: Answered) -> str:
         """What a positive value means, in words, where a negative one means something else; friction is told by its size."""

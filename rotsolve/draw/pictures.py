@@ -37,13 +37,11 @@ def scene_picture(problem: Problem, state: str = "") -> Figure:
     return draw_scene(stage_of(problem, at), problem.title, picture_words(problem))
 
 
-Forward = frozenset[
-    tuple[str, str]
-]  # frictions, by owner and moment, that act the way in which their bodies are counted
-
-
-def free_body_pictures(problem: Problem, state: str = "", forward: Forward = frozenset()) -> list[tuple[str, Figure]]:
-    """A diagram for each body on which something acts at a state, with the name of the body; frictions as they are known to act."""
+def free_body_pictures(
+    problem: Problem, state: str = "", forward: frozenset[str] = frozenset()
+) -> list[tuple[str, Figure]]:
+    """A diagram for each body on which something acts at a state, with the name of the body; the friction of those that are
+    `forward` acts the way in which its body is counted."""
     if problem.space:
         help = "the picture of the scene shows its weights and what the actions exert; `solve --show facts` says all forces"
         raise undrawable("free-body diagrams are drawn of scenes in the plane, and this one is in space", problem, help)
@@ -56,7 +54,7 @@ def free_body_pictures(problem: Problem, state: str = "", forward: Forward = fro
     return found
 
 
-def free_body_picture(problem: Problem, state: str = "", forward: Forward = frozenset()) -> Figure:
+def free_body_picture(problem: Problem, state: str = "", forward: frozenset[str] = frozenset()) -> Figure:
     """All free-body diagrams of a state in one picture."""
     from rotsolve.draw.plane.freebody import diagrams_in_rows
 
@@ -73,7 +71,7 @@ def picture_of(problem: Problem) -> Figure | None:
         return None
 
 
-def stage_of(problem: Problem, state: str, forward: Forward = frozenset()) -> PlaneStage:
+def stage_of(problem: Problem, state: str, forward: frozenset[str] = frozenset()) -> PlaneStage:
     """A scene in the plane with a place for everything."""
     return standing_at(plane_stage, replace(configured(problem), forward=forward), state, problem)
 

@@ -29,12 +29,12 @@ class Arrangement(Struct, frozen=True, dict=True):
     """A problem with its timeline; answers what is connected to what at each state.
 
     `alteration` is what is changed on purpose in what the laws say of it; nothing, save where a mistake is looked for.
-    `forward` holds the frictions, each as owner and moment, that act by their numbers the way in which the body is counted, not against it.
+    `forward` names what holds a body by a friction that acts, by its numbers, the way in which that is counted, not against it.
     """
 
     problem: Problem
     alteration: Alteration | None = None
-    forward: frozenset[tuple[str, str]] = frozenset()
+    forward: frozenset[str] = frozenset()
 
     @cached_property
     def timeline(self) -> Timeline:

@@ -115,7 +115,7 @@ class Standing(Struct, frozen=True, dict=True):
     def held_by_friction(self, owner: str, when: str, words: tuple[str, str]) -> tuple[Formula, int]:
         """The friction that holds a contact, as large as it takes, and its sense: +1 where it is drawn by the first of two words, as it is
         unless the numbers tell that it acts the other way."""
-        turned = (owner, when) in self.configuration.forward
+        turned = owner in self.configuration.forward
         ways = (words[1], words[0]) if turned else words
         return self.ask("friction_force", owner, when=when, words=ways), -1 if turned else 1
 

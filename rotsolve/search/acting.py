@@ -1,4 +1,4 @@
-"""Acting: which frictions that hold something act, by their numbers, the way in which its body is counted, to be drawn and named so."""
+"""Acting: whose friction, that holds something, acts by its numbers the way in which its body is counted, to be drawn and named so."""
 
 from __future__ import annotations
 
@@ -10,15 +10,18 @@ from rotsolve.search.search import Search
 FRICTION, SIZE = "friction_force", "size of"
 
 
-def acting_forward(search: Search) -> frozenset[tuple[str, str]]:
-    """Those that come out negative as they are drawn, each as owner and moment; none of which the scene itself says something signed."""
+def acting_forward(search: Search) -> frozenset[str]:
+    """The owners of frictions that come out negative as they are drawn, at each moment at which they are told: one that turns round keeps
+    its sense, and so does one of which the scene itself says something signed."""
     problem, quantities = search.scene.configuration.problem, search.scene.registry.quantities
     if any(find.verge for find in problem.finds):  # at its limit it has the sense of the slip that begins
         return frozenset()
-    told = [quantities[key] for key in {*search.solver.told, *search.solver.solved} if key in quantities]
-    negative = [quantity for quantity in told if quantity.kind == FRICTION and sign_told(quantity.key, search) == -1]
-    signed = spoken_of(problem) if negative else set()
-    return frozenset((quantity.owner, quantity.when) for quantity in negative if quantity.owner not in signed)
+    signs: dict[str, set[int | None]] = {}
+    for key in {*search.solver.told, *search.solver.solved} & quantities.keys():
+        if quantities[key].kind == FRICTION:
+            signs.setdefault(quantities[key].owner, set()).add(sign_told(key, search))
+    negative = {owner for owner, own in signs.items() if own - {0} == {-1}}
+    return frozenset(negative - spoken_of(problem)) if negative else frozenset()
 
 
 def sign_told(key: str, search: Search) -> int | None:

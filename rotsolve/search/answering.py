@@ -16,14 +16,14 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import Find, Problem, Term
+from rotsolve.motion.timeline import Timeline
 from rotsolve.paths.meaning import NotYet, Unclear
 from rotsolve.paths.points import resting
 from rotsolve.questions.find import entries, question_for
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
-from rotsolve.search.sequence import in_sequence
 
 Got = TypeVar("Got")
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
@@ -60,6 +60,30 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
     if again:
         raise again[0][1]
     return search
+
+
+def in_sequence(finds: Sequence[Find], timeline: Timeline) -> list[Find]:
+    """The questions in the order of time, however a scene lists them, each behind those that it names; as they are where one
+    seeks a letter, an extremum or a label."""
+    if len(finds) < 2 or any(find.where is not None or find.extreme or find.choice is not None for find in finds):
+        return list(finds)
+    places: dict[str, int] = {}
+    for find in finds:
+        named = [places[name] for name in letters_of(find) if name in places]
+        places[find.name] = max([place_in_time(find, timeline), *named])
+    return sorted(finds, key=lambda find: places[find.name])
+
+
+def place_in_time(find: Find, timeline: Timeline) -> int:
+    """The place in time of the last state of which a question speaks."""
+    moments = [timeline.order.get(name, 0) for term in find.terms for name in states_spoken_of(term, timeline)]
+    return max(moments, default=0)
+
+
+def states_spoken_of(term: Term, timeline: Timeline) -> list[str]:
+    """The states of which a term speaks, the last one of a phase or an event for that."""
+    spans = [one.end for one in timeline.intervals if term.during is not None and term.during in (one.name, one.whole)]
+    return [name for name in (term.at, term.start, term.end, *spans) if name is not None]
 
 
 def afresh(search: Search) -> Search:

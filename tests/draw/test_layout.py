@@ -10,12 +10,15 @@ from gallery import PLANE, problem
 
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.signs import normal, rests, surface_of
+from rotsolve.draw.paper.tikz import tikz
+from rotsolve.draw.pictures import scene_picture
 from rotsolve.draw.plane.places.numbers import numbers_for
 from rotsolve.draw.plane.places.overlaps import overlapping, plane_stage
 from rotsolve.draw.plane.places.rules import meetings_to_come
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.elements.connections.supports import Hinge
 from rotsolve.motion.complete import configured
+from rotsolve.scene.read import read_text
 
 NEAR = 2e-3  # of the measure of a scene
 
@@ -89,3 +92,11 @@ def test_hinges_join_points_of_two_bodies(name: str) -> None:
             assert {ref.owner for ref in refs} not in coming
             (ax, ay), (bx, by) = (found.bodies[ref.owner].spot(found.model.drawn(ref)) for ref in refs)
             assert math.dist((ax, ay), (bx, by)) < NEAR * found.sizes.whole
+
+
+def test_a_title_is_never_more_than_a_comment_of_tex() -> None:
+    """A line break in it would end the comment, and TeX would carry out what follows."""
+    scene = 'title: "one\\n\\\\input{two}\\r\\u2028three"\nbodies: {block: {mass: 2 kg, moves: down}}\n'
+    scene += "find: {a: block.acceleration}\n"
+    lines = tikz(scene_picture(read_text(scene))).split("\n")
+    assert lines[0] == r"% one \input{two} three" and not any("input" in line for line in lines[1:])

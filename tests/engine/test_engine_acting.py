@@ -82,3 +82,20 @@ find: {{f: brake.friction_force}}
         found = answer(text)
         assert found.value is not None and found.value.float == pytest.approx(19.6), side
         assert way in found.direction
+
+
+def test_friction_that_turns_round_keeps_its_sense() -> None:
+    """A pull 2 N − k t that changes its sign: one sense at both moments, or a change of it would be that of sizes."""
+    scene = """
+given: {m: 2 kg, R: 0.1 m, k: 5 N/s}
+surfaces: {road: level}
+bodies: {wheel: {shape: disc, mass: m, radius: R, moves: right}}
+connections: {grip: {rolls: [wheel, road]}}
+actions: {pull: {force: 2 N - k*time, on: wheel, direction: right}}
+states: {one: {at rest: all}, two: {time: 1 s}}
+find: {first: grip.friction_force at one, then: grip.friction_force at two}
+"""
+    first, then = solve(scene).derivation.answers
+    assert first.value is not None and then.value is not None
+    assert (first.value.float, then.value.float) == (pytest.approx(2 / 3), pytest.approx(-1.0))
+    assert (first.direction, then.direction) == ("left", "right")

@@ -1,6 +1,6 @@
 """SVG: a picture as a browser shows it: text stays text, the same picture gives the same bytes, on dark and on light paper.
 
-Written with the standard library alone: to import a drawing library takes three times as long as to make a picture (docs/decisions.md).
+Written with the standard library alone: to import a drawing library takes twenty times as long as to make a picture (docs/decisions.md).
 """
 
 from __future__ import annotations

@@ -20,7 +20,8 @@ PREAMBLE = r"""\documentclass[border=4pt]{standalone}
 def tikz(figure: Figure) -> str:
     """A picture as a `tikzpicture`."""
     styles = ",\n".join(f"  rs {role.name}/.style={{{tikz_style(role)}}}" for role in ROLES)
-    lines = [rf"% {figure.title}", r"\begin{tikzpicture}[x=1pt,y=1pt,line join=round,line cap=round,", styles + "]"]
+    title = " ".join(figure.title.split())  # on one line, so that none of it is more than a comment
+    lines = [rf"% {title}", r"\begin{tikzpicture}[x=1pt,y=1pt,line join=round,line cap=round,", styles + "]"]
     for mark in figure.in_layers():
         lines += tikz_mark(mark)
     for label in figure.labels:
