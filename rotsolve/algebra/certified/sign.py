@@ -126,7 +126,10 @@ class SignOracle(Struct, frozen=True):
 
     def by_letters(self, value: Formula) -> int | None:
         """The sign as far as letters that are positive, or within limits, tell it: that which it has within them, not at their ends."""
-        value = simplify(value, positive=self.positive)
+        try:
+            value = simplify(value, positive=self.positive)
+        except ZeroDivisionError:  # has no value, as N/f with no friction
+            return None
         if value == ZERO:
             return 0
         if not self.lacking(value):  # what lacks a value has cancelled out
