@@ -6,6 +6,8 @@ In these files the lists of shapes, formats and the like stand by their names, `
 from __future__ import annotations
 
 import gc
+from collections import Counter
+from collections.abc import Iterator
 from functools import cache
 from itertools import count
 from pathlib import Path
@@ -19,9 +21,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--regenerate", action="store_true", help="write goldens and expected files anew: read the difference"
     )
+    parser.addoption(
+        "--exhaustive", action="store_true", help="every case of the long sweeps, of which an ordinary run takes a part"
+    )
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "sampled(every): of its cases an ordinary run takes every so many")
+    config.addinivalue_line("markers", "exhaustive: only with --exhaustive; its kind has shorter tests")
     gc.set_threshold(
         2_000_000
     )  # of all that is kept for other tests little is garbage: looking for it took an eighth of all tests
@@ -37,9 +44,24 @@ def pytest_runtest_teardown(item: pytest.Item) -> None:
         gc.freeze()
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """The tests of one scene behind each other, whatever file they stand in: so each worker solves about half of the scenes."""
+    if not config.getoption("--exhaustive"):
+        left_out = [item for item, taken in zip(items, ordinary(items), strict=True) if not taken]
+        config.hook.pytest_deselected(items=left_out)
+        out = {*left_out}
+        items[:] = [item for item in items if item not in out]
     items.sort(key=scene_of)
+
+
+def ordinary(items: list[pytest.Item]) -> Iterator[bool]:
+    """Whether an ordinary run takes each test: its cases are counted as they are written, so that each worker takes the same."""
+    before: Counter[str] = Counter()
+    for item in items:
+        sampled, name = item.get_closest_marker("sampled"), item.nodeid.partition("[")[0]
+        every = sampled.args[0] if sampled else 1
+        yield item.get_closest_marker("exhaustive") is None and before[name] % every == 0
+        before[name] += 1
 
 
 def scene_of(item: pytest.Item) -> str:

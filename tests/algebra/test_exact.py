@@ -362,6 +362,7 @@ def test_equality_agrees_with_numbers(f: Formula, g: Formula) -> None:
         assert not equal(f, g, POSITIVE)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.lists(st.integers(-3, 3), min_size=4, max_size=4), min_size=3, max_size=3), st.integers(0, 2))
 def test_systems_agree_with_sympy(rows: list[list[int]], asked: int) -> None:

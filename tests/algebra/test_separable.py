@@ -33,6 +33,7 @@ def number(f: Formula) -> float:
     return evaluate(f, VALUES, digits=15).float
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("integrand", "lower", "upper"),
     [

@@ -152,6 +152,7 @@ def test_latex_is_balanced(formula: Formula) -> None:
     assert "$" not in latex
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=300, deadline=None)
 @given(st.from_regex(r"[A-Za-z]{1,6}[0-9]{0,2}(_[A-Za-z0-9]{1,4}){0,2}", fullmatch=True))
 def test_every_name_reads_back(name: str) -> None:

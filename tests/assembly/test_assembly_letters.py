@@ -113,6 +113,7 @@ BETWEEN = {
 }  # fmt: skip
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("scene", BETWEEN.values(), ids=BETWEEN)
 def test_what_can_fail_between_is_said(scene: str) -> None:
     """Only next to edges of what is printed, or for rare sizes, does it turn back, hop or slip: no such answer is confirmed."""
@@ -197,6 +198,7 @@ HANGING = "coil: {spring: [ceiling, box], stiffness: k}"
 TWISTED = "ax: {axle: bar}, wire: {torsion: bar, stiffness: k*d^2}"
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("way", "links", "states", "find"),
     [
@@ -280,6 +282,7 @@ find: {u: roller.velocity at late}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("scene", ["LIMIT", "BALLS", "CRATE", "PLANK"])
 def test_one_case_does_not_speak_for_another(scene: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """An answer with several cases is confirmed where each of them was with some numbers."""

@@ -90,6 +90,7 @@ def in_letters(text: str) -> str:
     return f"{head}\ngiven: {{{', '.join(f'{name}: {UNITS[name]}' for name in names)}}}\n{rest}"
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("text", KINDS.values(), ids=list(KINDS))
 def test_letters_are_tried_with_numbers_with_which_they_meet(text: str) -> None:
     """Whatever is asked of later is not confirmed for all letters; what the blow leaves is."""

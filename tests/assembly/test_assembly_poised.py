@@ -74,6 +74,7 @@ def test_friction_has_to_suffice_on_the_whole_way_from_upright(name: str, way: s
         solve(given(0.995))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", CASES)
 def test_in_letters_it_is_said_with_which_numbers_friction_gives_way_before(name: str) -> None:
     changes, _, tip = CASES[name]

@@ -178,6 +178,7 @@ CENTRES = {  # how far ahead of the middle of its base the centre of mass of eac
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("crate", CENTRES)
 @pytest.mark.parametrize("friction", ["0.02", "0.4", "mu"])
 def test_a_crate_in_letters_stands_while_its_weight_and_friction_meet_within_its_base(

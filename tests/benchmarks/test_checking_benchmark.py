@@ -15,6 +15,7 @@ from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.verdict import RIGHT, WRONG
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("kind", "outcome"), [("right formula", RIGHT), ("wrong formula", WRONG)])
 def test_lines_are_right_and_wrong(kind: str, outcome: str) -> None:
     random = Random(5)

@@ -38,6 +38,7 @@ def test_numbers_with_their_bounds() -> None:
     assert float(rows[0]["rod.angular_acceleration"]) == pytest.approx(-12.7305734356)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [

@@ -113,6 +113,7 @@ def test_a_killed_process_and_one_that_leaves_are_errors_of_their_files(command:
     assert err == f"{KILLED}\n{QUITS}\n2 of 4 files not solved: killed.yaml, quits.yaml\n"
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("jobs", ["1", "2"])
 def test_a_file_that_takes_too_long_is_given_up(command: Command, page: str, jobs: str) -> None:
     code, out, err = ran(command("endless.yaml", "a.yaml", "--time-limit", "1s", "--jobs", jobs))
@@ -153,6 +154,7 @@ def test_an_interrupt_ends_all_processes(command: Command, page: str, tmp_path: 
     await_(lambda: not alive(int(written.read_text())))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("later", [0.0, 0.1, 0.3])
 def test_an_interrupt_while_processes_start_ends_them_too(command: Command, later: float) -> None:
     process = command("endless.yaml", "endless.yaml", "--jobs", "2")

@@ -31,6 +31,7 @@ def run(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[bytes]:
     return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, timeout=120, check=False)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("options", [(), ("--jobs", "2")])
 def test_several_scenes_are_one_pdf_in_a_file_or_a_pipe(tmp_path: Path, options: tuple[str, ...]) -> None:
     scenes = (SCENE, str(ROOT / "problems" / "pulleys" / "atwood.yaml"))

@@ -97,6 +97,7 @@ BAD = (
 )
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("text", BAD)
 def test_a_process_of_its_own_says_the_same_of_what_is_no_yaml(text: str, tmp_path: Path) -> None:
     scene = tmp_path / "scene.yaml"

@@ -110,6 +110,7 @@ find:
     compare(scene, {"v": v, "x": x, "W": -taken}, seed)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(3))
 def test_round_bodies_thrown_with_a_spin(seed: int) -> None:
     chance, time = draws(seed)
@@ -146,6 +147,7 @@ find:
     compare(scene, {"v": v, "w": w, "x": x, "phi": turned, "L": taken}, seed, ("newton",))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(3))
 def test_windlass_on_a_stiff_bearing_with_a_brake(seed: int) -> None:
     chance, time = draws(seed)
@@ -215,6 +217,7 @@ find:
     compare(scene, {"w1": w1, "w2": w2, "n1": n1, "n2": n2}, seed)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(3))
 def test_block_on_a_plank_on_a_rough_floor(seed: int) -> None:
     chance, time = draws(seed)
@@ -243,6 +246,7 @@ find:
     compare(scene, {"v": v, "w": w, "x": x, "y": y, "L": taken}, seed, ("newton", "newton", "angular-momentum"))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(3))
 def test_block_on_a_table_drawn_over_a_pulley(seed: int) -> None:
     chance, time = draws(seed)
@@ -274,6 +278,7 @@ find:
     compare(scene, {"v": v, "x": x, "L": taken}, seed, ("newton", "lagrange", "angular-momentum"))
 
 
+@pytest.mark.exhaustive
 def test_a_phase_begins_as_the_one_before_leaves_it() -> None:
     """A pull that ends: what it has set sliding, or spinning, goes on until friction has had its way."""
     told = givens(m=(4, "kg"), F=(20, "N"), R=(0.3, "m"), M=(8, "N m"), mu=(0.3, ""))

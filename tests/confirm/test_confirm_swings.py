@@ -143,6 +143,7 @@ def shaft_torque(angle: float, rate: float) -> float:
     return float(outwards - G * length / 2 * mpmath.sin(angle))
 
 
+@pytest.mark.exhaustive
 def test_rod_on_a_turning_shaft_by_the_pieces_of_the_rod() -> None:
     angle = bisect(lambda theta: -shaft_torque(theta, 6), 0.1, math.pi / 2)
     assert angle == pytest.approx(answer("rod-on-turning-shaft", "theta"), rel=1e-10)

@@ -18,6 +18,7 @@ def tension(first_is_upper: bool, rolls: bool) -> tuple[float, float]:
     return down, held if first_is_upper else -held
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("falls", "rolls", "along"), list(product(("left", "right"), (False, True), (False, True))))
 @pytest.mark.parametrize("moves", [("up", "up"), ("down", "down"), ("up", "down")])
 @pytest.mark.parametrize("backwards", [False, True])

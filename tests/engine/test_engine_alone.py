@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from pathlib import Path
 
 import pytest
@@ -18,8 +17,7 @@ from rotsolve.solution import AnswerView
 from solutions import solved
 
 ROOT = Path(__file__).resolve().parents[2]
-EVERY = int(os.environ.get("ROTSOLVE_ALONE_EVERY", "3"))
-FILES = sorted((ROOT / "problems").rglob("*.yaml"))[::EVERY]
+FILES = sorted((ROOT / "problems").rglob("*.yaml"))
 CRANES = """
 title: Three machines side by side, of which one is not told well enough
 given: {m: 2 kg, R: 10 cm, k: unknown}
@@ -73,6 +71,7 @@ def same(one: AnswerView, other: AnswerView, letters: frozenset[str]) -> bool:
     return math.isclose(one.float, other.float, rel_tol=1e-9, abs_tol=1e-12)
 
 
+@pytest.mark.sampled(9)
 @pytest.mark.parametrize("problem_file", FILES, ids=[file.stem for file in FILES])
 def test_each_question_alone_is_as_beside_the_others(problem_file: Path) -> None:
     """Those beside the others are confirmed by the assembly, so that what is the same alone needs no other confirmation."""

@@ -38,6 +38,7 @@ find: {w: drum.angular_velocity at any time}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("force", "way"), [*zip(FORCES, ("right", "left") * 4, strict=True)])
 def test_it_holds_up_to_where_it_comes_to_rest(force: str, way: str) -> None:
     solution = solve(BLOCK.replace("FORCE", force).replace("WAY", way), confirm=False)
@@ -52,6 +53,7 @@ def test_where_it_is_not_told_it_is_said() -> None:
     assert any("whether block comes to rest at some time after start" in words for words in said)
 
 
+@pytest.mark.exhaustive
 def test_in_letters_a_load_that_falls_at_first_comes_to_rest() -> None:
     """The motor turns the drum back where m g R > τ: ω = (t (τ − m g R) + ½ c t²)/(I + m R²) up to t = 2 (m g R − τ)/c."""
     answer = solve(DRUM, confirm=False).answers["w"].answer

@@ -76,6 +76,7 @@ def test_the_answers_are_those_of_solving_again() -> None:
             assert sure[name][0][index] == pytest.approx(view.float, rel=1e-14)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("path", sorted(PROBLEMS.glob("*/*.yaml")), ids=lambda path: path.stem)
 def test_every_problem_gives_its_own_answers(path: Path) -> None:
     """With the givens as they are: what is evaluated is what is printed; what has no closed form is refused by name."""

@@ -152,6 +152,7 @@ find: {{theta: smallest theta where head sticks}}
 SIDES = {"right": "theta", "left": "180 deg - theta"}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("wall", SIDES)
 def test_a_ladder_does_not_lie_in_the_floor(wall: str) -> None:
     """tan θ = (1 − p q)/(2 p): with p q > 1 it stands at every angle above the floor, and none is the smallest."""

@@ -133,6 +133,7 @@ def answered(solution: Solution, known: dict[str, float]) -> bool:
     )
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("kind", "mirrored"), [(kind, place % 2 == 1) for place, kind in enumerate(KINDS)])
 def test_it_gets_past_the_place_where_it_is_slowest(kind: str, mirrored: bool) -> None:
     _, units, _, energy = KINDS[kind]

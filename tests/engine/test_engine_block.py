@@ -138,6 +138,7 @@ def answers(problem: Problem) -> list[str]:
         return [str(error)]
 
 
+@pytest.mark.exhaustive
 def test_the_answers_are_those_of_the_whole_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     """Each question of every scene that there is, alone: once with its block, once with all laws."""
     parts = [part for text in SCENES.values() for part in questions(read_text(text))]
@@ -160,6 +161,7 @@ def test_no_law_is_written_for_what_is_left_out() -> None:
     assert "block2" not in many.equations_text()
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("folder", sorted({path.parent.name for path in (ROOT / "problems").glob("*/*.yaml")}))
 def test_no_step_is_derived_that_is_not_printed(folder: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Checks derive by searches of their own; that of the answers holds what the page shows."""

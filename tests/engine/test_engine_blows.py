@@ -88,6 +88,7 @@ find:
 HELD = ("cart", "free", "hinge")
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("count", "seed", "held"),
     [  # of each number of rods three chains, each of them held in two ways

@@ -254,6 +254,7 @@ def hang(machine: Machine, node: Node, name: str, parent: str) -> None:
     hang(machine, node.right, f"{name}r", right)
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=60, deadline=None)
 @given(tops)
 def test_pulleys_that_hang_from_pulleys(top: Node) -> None:

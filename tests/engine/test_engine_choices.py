@@ -91,6 +91,7 @@ def test_what_a_choice_compares_may_fail_by_name() -> None:
     assert any("is not the same at all states" in refusal.fault.message for refusal in solution.derivation.refused)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("label", ["nil", "not at all", "'not moving'"])
 @pytest.mark.parametrize("zero", ["0", "0 m/s^2", "0 km/h^2", "-0 m/s^2"])
 @pytest.mark.parametrize("compared", ["a > {zero}", "{zero} < ring.acceleration", "a/2 >= {zero}"])

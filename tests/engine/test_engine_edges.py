@@ -91,6 +91,7 @@ CHOICES: list[tuple[str, str, set[str]]] = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("written", "asked", "edge", "choice", "nil", "others"),
     [  # each kind of scene with each choice in one of its two orders
@@ -162,6 +163,7 @@ find: {a: sledge.acceleration at start}
 """
 
 
+@pytest.mark.exhaustive
 def test_a_step_is_strict_on_both_sides_and_what_goes_over_is_not() -> None:
     found = solve(KICK)
     assert {case.conditions for case in found.answers["f"].branches} == {("h > ⅖ R",), ("h < ⅖ R",)}
@@ -214,6 +216,7 @@ find: {T: T where left.displacement = d at end}
     assert edge.formula == Symbol("d") / Symbol("u")
 
 
+@pytest.mark.exhaustive
 def test_an_edge_on_which_a_logarithm_has_no_value_is_no_fault() -> None:
     """Constant power against friction: t has ln((P - τ ω₀)/(P - τ ω₁)) in it, which is 0/0 where P = τ ω₀ = τ ω₁ is put in."""
     found = solve("""title: Constant power against friction
@@ -319,6 +322,7 @@ def test_each_case_that_holds_on_an_edge_is_what_holds_there(written: str, own: 
         assert said
 
 
+@pytest.mark.exhaustive
 def test_what_the_least_push_decides_is_not_told_on_the_edge() -> None:
     """Q = ½ m g L cos β balances the rod: it stays, and w is what it would have at the bottom; α = 0 holds there too."""
     answers = solve("""title: Rod let go above the level against a couple

@@ -79,6 +79,7 @@ def items(facts: Facts) -> Iterator[tuple[BodyFacts, Force | Couple]]:
             yield body, item
 
 
+@pytest.mark.sampled(3)
 def test_ideal_connections_give_no_power(file: Path, readings: Readings) -> None:
     for scene in readings(file):
         for facts in moments(scene):

@@ -93,6 +93,7 @@ def test_each_of_three_that_are_welded_is_carried_by_the_floor_under_it(floor: s
 SENSES = [("right", "right"), ("right", "left"), ("left", "right"), ("left", "left")]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("floor", "senses", "joins"),
     [

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from pathlib import Path
 
@@ -16,8 +15,7 @@ sys.path.append(str(ROOT / "benchmarks"))
 
 from compositions import freed  # noqa: E402
 
-EVERY = int(os.environ.get("ROTSOLVE_FREED_EVERY", "3"))
-FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent / "scenes").glob("*.yaml")])[::EVERY]
+FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent / "scenes").glob("*.yaml")])
 WITHHELD = {  # in space, answered in numbers; in letters refused by name, or withheld since the assembly contradicts them with some
     "kowalevskaya-top": "that its vertical is a direction of length 1 its letters do not tell",
     "how-long-a-top-nods": "on what its angle hangs is too long to print in letters",
@@ -32,6 +30,7 @@ find: {a: block.acceleration}
 """
 
 
+@pytest.mark.sampled(9)
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_letters_then_numbers_are_numbers_from_the_start(path: Path) -> None:
     """None of them is refused in letters either."""

@@ -73,6 +73,7 @@ SCENES |= {f"a clutch, {order}": (CLUTCH.replace("ORDER", order), clutch) for or
 SCENES |= {f"a block {way}": (BLOCK.replace("WAY", way), block) for way in RIGHT}
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", SCENES)
 def test_what_comes_after_has_the_condition_of_the_balance(name: str) -> None:
     answered_just_where(*SCENES[name])

@@ -254,6 +254,7 @@ BRAKE = ", block: {press: R, on: it.rim, friction: 0.5}"
 STATES = {1: "mid: {time: 0.5*T}, more: {time: 0.5*T}", 2: "mid: {time: T}"}
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     ("kind", "power"),
     [*zip(DRIVEN, (1, 2, 1, 2, 1), strict=True), ("a contact", 2)],  # a force and a couple with each power

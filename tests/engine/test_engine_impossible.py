@@ -122,6 +122,7 @@ find: {f: size of base.friction_force at now}
 }  # fmt: skip
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("kind", UNKNOWN)
 def test_an_unknown_that_no_question_asks_for_is_held_to_what_it_can_be(kind: str) -> None:
     scene, fits, others = UNKNOWN[kind]

@@ -154,6 +154,7 @@ def written(name: str, item: tuple[str, float, tuple[float, ...], tuple[float, .
     return f"      {name}: {{shape: {kind}, mass: {mass} kg, {extent}, at: [{spot}], angle: {angle} deg}}"
 
 
+@pytest.mark.exhaustive
 @settings(max_examples=20, deadline=None)
 @given(st.lists(part, min_size=1, max_size=3), st.tuples(place, place, place), st.booleans())
 def test_tensor_of_a_composite_is_that_of_particles(

@@ -304,6 +304,7 @@ def symbols_of(case: Case) -> set[Any]:
     return set().union(*(sympy.sympify(part).free_symbols for part in parts))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("case", CASES, ids=[case.scene for case in CASES])
 def test_lagrange_gives_the_same_accelerations(
     case: Case,

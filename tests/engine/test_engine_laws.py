@@ -62,6 +62,7 @@ def closed_forms(search: Search) -> dict[str, Formula]:
     return {name: formula for name, formula in found.items() if formula is not None}
 
 
+@pytest.mark.sampled(3)
 def test_all_laws_give_the_same_answers(
     scene: Path,
     problem_of: ProblemOf,
@@ -105,6 +106,7 @@ def test_angular_momentum_serves_where_it_must(name: str, scenes: list[Path], pr
     assert not unanswered(scenes[0].with_stem(name), "angular-momentum", problem_of)
 
 
+@pytest.mark.sampled(3)
 def test_newton_serves_every_scene_without_events(scene: Path, problem_of: ProblemOf) -> None:
     problem = problem_of(scene)
     stored = any(item.word in ("spring", "drapes") for item in problem.connections) and len(problem.states) > 1
@@ -139,6 +141,7 @@ def turned_round(body: Body, index: int, which: int) -> Body:
     return body
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("which", [1, 6])
 def test_declared_senses_change_no_motion(scene: Path, which: int, problem_of: ProblemOf) -> None:
     problem = problem_of(scene)

@@ -44,6 +44,7 @@ def slipping(mass: float, size: float, mu: float, nu: float, theta: float) -> tu
 NUMBERS = [(1.0, 1.0, 0.1, 0.1, 45.0), (3.0, 2.0, 0.2, 0.5, 50.0), (2.0, 0.7, 0.3, 0.05, 20.0)]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("side", ENDS)
 @pytest.mark.parametrize("said", ["", ", foot: slips", ", foot: slips, head: slips"])
 @pytest.mark.parametrize("numbers", NUMBERS)
@@ -69,6 +70,7 @@ def test_a_ladder_stays_where_both_frictions_suffice(side: str) -> None:
                 solve(text(side, given, ", foot: slips"))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("said", [", foot: slips", ", foot: slips, head: slips"])
 def test_in_letters_a_ladder_that_is_said_to_slip_does(said: str) -> None:
     solution = solve(text("right", "M: kg, L: m, mu: number, nu: number, theta: rad", said), confirm=False)

@@ -197,6 +197,7 @@ def in_cm(value: str) -> str:
     return f"{(Decimal(number) * 100).normalize():f} cm" if unit == "m" else value
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("part", range(8))
 def test_a_letter_with_a_value_is_that_value_in_all_scenes(part: int) -> None:
     for file in FILES[part::8]:
@@ -209,6 +210,7 @@ def test_a_letter_with_a_value_is_that_value_in_all_scenes(part: int) -> None:
             assert alike(*found), f"{file.stem}:\n{lettered}{literal}"
 
 
+@pytest.mark.exhaustive
 def test_many_values_are_those_of_solving_again_or_marked() -> None:
     """Each given angle of every fourth scene in the next quadrant: what evaluating says is what solving says, or nothing."""
     for file in FILES[::4]:

@@ -234,6 +234,7 @@ def refused(scene: str, given: dict[str, str], said: str) -> bool:
     return False
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", SCENES)
 def test_letters_are_held_to_what_numbers_are_refused_by(name: str) -> None:
     units, scene, said = SCENES[name]

@@ -61,6 +61,7 @@ find:
     )
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("count", "how", "hangs"),
     [  # two and three rods in every way; of longer chains each either hangs or lies on ice, the next one the other way round

@@ -32,6 +32,7 @@ def scene(kind: str, way: str, low: float, far: float, given: str) -> str:
     return LOOP.format(body=body.replace("WAY", way), touch=touch, low=low, far=far, given=given)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("kind", BODIES)
 @pytest.mark.parametrize(("way", "low", "far"), WAYS)
 def test_what_passes_the_highest_place_presses_there(kind: str, way: str, low: int, far: int) -> None:
@@ -54,6 +55,7 @@ def test_what_passes_the_highest_place_presses_there(kind: str, way: str, low: i
         assert all(item.holds for item in found.derivation.confirmed)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("kind", BODIES)
 @pytest.mark.parametrize("way", ["right", "left"])
 def test_in_letters_that_is_a_condition(kind: str, way: str) -> None:

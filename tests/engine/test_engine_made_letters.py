@@ -107,6 +107,7 @@ def page(unit: str, rest: str, made: str) -> str:
     return " ".join(text.replace("d = a − b", "").split())
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("unit", "rest", "asked"), KINDS.values(), ids=list(KINDS))
 def test_a_letter_says_what_its_formula_says(unit: str, rest: str, asked: str) -> None:
     """The same answers under the same conditions; what the scene asks of the letter reaches those of which it is made."""

@@ -51,6 +51,7 @@ def dying(m: float, mu: float, F: float, c: float, T: float) -> float:
     return 0.0 if back >= T else ((F + most) * (T - back) - c * (T**2 - back**2) / 2) / m
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("way", ["right", "left"])
 def test_a_push_that_becomes_a_pull_is_told_for_all_letters(way: str) -> None:
     solution, chance = solve(DYING.format(way=way), confirm=False), random.Random(way)
@@ -84,6 +85,7 @@ def kicked(m: float, M: float, J: float, mu: float, T: float) -> float:
     return max(0.0, G * (m - mu * M) / (m + M)) * (T - speed / slows)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("way", "away", "row"), [("right", "left", "sledge, wheel, load"), ("left", "right", "load, wheel, sledge")]
 )
@@ -157,6 +159,7 @@ TIES = [("weld: [one, two]", ways) for ways in SENSES] + [("weld: [two, one]", w
 TIES += [("string: [one, two]", ways) for ways in SENSES[:2]]  # neighbours on a string travel the same way
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("tie", "ways", "told", "sign"),
     [  # of each body one sign, the other one at the next tie

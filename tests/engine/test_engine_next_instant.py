@@ -49,6 +49,7 @@ find: {x: buffer.elongation at deep, d: truck.displacement from touch to deep, v
 AT_DEEP = "x: buffer.elongation at deep, d: truck.displacement from touch to deep, "
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("sense", ["right", "left"])
 @pytest.mark.parametrize("speed", ["u", "-u"])
 @pytest.mark.parametrize("ends", ["[truck, ground]", "[ground, truck]"])

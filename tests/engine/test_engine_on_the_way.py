@@ -34,6 +34,7 @@ def answer() -> Answer:
     return rotsolve.solve(ROD, confirm=False).answers["w"].answer
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("x", [0.4, 0.7, 1.0])
 @pytest.mark.parametrize("m", [0.2, 1.0, 4.0])
 def test_a_rod_presses_on_its_floor_where_it_does_so_least(answer: Answer, m: float, x: float) -> None:
@@ -63,6 +64,7 @@ def test_some_rods_lift_only_on_the_way() -> None:
     assert min(sizes[0], sizes[-1]) > 0 > min(sizes)
 
 
+@pytest.mark.exhaustive
 def test_what_letters_do_not_tell_of_the_way_is_said() -> None:
     scene = """
 title: Rod let go upright on a rough floor

@@ -85,6 +85,7 @@ def test_one_of_two_values_is_not_answered(condition: str) -> None:
 WITHHELD = {("size of load.displacement from start to end = h", "smallest")}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("place", "word"), [(0, "smallest"), (1, "largest")])
 @pytest.mark.parametrize("condition", CONDITIONS)
 def test_the_smallest_and_the_largest_are_the_ends_of_all(condition: str, place: int, word: str) -> None:
@@ -182,6 +183,7 @@ def test_roots_beside_a_known_one(name: str) -> None:
     assert found == pytest.approx(roots)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("start", "way"), [(-150, 1), (-30, -1), (150, 1), (30, -1)])
 def test_a_place_to_which_the_motion_comes_later_is_no_other_value(start: int, way: int) -> None:
     """A rod let go has 1.5 rad/s on both sides of its lowest place; a state is the first of them."""

@@ -354,6 +354,7 @@ find: {h: load.displacement from start to one, T: rope.tension at one}
 """
 
 
+@pytest.mark.exhaustive
 def test_of_a_product_that_vanishes_neither_factor_is_taken_to() -> None:
     """½ t (r ω + v) = 0 tells no time, since the rope says r ω + v = 0: friction goes on against the turn as the load rises.
 

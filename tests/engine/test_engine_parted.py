@@ -66,6 +66,7 @@ def stands(solution: Solution, known: dict[str, float]) -> bool:
     return any(met(case.conditions, known) for case in (answer, *answer.otherwise))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("kind", ["lies", "flies", "rod"])
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize("turn", [0, 1, 2])
@@ -179,6 +180,7 @@ def test_that_what_turns_may_come_round_to_what_it_has_hit_is_said(shape: str) -
     assert not any("meet again" in str(check.words) for check in at_once)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("force", "said"), [("-c*two.velocity", True), ("-c", False)])
 def test_a_gap_that_may_close_and_open_within_a_phase_is_said(force: str, said: bool) -> None:
     """In oil the one hit slows down at first faster than the other, and slower later on."""

@@ -77,6 +77,7 @@ def sides(kind: str) -> tuple[Mapping[str, float], Mapping[str, float]]:
     return known, {**known, **beyond}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("way", ["right", "left"])
 @pytest.mark.parametrize("kind", KINDS)
 def test_numbers_on_both_sides_of_the_edge(kind: str, way: str) -> None:
@@ -88,6 +89,7 @@ def test_numbers_on_both_sides_of_the_edge(kind: str, way: str) -> None:
         solve(written(kind, way, beyond))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("kind", "way"), [(kind, ("right", "left")[place % 2]) for place, kind in enumerate(KINDS)])
 def test_letters_have_the_edge_as_condition(kind: str, way: str) -> None:
     """What is printed holds with the numbers on this side, no case of it with those beyond, and both give one number."""
@@ -151,6 +153,7 @@ def wired(kind: str, pair: str, values: tuple[float, ...] | None) -> str:
     return WIRE.format(given=given, turns=turns, pair=pair, first=first, last=last)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("pair", ["[a, b]", "[b, a]"])
 @pytest.mark.parametrize("kind", WIRES)
 def test_a_wire_gives_no_more_energy_than_it_has(kind: str, pair: str) -> None:

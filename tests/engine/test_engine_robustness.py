@@ -56,6 +56,7 @@ def assert_in_order(derivation: Derivation, where: str) -> None:
             printed.add(str(move.number))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
 def test_no_internal_name_is_printed_and_nothing_used_before_it_is_found(path: Path) -> None:
     solution = solved(path)
@@ -63,6 +64,7 @@ def test_no_internal_name_is_printed_and_nothing_used_before_it_is_found(path: P
     assert_in_order(solution.derivation, path.name)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("batch", range(BATCHES))
 def test_a_spoilt_scene_is_answered_or_refused(batch: int) -> None:
     for seed in range(batch, MUTANTS, BATCHES):

@@ -164,6 +164,7 @@ find: {{phi: disc.angle at far, q: wire.torque at far, t: disc.rotation from go 
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("turns", ["counterclockwise", "clockwise"])
 @pytest.mark.parametrize(
     ("speed", "begin", "rest"), [(1, 0, 0), (9, 1, 0), (-30, 2, 5), (12, -20, 1), (0, 9, 0), (0, -15, 2)]

@@ -30,6 +30,7 @@ def objections(text: str) -> list[str]:
     return [str(check.words) for check in solve(text, confirm=False).derivation.checks if check.holds is False]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("angle", "word"), LEANING)
 def test_two_forms_of_one_angle_are_no_objection(angle: int, word: str) -> None:
     """It comes as high on the other side of the lowest place of its centre of mass, towards which the second rod turns it."""

@@ -19,6 +19,7 @@ def answers(text: str) -> dict[str, float | None]:
     return {name: answer.float for name, answer in solution.answers.items()}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("until", "thrown", "moves", "event"),
     [  # half of all: each two values of different axes together
@@ -50,6 +51,7 @@ find: {{v: one.velocity at end}}
     assert found["v"] == pytest.approx(sign * expected)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("moves", ["right", "left"])
 @pytest.mark.parametrize("angles", [(50, -20), (130, 200), (130, 160), (-150, -40)])
 @pytest.mark.parametrize("given", [True, False])

@@ -141,6 +141,7 @@ SCENES: dict[str, tuple[str, Callable[[Numbers], float]]] = {
 }
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", SCENES)
 def test_they_hold_as_far_as_their_greatest_frictions_suffice(name: str) -> None:
     """There is an answer just where the frictions suffice together, by the margin of the plain arithmetic."""

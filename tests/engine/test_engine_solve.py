@@ -197,6 +197,7 @@ find: {{W: upper.angular_velocity at after, Q: lost kinetic_energy during clutch
     assert close(value(solution, "Q"), w**2 + 1.5 * u**2 - 2.5 * together**2)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("offset", [0.0, 0.3, 0.6])
 def test_putty_on_a_free_rod(offset: float) -> None:
     """A rod that lies free on ice, hit square at some way from its centre: momentum and angular momentum of all."""

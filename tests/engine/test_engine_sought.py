@@ -48,6 +48,7 @@ SOUGHT = {
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", SOUGHT)
 def test_what_pulls_and_presses_does_so_at_the_value_that_is_sought(name: str) -> None:
     scene, sought, numbers, true = SOUGHT[name]
@@ -133,6 +134,7 @@ find:
 """
 
 
+@pytest.mark.exhaustive
 def test_each_of_two_questions_that_seek_one_letter_has_its_own_bounds() -> None:
     """m = M L (2 L a − 3 g)/(6 x (g − x a)) is positive, for each of both."""
     answers = rotsolve.solve(PLACED, confirm=False).answers

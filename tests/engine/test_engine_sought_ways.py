@@ -102,6 +102,7 @@ def told_by(course: Course, numbers: Mapping[str, float]) -> float:
         return 0.0
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("name", "sought", "way"), CASES)
 def test_the_sought_value_brings_about_what_is_told(name: str, sought: str, way: str) -> None:
     course, rng = COURSES[name], random.Random(f"{name} {sought}")
@@ -177,6 +178,7 @@ VALUES = [
 ]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("text", "numbers", "true"), VALUES)
 def test_the_value_by_hand(text: str, numbers: Mapping[str, float], true: float) -> None:
     known = {**NUMBERS, **numbers}
@@ -185,6 +187,7 @@ def test_the_value_by_hand(text: str, numbers: Mapping[str, float], true: float)
     assert value_of(case.closed or case.formula, known) == pytest.approx(true)
 
 
+@pytest.mark.exhaustive
 def test_whether_they_meet_again_is_left_open_for_a_sought_restitution_too() -> None:
     found = rotsolve.solve("""
 title: A cart hits another one that a spring stops
@@ -199,6 +202,7 @@ find: {e: e}
     assert any("whether a and b meet again" in str(check.words) and check.holds is None for check in found.checks)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("ends", ["ground, box", "box, ground"])
 @pytest.mark.parametrize("way", ["left", "right"])
 def test_where_a_sought_speed_leads_friction_holds_or_does_not(way: str, ends: str) -> None:

@@ -78,6 +78,7 @@ TOLD = {  # the number of conditions that each answer has, one number a case
 }
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("kind", TOLD)
 def test_as_few_conditions_as_say_the_same(kind: str) -> None:
     text, expected = TOLD[kind]
@@ -105,6 +106,7 @@ TRUE = {  # the scene, its answer, and where that holds by hand
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("kind", TRUE)
 def test_what_is_left_says_where_an_answer_holds(kind: str) -> None:
     text, name, holds = TRUE[kind]

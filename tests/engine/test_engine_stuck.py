@@ -31,6 +31,7 @@ find: {{w_1: spool.angular_velocity at after, K: spool.kinetic_energy at after, 
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("point", ["small", "top", "bottom"])
 @pytest.mark.parametrize("angle", [-90, -60, 200])
 @pytest.mark.parametrize("way", ["right", "down"])
@@ -62,6 +63,7 @@ find: {{K: plate.kinetic_energy at end}}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("angle", "end"), [(60, -20), (0, -40), (20, 15)])
 def test_an_angle_is_counted_on_after_something_sticks(angle: int, end: int) -> None:
     b, M, m, u = 0.63, 5.5, 3.6, 1.7

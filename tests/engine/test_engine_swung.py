@@ -20,6 +20,7 @@ BODIES = {  # with the mass that moves over m
 WAYS = [("block", way) for way in ("up", "down", "right", "left")] + [("wheel", way) for way in ("right", "left")]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("anchor", ["ground", "ceiling"])
 @pytest.mark.parametrize("time", [0.2, 0.7, 1.3, 2.9])
 @pytest.mark.parametrize(("name", "way"), WAYS)

@@ -63,6 +63,7 @@ BRAKES = {
 SLOW = {"I": "1 kg m^2", "R": "0.1 m", "w": "10 rad/s", "mu": "0.1"}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("text", BRAKES.values(), ids=BRAKES)
 def test_a_brake_block_never_pulls_in_letters(text: str) -> None:
     """P ≥ c t at the end, where it presses least."""

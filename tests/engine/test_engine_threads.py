@@ -30,6 +30,7 @@ def solved(lower: str, reel: str = "down", weight: str = "down") -> Solution:
     return solve(SCENE.replace("REEL", reel).replace("WEIGHT", weight).replace("LOWER", lower))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("travel", "turns", "weight"), SENSES)
 @pytest.mark.parametrize(
     "said", ["", ", pulls: {weight: up}", ", pulls: {reel: down}", ", pulls: {weight: up, reel: down}"]

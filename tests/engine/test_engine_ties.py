@@ -184,6 +184,7 @@ find: {a: wheel.acceleration at one}
 WAYS = [(name, side) for name in LETTERS for side in ("right", "left") if side == "right" or "SIDE" in LETTERS[name][0]]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("name", "side"), WAYS)
 def test_letters_say_so_at_equality(name: str, side: str) -> None:
     """An edge belongs to the case whose value is found on it, or is told alone; what is only neared is not reached."""

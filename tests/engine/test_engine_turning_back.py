@@ -45,6 +45,7 @@ find: {th: wheel.angle at end, w: wheel.angular_velocity at end}
 """
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     ("angle", "until", "turns"),
     [
@@ -73,6 +74,7 @@ find: {x: coil.elongation at end, v: block.velocity at end}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("stretch", "speed", "until", "moves"),
     [(30, 0, 0.7, "right"), (30, 0, 2.0, "left"), (0, 3, 0.4, "left"), (0, 3, 0.1, "right")],
@@ -180,6 +182,7 @@ def there_and_back(speed: float) -> dict[str, float] | None:
     return None if left <= 0 else {"x": x, "v": math.sqrt(2 * left), "Q": -2 * 4.9 * x}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("way", ["right", "left"])
 @pytest.mark.parametrize("name", THERE)
 @pytest.mark.parametrize("speed", [0.2, 3.5, 6.0])
@@ -198,6 +201,7 @@ def test_what_friction_holds_where_it_turns_back_comes_to_no_other_place(speed: 
         assert solve(text, confirm=False).answers[name].float == pytest.approx(true[name])
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", THERE)
 def test_in_letters_it_comes_back_under_conditions(name: str) -> None:
     """Only the case in which it passes again has answers, whatever is asked; numbers on either side of it agree with that."""

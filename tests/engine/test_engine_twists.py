@@ -74,6 +74,7 @@ TWISTED = [  # of each kind half of all: each two values of different axes toget
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("kind", "order", "bodies", "rest"), TWISTED)
 def test_the_angle_of_a_wire_between_two_is_how_far_it_is_twisted(
     kind: str, order: str, bodies: str, rest: float

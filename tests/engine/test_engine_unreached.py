@@ -122,6 +122,7 @@ find: {FIND}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("size", [0.4, 0.9, 1.1, 1.5])
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_the_state_that_is_not_reached_is_the_one_that_is_named(size: float, side: str) -> None:
@@ -180,6 +181,7 @@ find: {QUESTIONS}
 QUESTIONS = ("s: load.displacement from mid to end", "W: brake.work from mid to end", "t: time from mid to end")
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("asked", "turns"),
     [

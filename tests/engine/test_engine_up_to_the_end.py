@@ -62,6 +62,7 @@ def followed(m: float, M: float, F: float, mu: float, c: float, T: float) -> flo
     return v
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("later", LATER)
 def test_a_grip_that_gives_way_before_a_state_is_not_held_up_to_it(later: str) -> None:
     """What is answered of numbers is what following the motion gives, wherever an answer is."""
@@ -80,6 +81,7 @@ def test_a_grip_that_gives_way_before_a_state_is_not_held_up_to_it(later: str) -
     assert told
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("text", [ROLLER, WATER])
 def test_what_may_stop_slipping_is_said(text: str) -> None:
     assert "stops slipping on the way from start to mid" in left_open(solve(text, confirm=False))
@@ -128,6 +130,7 @@ def test_what_presses_by_the_speed_does_so_between_two_speeds(body: str, base: s
     assert told == {True, False}
 
 
+@pytest.mark.exhaustive
 def test_a_speed_is_reached_only_with_forces_that_lead_to_it_all_the_way() -> None:
     """From u to w the net force a v − p v² − μ m g points from one to the other throughout."""
     (answer,), random, told = solve(FAN, confirm=False).derivation.answers, Random(5), 0

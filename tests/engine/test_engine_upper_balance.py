@@ -84,6 +84,7 @@ find: {{v: rod.angular_velocity at back}}
 IN_TURN = [(name, tuple(TURNS)[place % len(TURNS)]) for place, name in enumerate(SCENES)]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("name", "turns"), IN_TURN)
 def test_letters_leave_the_edge_out(name: str, turns: str) -> None:
     letters, *_, right = SCENES[name]
@@ -97,6 +98,7 @@ def test_letters_leave_the_edge_out(name: str, turns: str) -> None:
             assert value_of(case.formula, numbers) == pytest.approx(there)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("name", "turns"), IN_TURN)
 @pytest.mark.parametrize("rests", [False, True])
 def test_numbers_on_the_edge_are_refused(name: str, turns: str, rests: bool) -> None:
@@ -121,6 +123,7 @@ def test_at_its_highest_it_is_up_there_also_on_the_edge() -> None:
     assert "v" in solution.refused
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("name", "turns"), IN_TURN)
 def test_it_does_not_come_to_rest_up_there(name: str, turns: str) -> None:
     """The state at which it is at rest is itself not reached on the edge, as its `rod.angle: largest` is; in letters that is left out."""

@@ -42,6 +42,7 @@ IN_TURN = [  # each question with each kind, and with each of the senses once; e
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("way", "turns", "rubbing", "find", "state"), IN_TURN)
 def test_a_wheel_that_rubs_holds_against_both_ways_of_slipping(
     way: str, turns: str, rubbing: str, find: str, state: str

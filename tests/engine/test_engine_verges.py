@@ -219,6 +219,7 @@ find: {v: load.velocity at sunk, extra: time from start to stop}
 """
 
 
+@pytest.mark.exhaustive
 def test_roots_of_quotients_within_inverse_functions_are_compared() -> None:
     """arcsines of √(a/b), written otherwise, were an internal error."""
     solution = solve(LET_DOWN_ON_A_SPRING)

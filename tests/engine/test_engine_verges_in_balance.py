@@ -166,6 +166,7 @@ find: {M: largest M where bed sticks}
 """
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("way", SIDES)
 def test_a_case_in_which_it_sticks_beyond_is_left_out_and_no_other(way: str) -> None:
     """M = m (sin 25° + μ cos 25°)/(sin 40° − μ cos 40°), from which on both slip; where μ > tan 40° no box pulls the crate up."""
@@ -193,6 +194,7 @@ find: {Q: largest Q where low sticks}
 """
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("way", "sense"), [("right", "clockwise"), ("left", "counterclockwise")])
 def test_what_is_jammed_has_no_verge(way: str, sense: str) -> None:
     """Q = μ m g R (1 + ν)/(1 + μ ν) up to μ = 1, from there to μ ν = 1 with −ν; beyond that any couple wedges the drum in.
@@ -225,6 +227,7 @@ find: {mu: smallest mu where foot sticks}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("way", "angle"), [("right", "theta"), ("left", "180 deg - theta")])
 @pytest.mark.parametrize("numbers", ["M: kg, L: m", "M: 3 kg, L: 2 m"])
 def test_one_coefficient_of_two_contacts_has_the_root_at_which_both_hold(way: str, angle: str, numbers: str) -> None:

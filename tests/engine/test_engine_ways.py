@@ -32,6 +32,7 @@ def plank(mass: str, stiff: str, speed: str, way: str = "right", ends: str = "[g
     return scene
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("ends", ["[ground, plank]", "[plank, ground]"])
 @pytest.mark.parametrize("way", ["right", "left"])
 def test_what_rides_on_a_swinging_plank_slips_first_where_that_turns_back(way: str, ends: str) -> None:
@@ -214,6 +215,7 @@ find: {s: one.displacement from after to late}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("way", "other", "pair"),
     [("right", "right", "[one, two]"), ("left", "left", "[two, one]"), ("right", "left", "[two, one]")],
@@ -288,6 +290,7 @@ find: {v: ball.velocity at top, N: touch.normal_force at top}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("shape", "share"), [("sphere", 2 / 5), ("cylinder", 1 / 2), ("ring", 1.0)])
 def test_a_ball_in_a_loop_fits_into_it_and_needs_one_condition(shape: str, share: float) -> None:
     """(1 + s) v² = (1 + s) u² − 4 g d > (1 + s) g d with d = R − r, and the assembly is asked where that is so."""

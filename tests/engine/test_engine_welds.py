@@ -148,6 +148,7 @@ def composite(seed: int, form: str, support: str) -> tuple[str, dict[str, float]
     return scene, true
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("support", SUPPORTS)
 @pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("seed", range(2))

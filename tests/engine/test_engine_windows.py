@@ -75,6 +75,7 @@ SCENES = {
 STEPS = 24
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("text", "unit", "ends"), SCENES.values(), ids=SCENES)
 def test_no_case_is_missing_and_none_says_too_much(
     text: str, unit: str, ends: tuple[float, float], monkeypatch: pytest.MonkeyPatch

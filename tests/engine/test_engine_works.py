@@ -106,6 +106,7 @@ CASES = {
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("moved", "action", "work"), CASES.values(), ids=CASES)
 def test_work_is_that_of_the_point(moved: str, action: str, work: float) -> None:
     text = f"{moved}actions: {{pull: {{{action}}}}}\nfind: {{W: pull.work from a to b}}\n"

@@ -216,6 +216,7 @@ ROWS = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("scene", "name", "text", "expected"), ROWS, ids=[" ".join(row[:3]) for row in ROWS])
 def test_an_answer_is_judged_in_all_cases(scene: str, name: str, text: str, expected: str) -> None:
     assert said(part(scene, name, text)) == expected
@@ -273,6 +274,7 @@ def text_of(answer: Answer) -> str:
     return to_text(answer.formula)
 
 
+@pytest.mark.exhaustive
 def test_each_case_as_it_is_printed_is_right_in_it() -> None:
     """It is never wrong; where it is not right everywhere, its own conditions are told, and what the answer is in another case."""
     for scene, answer, case in printed():

@@ -261,6 +261,7 @@ def slipped(formula: Formula, random: Random, values: Mapping[str, float]) -> Fo
     return changed(formula, random.choice((exponent, sign, factor, letter, function)), random)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("problem", "answer"), ANSWERS, ids=lambda item: item)
 def test_equivalent_forms(problem: str, answer: str) -> None:
     closed, domain, names, values = scene(problem, answer)

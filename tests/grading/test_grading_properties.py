@@ -101,6 +101,7 @@ def test_no_number_outside_the_tolerance_is_right(data: st.DataObject) -> None:
     assert found.verdict.outcome in (WRONG, PARTLY) and found.marks < found.of
 
 
+@pytest.mark.exhaustive
 @given(st.data())
 @settings(max_examples=20, deadline=None)
 def test_the_order_of_the_answers_changes_nothing(data: st.DataObject) -> None:

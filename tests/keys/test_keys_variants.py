@@ -91,6 +91,7 @@ def problem_in(file: Path) -> Problem:
     return read_file(file)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("file", VARYING, ids=lambda file: file.stem)
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=1, deadline=None)

@@ -1,13 +1,12 @@
 """The page on which a motion moves: its pictures against the numbers of the motion, its parts, and every bundled scene that is followed.
 
-`ROTSOLVE_ANIMATE_ALL=1` animates all of them with as many pictures as a page has; otherwise each has a few, and not all are taken.
+`pytest --exhaustive` animates all of them with as many pictures as a page has; otherwise each has a few, and not all are taken.
 """
 
 from __future__ import annotations
 
 import json
 import math
-import os
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -26,9 +25,7 @@ from rotsolve.simulation.report import columns_of
 from rotsolve.simulation.run import Run
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
-ALL = bool(os.environ.get("ROTSOLVE_ANIMATE_ALL"))
 SCENES = sorted(PROBLEMS.glob("*/*.yaml"))
-CHOSEN = SCENES if ALL else SCENES[::4]
 FEW = 6  # pictures of a motion
 ANIMATED = 180  # bundled scenes at least
 VOID = {"meta", "input", "path", "circle", "rect"}
@@ -227,7 +224,7 @@ def test_the_script_shows_what_is_drawn() -> None:
         assert at == [(round(10 * (x - left)), round(10 * (high - y))) for x, y in lines]
 
 
-def attempt(path: Path) -> bool:
+def attempt(path: Path, *, whole: bool) -> bool:
     """Whether a scene is followed; then it can be animated, if there is anything to draw."""
     try:
         run = simulate(path, 1.0)
@@ -237,7 +234,7 @@ def attempt(path: Path) -> bool:
         with pytest.raises(Unsolvable, match="no bodies"):
             animated(run, columns_of(run), run.end / FEW)
         return False
-    page = animated(run, columns_of(run), None if ALL else run.end / FEW)
+    page = animated(run, columns_of(run), None if whole else run.end / FEW)
     parts = Parts(page)
     assert not parts.open and "NaN" not in page and "nan" not in str(parts.motion["lines"])
     assert len(page) < 2_000_000
@@ -246,11 +243,12 @@ def attempt(path: Path) -> bool:
     return True
 
 
-@pytest.mark.parametrize("path", CHOSEN, ids=lambda path: f"{path.parent.name}/{path.stem}")
-def test_every_scene_that_is_followed_moves(path: Path) -> None:
-    attempt(path)
+@pytest.mark.sampled(12)
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_every_scene_that_is_followed_moves(path: Path, pytestconfig: pytest.Config) -> None:
+    attempt(path, whole=pytestconfig.getoption("--exhaustive"))
 
 
-@pytest.mark.skipif(not ALL, reason="set ROTSOLVE_ANIMATE_ALL=1")
+@pytest.mark.exhaustive
 def test_most_scenes_move() -> None:
-    assert sum(map(attempt, SCENES)) >= ANIMATED
+    assert sum(attempt(path, whole=False) for path in SCENES) >= ANIMATED

@@ -87,6 +87,7 @@ def precise() -> Iterator[None]:
         yield
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("accuracy", [1e-4, 1e-6, 1e-9, 1e-12, 1e-15])
 @pytest.mark.parametrize("name", CASES)
 def test_bounds_hold_and_are_tight(name: str, accuracy: float) -> None:

@@ -62,6 +62,7 @@ SLOW_TOP = TOP.format(axial="20 rad/s", tilt="20 deg", precession="3 rad/s", nut
 MOTIONS = {"book": (BOOK, of_book), "lump": (LUMP, of_lump), "top": (SLOW_TOP, of_top)}
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", MOTIONS)
 def test_rotations_agree_with_matrices_that_are_followed_in_small_steps(name: str) -> None:
     scene, rotor = MOTIONS[name][0], MOTIONS[name][1]()

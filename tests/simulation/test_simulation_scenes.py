@@ -26,6 +26,7 @@ def attempt(path: Path) -> bool:
     return True
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("folder", sorted({path.parent for path in SCENES}), ids=lambda folder: folder.name)
 def test_energy_and_momentum_balance(folder: Path) -> None:
     for path in SCENES:

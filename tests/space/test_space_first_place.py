@@ -35,6 +35,7 @@ def first_angle(start: float, first: float, then: float) -> float:
         angle, rate = angle + (rate + later) * step / 2, later
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("start", LET_GO)
 def test_what_is_let_go_has_a_rate_first_on_the_side_to_which_it_falls(start: int) -> None:
     way = 1 if math.cos(math.radians(start)) > 0 else -1
@@ -42,6 +43,7 @@ def test_what_is_let_go_has_a_rate_first_on_the_side_to_which_it_falls(start: in
     check(start, 0.0, round(way * lowest / 2, 3))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(("start", "first", "then"), [(90, 3, 2), (-30, -5, -3), (40, -2, -1), (100, 2, 1.2)])
 def test_what_is_set_going_has_another_rate_first_ahead(start: int, first: float, then: float) -> None:
     check(start, first, then)
@@ -77,6 +79,7 @@ def test_the_largest_of_such_angles_is_not_confirmed() -> None:
     assert verdict.holds is None
 
 
+@pytest.mark.exhaustive
 def test_a_hinge_the_other_way_round_in_letters() -> None:
     """Of all sets of numbers one has its place next to 0, where a share of the angle would be nothing to look at."""
     (answer,) = solve("""

@@ -89,6 +89,7 @@ def random_body(seed: int) -> tuple[list[str], list[str], str]:
     return [str(item) for item in moments], [f"{item:.15f}" for item in rates], str(round(random.uniform(0.1, 20), 2))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("seed", range(5))
 def test_random_bodies_stand_as_they_are_carried(seed: int) -> None:
     held(*random_body(seed), confirm=False)
@@ -122,6 +123,7 @@ def test_over_many_periods() -> None:
         agree([part.value.refine(20) for part in answer.components], list(axis), 18)
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("signs", [(1, "1", 1), (-1, "0", 1), (1, "-0.7", -1)])
 def test_between_both_cases_it_goes_round_by_arctangents(signs: tuple[int, str, int]) -> None:
     """There φ = L t/I₂ + arctan(√−n tanh u) − arctan(√−n tanh u₀)."""
@@ -180,6 +182,7 @@ find:
 """
 
 
+@pytest.mark.exhaustive
 def test_euler_angles_about_the_vertical_and_their_rates() -> None:
     """The same body, whichever of its axes it has as its own: the three follow each other in turn."""
     found = []
@@ -190,6 +193,7 @@ def test_euler_angles_about_the_vertical_and_their_rates() -> None:
     assert found[0] == pytest.approx(found[1]) and found[0] == pytest.approx(found[2])
 
 
+@pytest.mark.exhaustive
 def test_letters_take_case_by_case_what_numbers_decide() -> None:
     text = scene(("1", "2", "3"), ("w", "0", "w3"), "1", find="x: b.x_axis at later")
     text = text.replace("(w)*(1 rad/s)", "w").replace("(w3)*(1 rad/s)", "w3").replace("(0)*(1 rad/s)", "0 rad/s")

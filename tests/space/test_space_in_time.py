@@ -53,6 +53,7 @@ CASES = {  # moments, ω at first, time
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", CASES)
 def test_an_asymmetric_body_turns_by_elliptic_functions(name: str) -> None:
     moments, start, time = CASES[name]
@@ -126,6 +127,7 @@ SYMMETRIC = {
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", SYMMETRIC)
 def test_a_symmetric_body_goes_round_its_angular_momentum(name: str) -> None:
     """ω in both axes, its own axes, and the velocity of a point, ω × R r."""

@@ -33,6 +33,7 @@ BOX = """
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_the_numbers_of_the_scene_come_back(file: Path) -> None:
     solution = solved(file)

@@ -35,6 +35,7 @@ find: {K: top.kinetic_energy at low}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("asked", ["", "size of"])
 @pytest.mark.parametrize(("first", "last"), [("phi", "0 deg"), ("phi", "-90 deg"), ("90 deg", "0 deg")])
 def test_a_gate_does_not_rise_from_rest(first: str, last: str, asked: str) -> None:

@@ -88,6 +88,7 @@ def vector(solution: Solution, name: str) -> Any:
     return np.array([part.value.float for part in answer.components])
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(8))
 def test_a_ball_on_a_table_that_turns_or_rocks_moves_as_newton_and_euler_say(seed: int) -> None:
     numbers = drawn(seed)

@@ -51,6 +51,7 @@ def roots_once_round(function: Any, value: float) -> list[float]:
     return [float(places[k] - gaps[k] * (places[k + 1] - places[k]) / (gaps[k + 1] - gaps[k])) for k in changes]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(("turns", "function"), [(TWICE, turned_twice), (ASLANT, turned_aslant)])
 @pytest.mark.parametrize("degrees", [70, 90, 100])
 def test_of_an_angle_the_least_and_the_largest_once_round_are_meant(turns: str, function: Any, degrees: int) -> None:

@@ -155,6 +155,7 @@ REFUSED = {  # a scene, and what is said of it
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", CASES)
 def test_what_swings_comes_to_its_angle(name: str) -> None:
     scene, known = CASES[name]

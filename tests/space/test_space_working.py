@@ -53,6 +53,7 @@ CASES = {  # carrier, actions, where to, and the work that everything does on th
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("case", CASES)
 def test_the_work_on_the_way_tells_the_rate(case: str) -> None:
     carrier, actions, far, work = CASES[case]

@@ -6,6 +6,8 @@ import random
 from dataclasses import replace
 from itertools import islice
 
+import pytest
+
 from compositions.compose import TABLES, covering, drawn, pairs
 from compositions.judge import RIGHT, SILENT, VERDICTS, apart, differing, judged, run
 from compositions.relations import RELATIONS
@@ -24,6 +26,7 @@ find: {a: block.acceleration at start, N: base.normal_force at start}
 """
 
 
+@pytest.mark.exhaustive
 def test_every_entry_comes_soon_and_pairs_come_early() -> None:
     choices = [choice for choice, _ in islice(covering(1), 60)]
     for place, table in enumerate(TABLES.values()):

@@ -39,6 +39,7 @@ def test_random_scenes_have_no_fault(number: int) -> None:
     assert not result.faults, "\n".join((*result.faults, result.text))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("family", (*FAMILIES, *IN_SPACE), ids=lambda family: family.name)
 def test_families_have_no_wrong_figure(family: Family) -> None:
     row = tried(replace(family, cases=lambda: islice(family.cases(), 0, 2 * CASES, 2)))

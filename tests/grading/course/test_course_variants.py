@@ -57,6 +57,7 @@ def marks(command: Command, rows: list[list[str]], names: list[str]) -> list[str
         return [row["marks"] for row in csv.DictReader(stream)]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("scene", [WINCH, SLOPE], ids=["one way", "rolls or slips"])
 def test_the_key_of_a_variant_is_right_for_it(command: Command, scene: str) -> None:
     """As numbers and as formulas; as numbers of another variant it is wrong, unless both have the same ones."""
@@ -74,6 +75,7 @@ def test_the_key_of_a_variant_is_right_for_it(command: Command, scene: str) -> N
     assert [mark == "6" for mark in given] == same
 
 
+@pytest.mark.exhaustive
 def test_a_formula_of_the_other_branch_is_wrong(command: Command) -> None:
     """Where the cylinder rolls, what holds where it slips is wrong, and the other way round."""
     Path("scene.yaml").write_text(SLOPE, encoding="utf-8")
@@ -104,6 +106,7 @@ def test_the_variant_on_the_command_line(command: Command, words: tuple[str, str
     assert "variant 2" in command("bob.txt", "--variant", "2", *words).out
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("scene", [WINCH, SLOPE], ids=["one way", "rolls or slips"])
 def test_mistakes_of_a_variant_are_those_of_the_scene_with_its_numbers(
     command: Command, scene: str, monkeypatch: pytest.MonkeyPatch
