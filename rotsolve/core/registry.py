@@ -10,6 +10,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.symbols import COURSE, PHASE, SPOKEN, TIME, SymbolKey, phase_midst
 
+SPAN = "time"  # the kind of how long a phase takes
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
 
 
@@ -83,7 +84,8 @@ class Registry(Struct):
         occupied |= set(names.values())
         pending = [quantity for quantity in pending if quantity.key not in names]
         plain, timed = _indices(chosen.get(TIME, TIME), indices)
-        for way in (*(_each(index) for index in plain), _numbered, *(_each(index) for index in timed)):
+        phased = _by_phase(pending, occupied)
+        for way in (*map(_each, plain), _numbered, *map(_each, (*phased, *timed))):
             found = way(pending, occupied)
             names |= found
             occupied |= set(found.values())
@@ -94,13 +96,13 @@ class Registry(Struct):
 
 
 def _each(index: Callable[[SceneQuantity], str]) -> Callable[[list[SceneQuantity], set[str]], dict[str, str]]:
-    """The names by one index, of those quantities that do not share them and find them free."""
+    """The names by one index, of those quantities that have one, do not share it and find it free."""
 
     def named(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str]:
         wanted: dict[str, list[SceneQuantity]] = {}
         for quantity in pending:
             wanted.setdefault(index(quantity), []).append(quantity)
-        return {group[0].key: name for name, group in wanted.items() if len(group) == 1 and name not in occupied}
+        return {group[0].key: name for name, group in wanted.items() if name and len(group) == 1 and name not in occupied}
 
     return named
 
@@ -128,6 +130,28 @@ def _numbered(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str
         if alike and phases and free and len(group) > 1 and not letter[-1].isdigit():
             names |= {quantity.key: name for quantity, name in zip(group, wanted, strict=True)}
     return names
+
+
+def _by_phase(pending: list[SceneQuantity], occupied: set[str]) -> tuple[Index, ...]:
+    """t₂, else a₂_block, else Δt, for what is told of the second phase that a page has, or of any moment in its midst."""
+    starts = dict.fromkeys(start for quantity in pending if (start := _start_of_phase(quantity.when)))
+    numbers = {start: str(number) for number, start in enumerate(starts, 1)}
+    counted = {name[:-1] for name in occupied if name[-1:].isdigit()}  # letters that a number already tells bodies by, or moments
+
+    def numbered(*owner: str) -> Index:
+        def index(q: SceneQuantity) -> str:
+            number = numbers.get(_start_of_phase(q.when), "")
+            free = number and q.letter.isalpha() and (owner or q.letter not in counted)
+            return _join(q.letter + number, q.component, *(q.owner for _ in owner)) if free else ""
+
+        return index
+
+    return numbered(), numbered("owner"), lambda q: f"delta_{q.letter}" if q.kind == SPAN and PHASE in q.when else ""
+
+
+def _start_of_phase(when: str) -> str:
+    """The state in which the phase starts of which something is told; none where it is told of a state."""
+    return phase_midst(when) or (when.partition(PHASE)[0] if PHASE in when else "")
 
 
 def _join(*parts: str) -> str:
