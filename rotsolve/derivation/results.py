@@ -18,6 +18,7 @@ from rotsolve.core.derivation import Answer, Derivation, Equality, Words
 from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
 from rotsolve.core.writing import spoken
+from rotsolve.derivation.directions import Directions
 from rotsolve.derivation.letters import Letters
 from rotsolve.language.problem import ANY_TIME, Body, Find, Given, Problem, Term, TimeValue
 from rotsolve.questions.find import Asked, component
@@ -81,7 +82,6 @@ FEW, MANY, SHORTER = 40, 120, 3  # nodes of one with elliptic functions; of one 
 
 NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
 
-SIZED = "friction_force"  # the kind of quantity of which only the size is asked
 
 
 class Results(Struct, frozen=True):
@@ -129,7 +129,8 @@ class Results(Struct, frozen=True):
         unit = asked.find.unit or usual_unit(asked)
         value = self._value_in(found, unit) if self._lasts(asked.find) is not False else None
         parts = self.components(answered)
-        direction = self._direction(answered, value, parts)
+        ways = Directions(self.search, answered)
+        direction = ways.words(value, parts)
         return Answer(
             asked.find.name,
             self._symbol(asked),
@@ -140,10 +141,10 @@ class Results(Struct, frozen=True):
             direction,
             components=parts if asked.resolves else (),
             angle=self._slope(parts) if asked.points else None,
-            remark=self._when(answered),
+            remark=self._when(answered) or self.letters.words(ways.condition() if value is None and not direction else ()),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
             closed=found.formula,
-            positive=self._positive(answered),
+            positive=ways.positive,
             until=self._until(answered),
             rivals=self._rivals(asked),
         )
@@ -320,55 +321,12 @@ class Results(Struct, frozen=True):
         except Undefined:
             return None
 
-    def _direction(self, answered: Answered, value: Certified | None, parts: tuple[Answer, ...]) -> str:
-        """Direction in words."""
-        if answered.asked.vector is not None:
-            return heading_words(parts)
-        words = self._both_ways(answered)
-        sign = self._sign(answered) if value is None else value.sign
-        return words[0 if sign > 0 else 1] if any(words) and sign else ""
-
-    def _sign(self, answered: Answered) -> int | None:
-        """The sign with the numbers that there are, as far as it is the same for all that letters may be; of friction, whose direction
-        words alone tell, for all that are meant to be positive."""
-        find, formula = answered.asked.find, answered.found.formula
-        if formula is None:
-            return None
-        friction = [term.path.quantity for term in find.terms] == [SIZED] and find.formula == Symbol("#0")
-        if friction:
-            return self.search.signs.as_meant(formula)
-        return self.search.signs.by_letters(formula.substitute(self.search.values))
-
-    def _positive(self, answered: Answered) -> str:
-        """What a positive value means, in words, where a negative one means something else; friction is told by its size."""
-        quantity = self.search.scene.registry.quantities.get(answered.asked.letter)
-        sized = answered.asked.vector is not None or (quantity is not None and quantity.kind == SIZED)
-        ways = self._both_ways(answered)
-        return ways[0] if all(ways) and not sized else ""
-
-    def _both_ways(self, answered: Answered) -> tuple[str, str]:
-        """What a positive and a negative value mean, in words; empty where its sign is no direction."""
-        quantity = self.search.scene.registry.quantities.get(answered.asked.letter)
-        if quantity is not None and any((quantity.positive, quantity.negative)):
-            return (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
-        return answered.asked.words
-
     def _solved(self, value: Formula) -> Formula:
         """All letters in a formula by what the steps found for them."""
         for step in reversed(self.search.solver.steps):
             if step.result in value.symbols():
                 value = value.substitute({step.result: step.chain[-1].right})
         return value
-
-
-def heading_words(parts: tuple[Answer, ...]) -> str:
-    """Up and to the right: which way the components of a vector point, '' where nothing tells."""
-    signs = [0 if part.formula == ZERO else part.value.sign if part.value is not None else None for part in parts]
-    if not parts or None in signs:
-        return ""
-    side = {1: "to the right", -1: "to the left"}.get(signs[0] or 0, "")
-    rise = {1: "up", -1: "down"}.get(signs[1] or 0, "")
-    return " and ".join(part for part in (rise, side) if part)
 
 
 def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
