@@ -214,4 +214,5 @@ STATED = Law("stated")
 CONDITION = Law("condition", "the condition{words}")
 DEFINITION = Law("definition", cost=1)
 KINETIC_ENERGY = Law("kinetic energy", cost=1, kinetic=True)
+KINETIC_ENERGY_AT = Law("kinetic energy at a moment", "kinetic energy, {moment}", cost=1, kinetic=True, apart=True)
 FOUND = Law("found", "", cost=0)  # found before: no law of its own

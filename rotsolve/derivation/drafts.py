@@ -8,7 +8,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import ForceLine, Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINETIC_ENERGY_AT, NEWTON, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.symbols import is_key
 from rotsolve.core.writing import spoken
@@ -43,11 +43,20 @@ def drafts_of(search: Search) -> list[Draft]:
             draft.laws.extend(index for index in laws if index not in placed)
             placed.update(laws)
             draft.steps.extend(search.solver.steps[slice(*answered.steps)])
+    for draft in drafts.values():
+        in_order_of_time(draft, search)
     for chosen in search.chosen:
         letters = {side.asked.letter for side in chosen.sides} & set(homes) or set(homes)
         last = latest(letters, homes, order)
         drafts.setdefault(last, Draft(last)).choices.append(chosen)
     return [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
+
+
+def in_order_of_time(draft: Draft, search: Search) -> None:
+    """K₁ before K₂, whichever is found first: in the order in which they were written."""
+    places = [place for place, index in enumerate(draft.laws) if search.planner.pool[index].law is KINETIC_ENERGY_AT]
+    for place, index in zip(places, sorted(draft.laws[place] for place in places), strict=True):
+        draft.laws[place] = index
 
 
 def sections_in_order(
@@ -131,10 +140,13 @@ def law_order(index: int, search: Search) -> tuple[int, bool, int]:
 
 
 def home(answered: Answered, laws: list[int], search: Search) -> str:
-    """The section of the weightiest law of a plan, of what is no mere rule first."""
+    """The section of the definition of what is asked, else of the weightiest law of a plan, of what is no mere rule first."""
     if not laws:
         return answered.asked.section
     pool = search.planner.pool
+    own = [pool[index].section for index in laws if pool[index].defines == answered.asked.letter]
+    if own:
+        return own[0]
     order = {key: place for place, key in enumerate(moments(search.scene))}
     weights = ((pool[index].cost, bool(pool[index].family), pool[index].section) for index in laws)
     return max(weights, key=lambda weight: (*weight[:2], order.get(weight[2], -1), weight[2]))[2]

@@ -83,7 +83,6 @@ FEW, MANY, SHORTER = 40, 120, 3  # nodes of one with elliptic functions; of one 
 NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
 
 
-
 class Results(Struct, frozen=True):
     """The answers of a search in the letters of its derivation."""
 
@@ -141,7 +140,8 @@ class Results(Struct, frozen=True):
             direction,
             components=parts if asked.resolves else (),
             angle=self._slope(parts) if asked.points else None,
-            remark=self._when(answered) or self.letters.words(ways.condition() if value is None and not direction else ()),
+            remark=self._when(answered)
+            or self.letters.words(ways.condition() if value is None and not direction else ()),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
             closed=found.formula,
             positive=ways.positive,

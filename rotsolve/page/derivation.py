@@ -93,7 +93,7 @@ class DerivationPage(Page, frozen=True):
             if section.title:
                 yield Title(2, (section.title,))
             if self.detail == BRIEF:
-                yield from law_blocks(section)
+                yield from law_blocks(section, None)
             else:
                 yield from section_blocks(section, numbers if self.numbers == STEPS else None, printed)
 
@@ -155,9 +155,9 @@ def section_blocks(section: Section, numbers: InsertedNumbers | None, printed: s
         positive = [f"positive: {line.positive}" if line.positive else "" for line in section.forces]
         rows = zip(section.forces, positive, strict=True)
         yield Listing("Forces", level, tuple(Listed(line.body, line.forces, said, line.remarks) for line, said in rows))
-    yield from law_blocks(section)
+    known = None if section.supposed else numbers
+    yield from law_blocks(section, known)
     if section.moves:
-        known = None if section.supposed else numbers
         printed.update(law.equation for law in section.laws)
         yield Formulas("Solve", level, (), tuple(step_row(move, known, printed) for move in section.moves))
 
@@ -167,11 +167,14 @@ def section_level(section: Section) -> int:
     return 3 if section.title else 2
 
 
-def law_blocks(section: Section) -> Iterator[PageBlock]:
-    """The laws of a section, with why what is conserved is."""
+def law_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[PageBlock]:
+    """The laws of a section, with why what is conserved is; and what those come to that are told with their `numbers`."""
     if section.remarks or section.laws:
-        law_rows = (FormulaRow((law.law,), (law.equation,), law.number, law.remark, True) for law in section.laws)
-        yield Formulas("Laws", section_level(section), section.remarks, tuple(law_rows))
+        rows = []
+        for law in section.laws:
+            values = () if numbers is None else numbers.valued(law.name, law.equation)
+            rows.append(FormulaRow((law.law,), (law.equation,), law.number, law.remark, True, values=values))
+        yield Formulas("Laws", section_level(section), section.remarks, tuple(rows))
 
 
 def step_row(move: Move, numbers: InsertedNumbers | None, printed: set[Equality]) -> FormulaRow:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import (
@@ -25,6 +27,7 @@ from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension, DimensionEr
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move
+from rotsolve.core.equation import KINETIC_ENERGY_AT
 from rotsolve.language.problem import Given
 from rotsolve.page.abbreviations import Abbreviation
 from rotsolve.page.blocks import WITH, Amount, Math, Phrase
@@ -35,6 +38,9 @@ MORE = 3  # digits by which numbers put in may have to be finer than what they c
 SAME = 1e-9  # beside which two numbers differ
 EXACT = 6  # digits of a given that is written as it is
 SEEN_THROUGH = frozenset(("sqrt", "abs", "asin", "acos", "atan", "atan2"))  # functions whose arguments are shown
+
+
+VALUED = {KINETIC_ENERGY_AT.name: "J"}  # laws whose letters are told with their numbers, though nobody asks for them
 
 
 class NotShown(ValueError):
@@ -50,7 +56,12 @@ class InsertedNumbers:
         self.answers = {to_text(answer.symbol): answer for answer in derivation.answers if answer.value is not None}
         self.dimensions = {given.name: given.dimension for given in derivation.givens if given.dimension is not None}
         self.roots: dict[str, Certified] = {}
+        self.sought: set[str] = set()  # letters whose value is being worked out: a law tells nothing by itself
         self.steps: dict[str, Formula] = {short.letter.name: short.meaning for short in shorts}
+        laws = [(law.equation.left, law) for section in derivation.sections for law in section.laws]
+        self.laws = {
+            left.name: law for left, law in laws if isinstance(left, Symbol)
+        }  # by the letter that each tells, if no step does
 
     def values(self, move: Move) -> tuple[int, tuple[Amount, ...]]:
         """What a step that gives an answer comes to: with numbers put in, and the number; and behind which of its lines that stands."""
@@ -61,6 +72,9 @@ class InsertedNumbers:
             return -1, self.worth(last)
         self.steps.setdefault(last.left.name, last.right)
         answer = self.answers.get(to_text(last.left))
+        law = self.laws.get(last.left.name)
+        if answer is None and law is not None:
+            return -1, self.valued(law.name, last)
         if answer is None or answer.formula is None or isinstance(last.right, Number) or not last.right.symbols():
             return -1, ()
         number, note = certified_digits(answer.value, self.digits)
@@ -73,6 +87,12 @@ class InsertedNumbers:
         """D = m + M + … = 5 kg, of a letter that the page gives to a sum."""
         one = short.equality
         return (Math((one.left, "=", one.right, *(part for value in self.worth(one) for part in ("=", value)))),)
+
+    def valued(self, law: str, one: Equality) -> tuple[Amount, ...]:
+        """The number of a letter that a law tells, where that is worth telling."""
+        return (
+            tuple(replace(amount, unit=parse_unit(VALUED[law])) for amount in self.worth(one)) if law in VALUED else ()
+        )
 
     def worth(self, one: Equality) -> tuple[Amount, ...]:
         """The number of a sum in givens, with its unit; nothing where letters have none."""
@@ -158,12 +178,19 @@ class InsertedNumbers:
         return evaluate(node, self.givens, roots={name: self.root(name) for name in told})
 
     def root(self, name: str) -> Certified:
-        """The value of a letter that a step has told."""
+        """The value of a letter that a step has told, or else a law does by others."""
+        if name in self.sought:
+            raise NotShown
         if name not in self.roots:
-            told = self.steps.get(name)
+            law = self.laws.get(name)
+            told = self.steps.get(name, None if law is None else law.equation.right)
             if told is None:
                 raise NotShown
-            self.roots[name] = self.number(told)
+            self.sought.add(name)
+            try:
+                self.roots[name] = self.number(told)
+            finally:
+                self.sought.discard(name)
         return self.roots[name]
 
 

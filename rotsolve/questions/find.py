@@ -23,6 +23,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Given, Term
 from rotsolve.paths.meaning import Meaning, NotYet, whole_vector
+from rotsolve.questions.energies import with_named_energies
 from rotsolve.questions.terms import DIFFERENCE, magnitude, meaning_of
 
 if TYPE_CHECKING:
@@ -229,7 +230,7 @@ def rewritten(question: Asked, altered: Alteration) -> Asked:
 def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: Beside | None) -> Asked:
     """The formula of a `find` line, and the letter that stands for it."""
     refuse_modified_whole(find, scene)
-    meanings = [meaning_of(term, scene, beside) for term in find.terms]
+    meanings = with_named_energies(find, [meaning_of(term, scene, beside) for term in find.terms], scene)
     formula = find_formula(find, [meaning.formula for meaning, _ in meanings], earlier)
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
     known = known_dimensions(meanings, scene, earlier)

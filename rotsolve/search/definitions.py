@@ -77,8 +77,9 @@ class Stepwise(Struct):
             self.steps[asked.letter] = {self.places[step] for step in asked.definitions}
 
     def foreign(self, letter: str) -> set[int]:
-        """The steps of other questions."""
-        return set(self.places.values()) - self.steps.get(letter, set())
+        """The steps of other questions, of which none tells this letter."""
+        others = {place for step, place in self.places.items() if step.defines != letter}
+        return others - self.steps.get(letter, set())
 
     def plan(self, letter: str, known: Collection[str], definition: int | None, banned: set[int]) -> Plan | None:
         """The plan that the steps of a question make, with what was found before and what the laws define."""
