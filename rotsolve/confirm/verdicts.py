@@ -21,6 +21,7 @@ from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
+NEARLY = "approximation:"
 AGAINST = "against its positive sense:"
 CLOSELY = 2000  # bits to which a formula is reckoned where floats may have lost its digits
 OTHERWISE = "an assembly of all bodies' equations gives another value"
@@ -98,9 +99,14 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     if good:
         checks.append(Check(("an assembly of all bodies' equations gives the same ", *in_a_row(good))))
     checks += [Check((letters[one.name], one.also), None, AGAINST) for one in verdicts if one.holds and one.also]
+    checks += [
+        Check((letters[one.name], f" is {one.also} without it, by an assembly of all bodies' equations"), None, NEARLY)
+        for one in verdicts
+        if one.holds is None and one.also
+    ]
     reasons: dict[str, list[Formula]] = {}
     for item in verdicts:
-        if item.holds is None:
+        if item.holds is None and not item.also:
             reasons.setdefault(item.why, []).append(letters[item.name])
     if any(item.holds is False for item in verdicts):
         return withheld(replace(derivation, checks=tuple(checks)), problem)

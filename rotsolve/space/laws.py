@@ -186,11 +186,14 @@ class SpaceLaws:
         felt = scaled_by(negate(self.moment.held.mass(name)), led)
         torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
         where = f" about its {'centre of mass' if point == CM else spoken(point)}{'' if led == NOTHING else ', which is led along'}"
-        rate = "dL/dt" if own.axes.rate == NOTHING else "(dL/dt in the axes) + Ω × L"
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
             if (left, change, across) == (ZERO, ZERO, ZERO):
                 continue
             right, relation = add(change, across), "="
+            within = (
+                "Ω × L" if change == ZERO else "(dL/dt in the axes) + Ω × L"
+            )  # what does not change in its axes turns with them
+            rate = "dL/dt" if own.axes.rate == NOTHING else within
             remark: Words = ()
             if axis == "x" and own.axes.name == NODE:
                 left, right, remark = self.without_sine(name, left, right)

@@ -61,7 +61,7 @@ def confirmations_in_space(
         if objects and letters_open(problem) and not admitted(numbers):  # numbers of its own a scene may have
             found = {name: AnswerConfirmation(name, None, NO_CASE) for name in found}
         verdicts |= {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
-        tried += any(verdict.holds is not None for verdict in found.values())
+        tried += any(verdict.holds is not None or verdict.why == ROUGHLY for verdict in found.values())
     return tuple(verdicts.values())
 
 
@@ -142,7 +142,7 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
             own = parts[""]
             found = hearing.under_condition(finds[0], own)
             if abs(found - own) > SAME * max(abs(own), 1e-9):
-                return verdict_of(name, False, (own,), (found,), hearing)
+                return verdict_of(name, False, (own,), (found,), hearing, numbers)
             from rotsolve.confirm.space.rivals import beside_under_condition
 
             beside, against = beside_under_condition(hearing, finds[0], own, answer.rivals)
@@ -152,17 +152,20 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
             against += f" with {letters}" if against and letters else ""
             return AnswerConfirmation(name, True, "", (own,), (found,), also=against)
         if hearing.is_put_in(finds[0]):
-            return tested(answer, parts, hearing, finds[0])
-        return compared_in_space(finds, answer, parts, hearing)
+            return tested(answer, parts, hearing, finds[0], numbers)
+        return compared_in_space(finds, answer, parts, hearing, numbers)
     except Unfit as reason:
         return not_so(name, str(reason), hearing.problem, numbers)
     except NotConfirmed as reason:
-        return AnswerConfirmation(name, None, str(reason))
+        near = hearing.problem.assume and str(reason) == SEVERAL  # of these the approximation is one
+        return AnswerConfirmation(name, None, ROUGHLY if near else str(reason))
     except (ArithmeticError, ValueError) as error:
         return AnswerConfirmation(name, None, f"the assembly has no number ({error})")
 
 
-def tested(answer: Answer, parts: Mapping[str, float], hearing: Hearing, find: Find) -> AnswerConfirmation:
+def tested(
+    answer: Answer, parts: Mapping[str, float], hearing: Hearing, find: Find, numbers: Numbers
+) -> AnswerConfirmation:
     """An answer that was put in is right where the equations then leave nothing over."""
     own, size = parts[""], max(hearing.size(hearing.place_of(find)), 1e-9)
     letter = hearing.letter(find)
@@ -175,11 +178,11 @@ def tested(answer: Answer, parts: Mapping[str, float], hearing: Hearing, find: F
         meant = fits_as_asked(hearing, find, own, answer.rivals)
         if not meant:
             return AnswerConfirmation(answer.name, meant, SEVERAL, (own,), (found,))
-    return verdict_of(answer.name, holds, (own,), (found,), hearing)
+    return verdict_of(answer.name, holds, (own,), (found,), hearing, numbers)
 
 
 def compared_in_space(
-    finds: list[Find], answer: Answer, parts: Mapping[str, float], hearing: Hearing
+    finds: list[Find], answer: Answer, parts: Mapping[str, float], hearing: Hearing, numbers: Numbers
 ) -> AnswerConfirmation:
     """All parts of an answer beside those of the assembly, which has several of each where several motions are possible."""
     vector = any(part in parts for part in "xyz")
@@ -197,10 +200,10 @@ def compared_in_space(
     fits = [
         row for row in rows if close(answered, row, natural) or (loose and close(answered, turned_round(row), natural))
     ]
-    if fits and len(fits) < len(rows):
+    if fits and len(fits) < len(rows) and not hearing.problem.assume:
         return AnswerConfirmation(answer.name, None, SEVERAL, answered, fits[0])
     nearest = min(rows, key=lambda row: math.dist(row, answered))
-    return verdict_of(answer.name, bool(fits), answered, (fits or [nearest])[0], hearing)
+    return verdict_of(answer.name, bool(fits), answered, (fits or [nearest])[0], hearing, numbers)
 
 
 def close(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
@@ -220,11 +223,25 @@ def turned_round(row: Sequence[float]) -> tuple[float, ...]:
 
 
 def verdict_of(
-    name: str, holds: bool, answered: tuple[float, ...], own: tuple[float, ...], hearing: Hearing
+    name: str, holds: bool, answered: tuple[float, ...], own: tuple[float, ...], hearing: Hearing, numbers: Numbers
 ) -> AnswerConfirmation:
-    """What is contradicted is so, but for what is meant as an approximation."""
+    """What is contradicted is so, but for what is meant as an approximation, of which is said how near it comes."""
     if holds:
         return AnswerConfirmation(name, True, "", answered, own)
     if hearing.problem.assume:
-        return AnswerConfirmation(name, None, ROUGHLY, answered, own)
+        return AnswerConfirmation(
+            name, None, ROUGHLY, answered, own, also=how_near(answered, own, numbers, hearing.problem)
+        )
     return AnswerConfirmation(name, False, OTHERWISE, answered, own)
+
+
+def how_near(answered: Sequence[float], own: Sequence[float], numbers: Numbers, problem: Problem) -> str:
+    """By how much of an approximate answer the exact one is larger or smaller: "6.1 % larger"; nothing where none has a size."""
+    rough, exact = math.hypot(*answered), math.hypot(*own)
+    if not rough:
+        return ""
+    letters = numbers_told(numbers, problem)
+    percent = 100 * (exact / rough - 1)
+    return f"{abs(percent):.2g} % {'larger' if percent > 0 else 'smaller'}" + (
+        f" with {letters} in SI units" if letters else ""
+    )
