@@ -39,7 +39,7 @@ from rotsolve.solver.steps import (
     only_squared,
     put_square,
 )
-from rotsolve.solver.textbook import part_of_whole, quarters_turned, seen_through_no_more
+from rotsolve.solver.textbook import part_of_whole, quarters_turned, seen_through_no_more, with_constants_in_front
 
 FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
@@ -304,7 +304,7 @@ class Solver(Isolation, kw_only=True):
 
     def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:
         """Write a step under the next number; a line that has been written before is only cited."""
-        refs = item.ref, tuple(item.sources), tuple(chain)
+        refs = item.ref, tuple(item.sources), (*map(with_constants_in_front, chain[:-1]), *chain[-1:])
         again = (step for step in self.steps if (step.target, step.sources, step.chain) == refs)
         if (written := next(again, None)) is not None:
             return written

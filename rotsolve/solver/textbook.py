@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import partial, reduce
 
 from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import in_powers
 from rotsolve.algebra.certified.sign import SignOracle
@@ -13,6 +14,7 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import (
     ELLIPTIC,
+    ONE,
     Call,
     Formula,
     Integral,
@@ -26,6 +28,7 @@ from rotsolve.algebra.formula import (
     multiply,
     total,
 )
+from rotsolve.core.derivation import Equality
 from rotsolve.core.symbols import TIME, at_any_time
 from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.steps import Found
@@ -80,6 +83,22 @@ def gathered(node: Formula) -> Formula:
         return node
     summed = node.factors[-1]
     return Integral(reduce(multiply, node.factors[:-1], summed.integrand), summed.variable, summed.lower, summed.upper)
+
+
+def with_constants_in_front(line: Equality) -> Equality:
+    """∫ k f dx as k ∫ f dx, as it stands in a line that leads on."""
+    if not (line.left.holds(Integral) or line.right.holds(Integral)):
+        return line
+    return replace(line, left=line.left.transform(_constant_in_front), right=line.right.transform(_constant_in_front))
+
+
+def _constant_in_front(node: Formula) -> Formula:
+    if not isinstance(node, Integral):
+        return node
+    from rotsolve.algebra.calculus.integral import split
+
+    constant, varying = split(node.integrand, node.variable)
+    return node if varying == ONE else multiply(constant, Integral(varying, node.variable, node.lower, node.upper))
 
 
 class Textbook(Struct, kw_only=True):

@@ -37,6 +37,8 @@ NAMES = (
 )
 NAMES_SET = frozenset(NAMES.split())
 PRIME = (1 << 61) - 1
+K = Symbol("M") / Symbol("R") ** 2
+SUMMED = Integral(Symbol("r") ** 3, "r", Number(Fraction(0)), Symbol("R"))
 
 
 def code(*parts: object) -> int:
@@ -297,3 +299,19 @@ def test_names_that_print_alike_are_told() -> None:
 )
 def test_latex(formula: Formula, latex: str) -> None:
     assert to_latex(formula) == latex
+
+
+@pytest.mark.parametrize(
+    ("formula", "text"),
+    [
+        (K * SUMMED, "(M/R²) ∫[0 → R] r³ dr"),
+        (-(K * SUMMED), "−(M/R²) ∫[0 → R] r³ dr"),
+        (K * SUMMED + Symbol("b"), "(M/R²) ∫[0 → R] r³ dr + b"),
+        (K * SUMMED * Symbol("q"), "(M/R²) (∫[0 → R] r³ dr) q"),
+        (K * SUMMED / Symbol("c"), "((M/R²) ∫[0 → R] r³ dr)/c"),
+        ((K * SUMMED) ** 2, "((M/R²) ∫[0 → R] r³ dr)²"),
+    ],
+)
+def test_a_differential_closes_what_it_is_the_last_of(formula: Formula, text: str) -> None:
+    """k ∫ f dx needs no brackets where nothing more could be taken into it; it reads back the same."""
+    assert to_text(formula) == text and parse(text) == formula

@@ -104,6 +104,17 @@ def _wrap(piece: Piece, level: int) -> str:
     return piece[0] if piece[1] >= level else f"({piece[0]})"
 
 
+def ends_in_integral(formula: Formula) -> bool:
+    """Whether the text ends in a differential: ∫ f dx, k ∫ f dx."""
+    last = formula.factors[-1] if isinstance(formula, Product) and formula.factors else formula
+    return isinstance(last, Integral)
+
+
+def closing_level(formula: Formula) -> int:
+    """How tightly what stands behind a minus has to bind: k ∫ f dx needs no brackets."""
+    return NEGATIVE if isinstance(formula, Product) and ends_in_integral(formula) else PRODUCT
+
+
 class Signs(Struct, frozen=True):
     """What stands between the terms of a sum, before a first negative one, and round a part that binds too loosely."""
 
@@ -124,7 +135,7 @@ def join_terms(terms: tuple[Formula, ...], show: Callable[[Formula], Piece], sig
         positive = unsigned(term)
         plain = term if positive is None else positive
         body, level = show(plain)
-        if level <= NEGATIVE and not isinstance(plain, Integral):  # its differential closes it
+        if level <= NEGATIVE and not ends_in_integral(plain):  # its differential closes it
             body = signs.brackets(body)
         if text:
             text += f"{signs.plus if positive is None else signs.minus}{body}"
@@ -165,7 +176,7 @@ def _ascii(formula: Formula) -> Piece:
 def _unicode(formula: Formula) -> Piece:
     positive = unsigned(formula)
     if positive is not None:
-        return f"−{_wrap(_unicode(positive), PRODUCT)}", NEGATIVE
+        return f"−{_wrap(_unicode(positive), closing_level(positive))}", NEGATIVE
     match formula:
         case Decimal(text):
             return text, ATOM
@@ -176,7 +187,8 @@ def _unicode(formula: Formula) -> Piece:
         case Sum(terms):
             return join_terms(terms, _unicode, UNICODE) if terms else ("0", ATOM)
         case Product(factors):
-            return (_unicode_product(factors), PRODUCT) if factors else ("1", ATOM)
+            level = NEGATIVE if ends_in_integral(formula) else PRODUCT
+            return (_unicode_product(factors), level) if factors else ("1", ATOM)
         case Quotient(numerator, denominator):
             top = _unicode(numerator)
             text = f"({top[0]})" if top[1] in (SUM, NEGATIVE, QUOTIENT) else top[0]
@@ -206,6 +218,8 @@ def _unicode_product(factors: tuple[Formula, ...]) -> str:
         body = _wrap(piece, QUOTIENT if index == 0 and _is_fraction(factor) else CALL)
         if trails(factor) and not (index == len(factors) - 1 or is_function(factors[index + 1])):
             body = _unicode_closed(factor)
+        if index == len(factors) - 1 and isinstance(factor, Integral):
+            body = piece[0]
         after = index > 0 and isinstance(factors[index - 1], Decimal)
         dot = "·" if after or body[0].isdigit() or body[0] in GLYPHS.values() else " "
         text = f"{text}{dot}{body}" if text else body

@@ -34,6 +34,8 @@ from rotsolve.algebra.notation.text import (
     QUOTIENT,
     Piece,
     Signs,
+    closing_level,
+    ends_in_integral,
     is_function,
     join_terms,
     may_be_bare,
@@ -75,7 +77,9 @@ def _bracketed(piece: Piece, level: int, marks: Marks) -> str:
 def _set(formula: Formula, marks: Marks) -> Piece:
     positive = unsigned(formula)
     if positive is not None:
-        return marks.row(marks.signs.first + _bracketed(_set(positive, marks), PRODUCT, marks)), NEGATIVE
+        return marks.row(
+            marks.signs.first + _bracketed(_set(positive, marks), closing_level(positive), marks)
+        ), NEGATIVE
     match formula:
         case Decimal(text):
             return marks.number(text), ATOM
@@ -92,7 +96,8 @@ def _set(formula: Formula, marks: Marks) -> Piece:
         case Sum():
             return marks.number("0"), ATOM
         case Product(factors):
-            return (marks.row(_set_product(factors, marks)), PRODUCT) if factors else (marks.number("1"), ATOM)
+            level = NEGATIVE if ends_in_integral(formula) else PRODUCT
+            return (marks.row(_set_product(factors, marks)), level) if factors else (marks.number("1"), ATOM)
         case Quotient(numerator, denominator):
             return marks.fraction(_set(numerator, marks)[0], _set(denominator, marks)[0]), QUOTIENT
         case Power(base, exponent):
@@ -112,8 +117,8 @@ def _set(formula: Formula, marks: Marks) -> Piece:
 def _set_product(factors: tuple[Formula, ...], marks: Marks) -> str:
     text = ""
     for index, factor in enumerate(factors):
-        body = _bracketed(_set(factor, marks), QUOTIENT, marks)
         last = index == len(factors) - 1
+        body = _bracketed(_set(factor, marks), NEGATIVE if last and isinstance(factor, Integral) else QUOTIENT, marks)
         root = isinstance(factor, Call) and factor.function == "sqrt"  # its bar tells where the argument ends
         if trails(factor) and not root and not last and not is_function(factors[index + 1]):
             body = marks.signs.brackets(body)
