@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Integral, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
     ANGLES_TURNED,
@@ -222,9 +222,8 @@ def about_common_point(encounter: Encounter, section: str, names: tuple[str, ...
     outside = left_over(turns, encounter)
     if outside is None:
         return
-    before, after = (
-        [term for item in members for term in spin_terms(item, sense, after=late)] for late in (False, True)
-    )
+    before = [term for item in members for term in spin_terms(item, sense, after=False)]
+    after = spins_after(encounter, sense)
     torque = [signed(term, sense) for term in outside]
     point = f"about the {encounter.about}" if encounter.about else "about the meeting point"
     changed = f"angular impulse = change of angular momentum, {point}"
@@ -293,6 +292,23 @@ def nothing_pressed(at: ThroughEvent) -> Iterator[Equation]:
         if len(pushes) > 1 and len(pushes) == len(outside) and one_way and all(map(is_quantity, letters)):
             for letter, own in zip(letters, outside, strict=True):
                 yield UNPRESSED.equation(letter, ZERO, at.section, owner=spoken(own[0].owner))
+
+
+def spins_after(encounter: Encounter, sense: int) -> list[Formula]:
+    """Angular momenta about the common point after an event: I ω with the moment of inertia of all that turns as one from then on."""
+    own = {item.body.name: spin_terms(item, sense, after=True) for item in encounter.meetings}
+    parts = [item.body.inertia for item in encounter.meetings if item.body.inertia is not None]
+    told = {part.letter.name: part.formula for part in parts if isinstance(part.letter, Symbol)}
+    terms: list[Formula] = []
+    for members, whole in encounter.joined:
+        if whole.inertia is None or not members <= own.keys():
+            continue
+        apart = total([term for name in members for term in own[name]]).substitute(told)
+        spin = signed(whole.motion.spin, sense)
+        if is_zero(apart - whole.inertia.formula * spin):  # nothing else is carried along
+            terms.append(whole.inertia.letter * spin)
+            own = {name: rest for name, rest in own.items() if name not in members}
+    return [*terms, *(term for rest in own.values() for term in rest)]
 
 
 def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:

@@ -75,7 +75,21 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     about = supports(involved, points, event, first)
     needs = tuple(need for need in needs if need.left != ZERO)
     bounce, closing = event.bounce(first, last), event.closing(first, last)
-    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck)
+    joined = joined_on_an_axis(involved, last, last_facts)
+    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck, joined)
+
+
+def joined_on_an_axis(
+    involved: Sequence[BodyFacts], last: Instant, after: Facts
+) -> tuple[tuple[frozenset[str], BodyFacts], ...]:
+    """The bodies that an event makes one that turns on an axis, with the facts of that one."""
+    members: dict[str, set[str]] = {}
+    for body in involved:
+        members.setdefault(last.host(body.name), set()).add(body.name)
+    wholes = ((frozenset(own), after.body(host)) for host, own in members.items() if len(own) > 1)
+    return tuple(
+        (own, whole) for own, whole in wholes if whole is not None and whole.motion.kind == "axis" and whole.inertia
+    )
 
 
 def participants(interval: Interval, configuration: Configuration) -> tuple[PointRef, ...]:
