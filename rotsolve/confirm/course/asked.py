@@ -213,7 +213,7 @@ def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:
     if not path.owner:
         from rotsolve.confirm.course.mechanics import of_scene
 
-        return of_scene(at, path)
+        return of_scene(at, path, term)
     from rotsolve.confirm.course.elements import OF_ELEMENTS
 
     found = OF_ELEMENTS.get(path.quantity)

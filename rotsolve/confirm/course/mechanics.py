@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from msgspec.structs import replace
+
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.course.node import Node
@@ -157,7 +159,7 @@ def body_height(at: Node, path: Path, term: Term | None) -> Reckoned:
     return number(at.height(path.owner))
 
 
-def of_scene(at: Node, path: Path) -> Reckoned:
+def of_scene(at: Node, path: Path, term: Term | None) -> Reckoned:
     """The sum over all bodies."""
     if path.quantity == "time":
         return number(at.time)
@@ -166,10 +168,25 @@ def of_scene(at: Node, path: Path) -> Reckoned:
         if path.quantity == "momentum" and path.component is None:
             raise NotConfirmed("a momentum of all bodies without its component")
         return number(math.fsum(part.number for part in parts), max(part.size for part in parts))
+    if path.quantity == "angular_momentum":
+        return angular_momentum_of_all(at, path, term)
     if path.quantity in ("potential_energy", "energy"):
         parts = [of_body(at, Path(name, path.quantity), None) for name in at.model.seats]
         return number(math.fsum(part.number for part in parts) + at.stored(), max(part.size for part in parts))
     raise NotConfirmed(f"`{path.quantity}` of the whole scene")
+
+
+def angular_momentum_of_all(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """Σ (r × m v + I ω) about one point, or each about its axis; along the turn that those that turn have in common as positive."""
+    names = list(at.model.seats)
+    turning = [name for name in names if at.axis(name) is not None and name in at.model.held]
+    turning = turning or [name for name in names if at.model.seats[name].rigid.inertia > 0.0]
+    senses = {at.model.sense(name) for name in turning}
+    if len(senses) != 1:
+        raise NotConfirmed("an angular momentum of bodies that count their turns differently")
+    parts = [(at.model.sense(name), angular_momentum(at, replace(path, owner=name), term)) for name in names]
+    found = math.fsum(sense * part.number for sense, part in parts) * senses.pop()
+    return number(found, max(part.size for _, part in parts))
 
 
 OF_BODIES: dict[str, Reading] = {

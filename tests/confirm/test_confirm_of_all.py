@@ -1,0 +1,53 @@
+"""The angular momentum of a whole scene by the assembly: about one point, whichever turn is positive, and never where senses differ."""
+
+from __future__ import annotations
+
+import pytest
+
+import rotsolve
+
+STRUCK = """
+plane: horizontal
+bodies:
+  rod: {{shape: rod, mass: 2 kg, length: 1 m, turns: {sense}}}
+  ball: {{mass: 0.5 kg, moves: up}}
+connections: {{pin: {{hinge: rod.start}}}}
+states:
+  before: {{rod.angle: 0 deg, rod.angular_velocity: 1 rad/s, ball.velocity: 3 m/s}}
+  after: {{}}
+events: {{hit: {{{how}, from: before, to: after}}}}
+find:
+  L1: angular_momentum about pin at before
+  L2: angular_momentum about pin at after
+"""
+WHEELS = """
+plane: horizontal
+bodies:
+  one: {{shape: disc, mass: 2 kg, radius: 20 cm, turns: clockwise}}
+  two: {{shape: disc, mass: 1 kg, radius: 10 cm, turns: {sense}}}
+connections: {{left: {{axle: one}}, right: {{axle: two}}}}
+states: {{now: {{one.angular_velocity: 3 rad/s, two.angular_velocity: 5 rad/s}}}}
+find: {{L: angular_momentum at now}}
+"""
+
+
+@pytest.mark.parametrize(("sense", "sign"), [("clockwise", -1), ("counterclockwise", 1)])
+@pytest.mark.parametrize("how", ["joins: [rod.end, ball]", "collides: [ball, rod.end], restitution: 0.5"])
+def test_it_is_kept_through_a_hit_on_a_hinged_rod(sense: str, sign: int, how: str) -> None:
+    """m v L + ⅓ M L² ω, with ω the way in which the rod is counted."""
+    solution = rotsolve.solve(STRUCK.format(sense=sense, how=how))
+    by_hand = sign * 0.5 * 3 * 1 + 2 / 3 * 1
+    for name in ("L1", "L2"):
+        assert solution.answers[name].float == pytest.approx(by_hand, rel=1e-12)
+    assert "the same L₁, L₂" in solution.to().replace("\n", " ")
+
+
+def test_wheels_that_turn_the_same_way_add_up() -> None:
+    solution = rotsolve.solve(WHEELS.format(sense="clockwise"))
+    assert solution.answers["L"].float == pytest.approx(0.04 * 3 + 0.005 * 5, rel=1e-12)
+    assert "the same L" in solution.to()
+
+
+def test_turns_that_are_counted_differently_are_not_confirmed() -> None:
+    page = rotsolve.solve(WHEELS.format(sense="counterclockwise")).to()
+    assert "count their turns differently" in page.replace("\n", " ") and "the same L" not in page
