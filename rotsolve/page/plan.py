@@ -107,7 +107,7 @@ def principles(laws: Sequence[LawLine]) -> list[str]:
     """The laws of motion, conservation and kinematics, each once, those of the same bodies side by side."""
     bodies: dict[str, list[str]] = {}
     for law in laws:
-        if law.family or law.name in SAID:
+        if law.name not in TIES and (law.family or law.name in SAID):
             own = bodies.setdefault(SAID.get(law.name) or law.law.split(", ")[0], [])
             own += [body for body in law.bodies[:1] if body not in own]
     alike: dict[tuple[str, ...], list[str]] = {}
