@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
@@ -21,8 +21,8 @@ from rotsolve.core.equation import (
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, signed
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
 from rotsolve.core.symbols import TIME, at_any_time, has_quantities, is_key, is_quantity, key_of
-from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading
-from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, unit
+from rotsolve.core.writing import and_joined, flat, is_negative, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.laws.newton import about
 from rotsolve.laws.table import OverPhase, ThroughEvent
 from rotsolve.motion.rigid import tidy
@@ -228,7 +228,7 @@ def about_common_point(encounter: Encounter, section: str, names: tuple[str, ...
     point = f"about the {encounter.about}" if encounter.about else "about the meeting point"
     changed = f"angular impulse = change of angular momentum, {point}"
     label = changed if flat(torque) else f"angular momentum {point} is conserved"
-    why: Words = (f"No outside torque acts {point}: {why_none(members)}.",)
+    why: Words = (f"No outside torque acts {point}: {why_none(encounter)}.", *passing(encounter))
     words = why if encounter.about and not any(encounter.gives(impulse) for impulse, _ in turns) else ()
     if flat(before) or flat(after):
         yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
@@ -250,12 +250,26 @@ def left_over(efforts: Sequence[Effort], encounter: Encounter) -> list[Formula] 
     return given if all(is_zero(total(parts)) for parts in by_owner.values()) else None
 
 
-def why_none(members: Sequence[Meeting]) -> str:
+def why_none(encounter: Encounter) -> str:
     """Why nothing from outside turns a group about its support: bodies that all turn on it already push it to no side."""
-    if len(members) > 1 and all(item.body.motion.kind == "axis" for item in members):
-        names = [spoken(item.body.name) for item in members]
-        return f"what {', '.join(names[:-1])} and {names[-1]} do to each other cancels"
-    return "the blow at the support has no arm"
+    members = encounter.meetings
+    no_arm = "the blow there has no arm"
+    if len(members) < 2:
+        return no_arm
+    cancels = f"what {and_joined([spoken(item.body.name) for item in members])} do to each other cancels"
+    return cancels if all(item.body.motion.kind == "axis" for item in members) else f"{no_arm}, and {cancels}"
+
+
+def passing(encounter: Encounter) -> Iterator[str | Formula]:
+    """How far from the common point those pass it that travel along a line: the arm of m v."""
+    for item in encounter.meetings:
+        heading = item.body.motion.heading
+        if item.place is None or heading is None or item.before == NOWHERE or item.body.motion.kind != "line":
+            continue
+        arm = tidy(item.place + item.body.about).cross(unit(heading))
+        distance = simplify(negate(arm) if is_negative(arm) else arm)
+        if distance != ZERO:
+            yield from (f" The path of {spoken(item.body.name)} passes it at the distance ", distance, ".")
 
 
 def linear_momentum(encounter: Encounter, section: str, names: tuple[str, ...]) -> Iterator[Equation]:

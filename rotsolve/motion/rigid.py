@@ -332,7 +332,7 @@ def centre_of_mass(items: tuple[RigidPiece, ...]) -> Vector:
 
 
 def moment_about(items: tuple[RigidPiece, ...], point: Vector, order: tuple[str, ...] = ()) -> tuple[Formula, Words]:
-    """Moment of inertia about a point: as a simplified formula for each mass, and the parallel-axes sum that it comes from."""
+    """Moment of inertia about a point: as a simplified formula for each mass, and the sum, by parallel axes, that it comes from."""
     terms: list[Formula] = []
     by_mass: dict[Formula, list[Formula]] = {}
     shifted = False
@@ -349,7 +349,9 @@ def moment_about(items: tuple[RigidPiece, ...], point: Vector, order: tuple[str,
     apart = total([simplify(total(own), order=order) for own in by_mass.values() if own])
     if not isinstance(shown, Sum) and 2 * length(apart) <= 3 * length(shown):  # ½ M R² + m R² rather than R² (½ M + m)
         shown = apart
-    return shown, (("parallel axes: ", whole) if shifted else ())
+    parts = [simplify(term, order=order) for term in terms]
+    alike = len(parts) > 1 and not isinstance(shown, Sum)  # 4 I, of 3 I and I
+    return shown, (("parallel axes: ", whole) if shifted else ("sum: ", total(parts)) if alike else ())
 
 
 def carried_round(
