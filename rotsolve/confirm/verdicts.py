@@ -20,6 +20,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
+ROUGHLY = "the scene asks for an approximation"
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 NEARLY = "approximation:"
 AGAINST = "against its positive sense:"

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import degree, is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
@@ -209,10 +210,11 @@ class SpaceLaws:
         rate = self.moment.ask("precession", name)
         if not isinstance(rate, Symbol):
             return right, ()
-        found = coefficients(right, rate.name)
-        if found is None or len(found) < 3:
+        if (degree(right, rate.name) or 0) < 2:
             return right, ()
-        return add(found[0], multiply(found[1], rate)), ("the spin is fast: ", rate**2, " left out")
+        none = {rate.name: ZERO}
+        still, slope = (self.moment.tidy(part.substitute(none)) for part in (right, differentiate(right, rate.name)))
+        return add(still, multiply(slope, rate)), ("the spin is fast: ", rate**2, " left out")
 
     def without_sine(self, name: str, left: Formula, right: Formula) -> tuple[Formula, Formula, Words]:
         """Both sides divided by sin θ, where each is a multiple of it and θ is not 0."""

@@ -16,6 +16,7 @@ from rotsolve.confirm.space import hearing, verdict
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.rig import Told
 from rotsolve.confirm.space.worlds import Unfit
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.language.problem import Problem
 from rotsolve.pipeline import solve
@@ -418,3 +419,35 @@ def test_a_question_looks_among_all_steady_motions() -> None:
         left = 5e-4 * rate**2 * math.cos(math.radians(25)) - 6e-5 * 300 * rate + 0.15 * 9.8 * 0.04
         assert left == pytest.approx(0, abs=1e-9)
     assert fast > 2 * slow
+
+
+FAST = """
+up: z
+assume: [fast spin]
+given: {{M: 0.3 kg, R: 5 cm, l: 5 cm, g: 9.8 m/s^2}}
+bodies: {{wheel: {{shape: disc, mass: M, radius: R, axis: z, points: {{tip: [0, 0, -l]}}}}}}
+connections: {{floor: {{ball: wheel.tip}}}}
+states: {{now: {{wheel.tilt: {tilt} deg, wheel.axial_rate: {spin} rad/s, steady: true}}}}
+find:
+  slow: wheel.precession at now
+  T: 2*pi/slow
+"""
+
+
+def test_a_spin_that_is_not_fast_is_no_approximation() -> None:
+    """(I₃ ω₃)² < 4 I₁ cos θ M g l: there is no steady precession at all."""
+    with pytest.raises(Unsolvable, match="no steady motion has these numbers"):
+        solve(FAST.format(tilt=75.0, spin=30.0))
+
+
+@pytest.mark.parametrize(("spin", "tilt"), [(90.0, 60.0), (150.0, 30.0), (400.0, 75.0)])
+def test_an_approximation_is_told_with_how_near_it_comes(spin: float, tilt: float) -> None:
+    """M g l ≈ I₃ ω₃ Ω beside the slow root of I₁ cos θ Ω² − I₃ ω₃ Ω + M g l = 0, I₁ about the tip; of T = 2π/Ω the other way round."""
+    about_axis, across, weight = 0.5 * 0.3 * 0.05**2, 0.3 * (0.05**2 / 4 + 0.05**2), 0.3 * 9.8 * 0.05
+    drive, bend = about_axis * spin, across * math.cos(math.radians(tilt))
+    exact = 2 * weight / (drive + math.sqrt(drive**2 - 4 * bend * weight))
+    more = exact / (weight / drive) - 1
+    page = solve(FAST.format(tilt=tilt, spin=spin)).to().replace("\n", " ")
+    assert f"slow is {100 * more:.2g} % larger without it" in page
+    assert f"T is {100 * (1 - 1 / (1 + more)):.2g} % smaller without it" in page
+    assert "not confirmed" not in page

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from fractions import Fraction
 
 from msgspec.structs import replace
@@ -12,7 +13,7 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import Numbers, holding, sets_of_numbers, sets_wanted, with_givens
 from rotsolve.confirm.course.sizes import letters_open
-from rotsolve.confirm.numbers import options_that_hold
+from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
 from rotsolve.confirm.space.inquiry import SEVERAL
 from rotsolve.confirm.space.rig import NOW
@@ -21,6 +22,7 @@ from rotsolve.confirm.verdicts import (
     NO_CASE,
     NO_NUMBER,
     OTHERWISE,
+    ROUGHLY,
     Solved,
     asked_letters,
     both_sets,
@@ -34,9 +36,9 @@ from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import EXTREMES, Find, Problem
 
 SAME = 2e-6  # of the size of what is compared
+FAR = 0.5  # of its size, as far as an approximation may be from what it stands for
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
 ROUNDED = 1e-14  # of the same, for a float that should be nothing
-ROUGHLY = "the scene asks for an approximation"
 COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
 EITHER_WAY = ("principal_axis",)  # directions that have no sense
 
@@ -111,9 +113,18 @@ def judged_in_space(
     put: Put = answers_put_in(problem)
     told = {key: size for key, name in put.items() if isinstance(size := said.get(name, {}).get(""), float)}
     hearing = Hearing(problem, known, told)
+    exact: dict[str, float] = {}
     for answer in answers:
         finds = [find for find in problem.finds if find.group == answer.name]
-        yield heard(finds, answer, said[answer.name], hearing, numbers)
+        found = heard(finds, answer, said[answer.name], hearing, numbers)
+        own = said[answer.name].get("")
+        made_of = finds[0].formula.symbols() if not finds[0].terms else frozenset()
+        if found.why == ROUGHLY and not found.found and isinstance(own, float) and made_of & exact.keys():
+            with suppress(NotConfirmed, ArithmeticError):  # of others, as they are without the approximation
+                value = value_of(finds[0].formula, {**known, **exact})
+                found = verdict_of(answer.name, False, (own,), (value,), hearing, numbers)
+        exact |= {answer.name: found.found[0]} if len(found.found) == 1 else {}
+        yield found
 
 
 def letters_by_cases(problem: Problem, answers: Sequence[Answer], said: Mapping[str, Said]) -> dict[str, float]:
@@ -225,14 +236,17 @@ def turned_round(row: Sequence[float]) -> tuple[float, ...]:
 def verdict_of(
     name: str, holds: bool, answered: tuple[float, ...], own: tuple[float, ...], hearing: Hearing, numbers: Numbers
 ) -> AnswerConfirmation:
-    """What is contradicted is so, but for what is meant as an approximation, of which is said how near it comes."""
+    """What is contradicted is so, but for what is meant as an approximation, of which is said how near it comes, if it does."""
     if holds:
         return AnswerConfirmation(name, True, "", answered, own)
-    if hearing.problem.assume:
+    if not hearing.problem.assume:
+        return AnswerConfirmation(name, False, OTHERWISE, answered, own)
+    near = how_near(answered, own, numbers, hearing.problem)
+    if math.dist(answered, own) > FAR * math.hypot(*answered) and not numbers_told(numbers, hearing.problem):
         return AnswerConfirmation(
-            name, None, ROUGHLY, answered, own, also=how_near(answered, own, numbers, hearing.problem)
+            name, False, f"it is {near or 'not nothing'} without the approximation that the scene asks for"
         )
-    return AnswerConfirmation(name, False, OTHERWISE, answered, own)
+    return AnswerConfirmation(name, None, ROUGHLY, answered, own, also=near)
 
 
 def how_near(answered: Sequence[float], own: Sequence[float], numbers: Numbers, problem: Problem) -> str:
