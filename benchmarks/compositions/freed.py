@@ -14,6 +14,7 @@ from rotsolve.algebra.formula import PI, Formula
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.letters import Given
+from rotsolve.derivation.cases import MORE_CASES
 from rotsolve.language.problem import Problem
 from rotsolve.motion.positive import is_angle
 from rotsolve.pipeline import solve_problem
@@ -21,6 +22,7 @@ from rotsolve.pipeline import solve_problem
 HOLDS = {">": (1,), "≥": (1, 0), "<": (-1,), "≤": (-1, 0), "=": (0,)}
 CLOSE = 1e-6
 REFUSED = "refused in letters"
+NONE = "none of"
 Values = Mapping[str, Formula]
 
 
@@ -54,9 +56,11 @@ def differences(problem: Problem) -> Iterator[str]:
     told = {answer.name: answer for answer in lettered.answers}
     for refusal in lettered.refused:
         yield f"{REFUSED}: {refusal.name}: {refusal.fault.message}"
+    more = any(check.words == (MORE_CASES,) for check in lettered.checks)
     for answer in numbered:
         if answer.name in told:
-            yield from apart(answer, told[answer.name], values)
+            found = list(apart(answer, told[answer.name], values))
+            yield from (f"{REFUSED}: {text}: {MORE_CASES}" if more and NONE in text else text for text in found)
 
 
 def answers_of(problem: Problem) -> tuple[Answer, ...] | None:
@@ -72,7 +76,7 @@ def apart(numbered: Answer, lettered: Answer, values: Values) -> Iterator[str]:
     """How a branch of an answer whose conditions hold differs from the answer with numbers; there has to be one."""
     fitting = [case for case in (lettered, *lettered.otherwise) if all(holds(one, values) for one in case.conditions)]
     if not fitting:
-        yield f"{numbered.name}: none of {1 + len(lettered.otherwise)} branches holds"
+        yield f"{numbered.name}: {NONE} {1 + len(lettered.otherwise)} branches holds"
     for one in fitting:
         if numbered.word != one.word:
             yield f"{numbered.name}: {one.word} instead of {numbered.word}"

@@ -24,6 +24,8 @@ from rotsolve.search.provisos import Region, condition_line, follows, limits_tol
 
 NOTHING = Fraction(1, 10**6)  # share of a mass that is left of it where it is next to nothing
 
+MORE_CASES = "of other letters there are more cases, which are not worked out: give them numbers"
+
 
 class CaseTeller(Struct, frozen=True):
     """The cases with an answer, those without one, and the letters that tell them apart."""
@@ -206,7 +208,7 @@ class CaseTeller(Struct, frozen=True):
                 line = f"if {in_a_line((equality,))} no {other}answer is given for "
                 found[(line, *in_a_row(lacking), *((": ", *said) if said else ()))] = None
         if self.more:
-            found[("of other letters there are more cases, which are not worked out: give them numbers",)] = None
+            found[(MORE_CASES,)] = None
         return tuple(Check(words, None) for words in found)
 
     def where(self, region: Sequence[Proviso]) -> str:
