@@ -77,6 +77,7 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
             for outline in body.shown():
                 sheet.outline(outline)
     draw_plane_actions(stage, sheet)
+    draw_blows(stage, sheet)
     draw_angles(stage, sheet)
     draw_lengths(stage, sheet)
     draw_senses(stage, sheet)
@@ -112,3 +113,22 @@ def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
                     sheet.arrow(at, (x, y), PULL, FORCE, words)
             elif isinstance(fact, Couple):
                 couple_arrow(fact, stage, known, sheet, words, 0)
+
+
+def draw_blows(stage: PlaneStage, sheet: ScenePaper) -> None:
+    """The impulses of events that begin at the state, as arrows up to the points that they strike."""
+    known = SceneFacts(stage)
+    for event in (event for event in stage.model.problem.events if event.from_ == stage.state):
+        for ref in event.points(stage.model.problem.connections):
+            try:
+                body = known.facts.body(known.instant.host(ref.owner))
+                blows = list(event.blows(ref, body, known.instant)) if body is not None else []
+            except Unsolvable:
+                continue
+            for blow in (blow for blow in blows if ref.owner in stage.bodies):
+                x, y = known.arrow(blow.direction)
+                start = shifted_by(sheet.at(known.applied(blow)), (x, y), -PULL)
+                sheet.arrow(start, (x, y), PULL, FORCE)
+                words = told_words(stage, blow.size)
+                if words is not None:
+                    sheet.letters.name(words, start, (-x, -y), 3.0, FORCE.ink)

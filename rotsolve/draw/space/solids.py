@@ -24,6 +24,7 @@ from rotsolve.elements.shapes.thin import Arc, Particle, Rod
 from rotsolve.language.bodies import Body, Part
 from rotsolve.language.shape import Shape
 
+BANDS = 36  # of a ball from pole to pole: enough for its outline to look round
 THIN, LONG = 0.86, 1.0  # the inner edge of a thin ring; a length that is left open, in radii
 TOP, AXLE = (
     0.55,
@@ -130,8 +131,8 @@ def ball(axes: Sequence[float]) -> Shown:
     a, b, c = axes
     around = [
         (a * math.cos(t) * math.cos(p), b * math.cos(t) * math.sin(p), c * math.sin(t))
-        for t in (math.pi * (k / 12 - 0.5) for k in range(13))
-        for p in (2 * math.pi * k / 24 for k in range(24))
+        for t in (math.pi * (k / BANDS - 0.5) for k in range(BANDS + 1))
+        for p in (math.pi * k / BANDS for k in range(2 * BANDS))
     ]
     yield Piece("hull", tuple(around))
     yield Piece("front", tuple((a * x, b * y, 0.0) for x, y, _ in ring((0.0, 0.0, 0.0), Z, 1.0)))
