@@ -107,7 +107,7 @@ def inner_sums(side: Formula) -> Iterator[Sum]:
 def terms_in_common(one: Sum) -> tuple[Key, Fraction]:
     """What a sum and its multiples have in common, and the coefficient of its first term: 2 a + 2 b like a + b, and 2."""
     parts = [coefficient_of(term) for term in one.terms]
-    lead = min(parts, key=lambda part: repr(part[1]))[0]
+    lead = min(parts, key=lambda part: hash(part[1]))[0]  # any one that is the same for all multiples
     return frozenset((rest, coefficient / lead) for coefficient, rest in parts), lead
 
 
@@ -131,6 +131,8 @@ def swapping(letters: Mapping[Key, Abbreviation]) -> Swap:
     """What puts letters for sums, outer sums first."""
 
     def swap(node: Formula) -> Formula:
+        if not node.holds(Sum):
+            return node
         if isinstance(node, Sum) and len(node.terms) >= FEWEST:
             key, lead = terms_in_common(node)
             if (known := letters.get(key)) is not None:
@@ -152,8 +154,8 @@ class Introducing:
 
     def section(self, section: Section) -> Section:
         moves: list[Move] = []
-        for move in section.moves:
-            moves += [self.move(move), *self.news(move)]
+        for move in map(self.move, section.moves):
+            moves += [move, *self.news(move)]
         return replace(section, moves=tuple(moves))
 
     def move(self, move: Move) -> Move:
@@ -165,8 +167,8 @@ class Introducing:
         return tuple([self.swap(part) if isinstance(part, Formula) else part for part in words])
 
     def news(self, move: Move) -> Iterator[Move]:
-        """The letters that stand in a step for the first time."""
-        names = {name for one in self.move(move).chain for side in (one.left, one.right) for name in side.symbols()}
+        """The letters that stand in a step, as it is told by them, for the first time."""
+        names = {name for one in move.chain for side in (one.left, one.right) for name in side.symbols()}
         for name in [name for name in self.waiting if name in names]:
             yield Move(WITH, (self.waiting.pop(name).equality,))
 
