@@ -46,7 +46,7 @@ def pytest_runtest_teardown(item: pytest.Item) -> None:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """The tests of one scene behind each other, whatever file they stand in: so each worker solves about half of the scenes."""
-    if not config.getoption("--exhaustive"):
+    if not (config.getoption("--exhaustive") or config.getoption("--regenerate")):
         left_out = [item for item, taken in zip(items, ordinary(items), strict=True) if not taken]
         config.hook.pytest_deselected(items=left_out)
         out = {*left_out}
