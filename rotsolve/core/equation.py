@@ -65,6 +65,7 @@ class Law(Struct, frozen=True):
     shifts: bool = False  # takes a moment of inertia to another axis, by M d² as its last term
     kinetic: bool = False  # says what a kinetic energy is
     apart: bool = False  # tells a letter that is worked out by itself, before what it is part of
+    explained: bool = False  # its remark is a sentence of its own, ahead of the laws
 
     def equation(
         self,
@@ -197,6 +198,9 @@ REVERSAL = Law("reversal", family=KINEMATICS, cost=1)
 # inertia and the centre of mass
 
 INERTIA = Law("inertia", cost=1)  # what a mass, a centre of mass or a moment of inertia is
+INTEGRATED = Law(
+    "inertia", cost=1, explained=True
+)  # the same as an integral over the elements into which a body is cut
 PARALLEL_AXES = Law("parallel axes", cost=1, shifts=True)
 
 # small swings

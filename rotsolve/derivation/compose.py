@@ -26,7 +26,7 @@ from rotsolve.core.derivation import (
     Words,
     sentences,
 )
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE, Equation
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import COORDINATE, TIME, is_key, key_of
 from rotsolve.core.vectors.heading import heading
@@ -164,6 +164,11 @@ def mark_name(ref: Ref, names: Mapping[str, str]) -> str:
 SENTENCES = (ENERGY, ANGULAR_MOMENTUM, LAGRANGE)  # the remarks of these laws are sentences of their own
 
 
+def in_sentences(equation: Equation) -> bool:
+    """Whether the remark of an equation is a sentence of its own, ahead of the laws."""
+    return equation.family in SENTENCES or equation.law.explained
+
+
 class DerivationComposer:
     """Turns what a search found into a derivation."""
 
@@ -219,7 +224,7 @@ class DerivationComposer:
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]
-        remark = () if equation.family in SENTENCES else equation.remark
+        remark = () if in_sentences(equation) else equation.remark
         return LawLine(
             self.numbers[("law", index)],
             equation.label,
@@ -316,8 +321,8 @@ class DerivationComposer:
         return numbers
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
-        """Why what is conserved is conserved, as sentences."""
-        laws = [law for law in map(self.pool.__getitem__, draft.laws) if law.family in SENTENCES and law.remark]
+        """Why what is conserved is, and into what a body is cut, as sentences."""
+        laws = [law for law in map(self.pool.__getitem__, draft.laws) if in_sentences(law) and law.remark]
         remarks = dict.fromkeys(line for law in laws for line in sentences(law.remark))
         fresh = [line for line in remarks if line not in self.told]
         self.told.update(line for law in laws if len(lines := sentences(law.remark)) > 1 for line in lines)

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol, multiply
-from rotsolve.core.derivation import Words
-from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation, Law
+from rotsolve.core.derivation import NEXT, Words
+from rotsolve.core.equation import INTEGRATED, PARALLEL_AXES, Equation, Law
 from rotsolve.core.slicing import Slicing
 from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
@@ -80,7 +80,7 @@ def mass(spread: Spread, piece: RigidPiece) -> tuple[Formula, Steps]:
     if piece.shape.graded:
         cut = sliced(spread, piece)
         integral = cut.total(ONE, spread.tidy)
-        return letter, (spread.define(letter, integral, "mass, M = ∫ dm", elements(spread, cut, ONE)),)
+        return letter, (spread.define(letter, integral, "mass, M = ∫ dm", elements(spread, cut, ONE), INTEGRATED),)
     if steps:  # the density comes from the mass
         return spread.mass, ()
     extent, steps = content(spread, piece)
@@ -99,7 +99,7 @@ def centre_letter(spread: Spread, piece: RigidPiece, axis: str) -> tuple[Formula
     said = elements(spread, cut, sigma)
     letter = spread.letter("cm", f"{axis}_cm")
     label = f"centre of mass, {axis} = (1/M) ∫ {axis} dm"
-    return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said))
+    return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said, INTEGRATED))
 
 
 def by_integration(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formula, str, Words, Steps, Law]:
@@ -108,7 +108,7 @@ def by_integration(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formu
     straight = cut.measured_from(spread.point) if piece.shape.tabled or not spread.central else None
     sigma, steps = density(spread, piece)
     if straight is not None:
-        return (*integral_of(spread, piece, straight, sigma, entry), steps, INERTIA)
+        return (*integral_of(spread, piece, straight, sigma, entry), steps, INTEGRATED)
     whole, more = mass(spread, piece)
     centre, placed = centre_of(spread, piece, cut)
     about, label, said = integral_of(spread, piece, cut, sigma, entry)
@@ -116,7 +116,7 @@ def by_integration(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formu
     letter: Formula = about
     if about != ZERO:
         letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {cut.at}")
-        steps = (*steps, spread.define(letter, about, label, said))
+        steps = (*steps, spread.define(letter, about, label, said, INTEGRATED))
     there = displaced(whole, centre).entry(entry)
     seen = place_of(p - o - c for p, o, c in zip(spread.point, cut.origin, centre, strict=True))
     away = ZERO if spread.central else displaced(whole, seen).entry(entry)
@@ -150,11 +150,11 @@ def integral_of(
         return ZERO, label, ()
     plain = {item.variable**2 for item in cut.ranges}
     factor: Words = ("(", second, ")") if isinstance(second, Sum) else (second,)
-    each: Words = () if second in plain else ("; each adds ", *factor, " dm")
+    each: Words = () if second in plain else (NEXT, f"In {words[entry]} each adds ", *factor, " dm.")
     return integral, label, (*elements(spread, cut, sigma), *each)
 
 
 def elements(spread: Spread, cut: Slicing, sigma: Formula) -> Words:
-    """As "rings of radius r and width dr: dm = 2 π σ r dr"."""
+    """As "Cut into rings of radius r and width dr: dm = 2 π σ r dr."."""
     width: Words = tuple(part for item in cut.ranges for part in (" d", item.variable))
-    return (*cut.element, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width)
+    return ("Cut into ", *cut.element, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width, ".")

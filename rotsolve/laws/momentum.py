@@ -228,7 +228,7 @@ def about_common_point(encounter: Encounter, section: str, names: tuple[str, ...
     point = f"about the {encounter.about}" if encounter.about else "about the meeting point"
     changed = f"angular impulse = change of angular momentum, {point}"
     label = changed if flat(torque) else f"angular momentum {point} is conserved"
-    why: Words = (f"No outside torque acts {point}: {why_none(encounter)}.", *passing(encounter))
+    why: Words = (f"No outside torque acts {point}: {why_none(encounter)}.", *paths_past(encounter))
     words = why if encounter.about and not any(encounter.gives(impulse) for impulse, _ in turns) else ()
     if flat(before) or flat(after):
         yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
@@ -260,7 +260,7 @@ def why_none(encounter: Encounter) -> str:
     return cancels if all(item.body.motion.kind == "axis" for item in members) else f"{no_arm}, and {cancels}"
 
 
-def passing(encounter: Encounter) -> Iterator[str | Formula]:
+def paths_past(encounter: Encounter) -> Iterator[str | Formula]:
     """How far from the common point those pass it that travel along a line: the arm of m v."""
     for item in encounter.meetings:
         heading = item.body.motion.heading

@@ -25,10 +25,15 @@ def with_named_energies(
     if scene.configuration.problem.space:
         return meanings
     energies = Energies(scene)
-    moments = {moment for term in find.terms for moment in energies.moments(term) if energies.is_told(*moment)}
+    moments = {
+        (term.path.owner, state)
+        for term in find.terms
+        for state in energies.moments(term)
+        if energies.is_told(term, state)
+    }
     if len(moments) < 2 or moments & energies.asked():
         return meanings
-    last = max((state for _, state in moments), key=scene.configuration.timeline.named.index)
+    last = max((state for _, state in moments), key=energies.order.index)
     pairs = zip(find.terms, meanings, strict=True)
     return [
         (energies.renamed(term, meaning, last) if energies.moments(term) else meaning, own)
@@ -41,53 +46,49 @@ class Energies:
 
     def __init__(self, scene: SceneEquations) -> None:
         self.scene = scene
+        self.order = scene.configuration.timeline.named
 
-    def moments(self, term: Term) -> list[tuple[str, str]]:
-        """Whose kinetic energy a term speaks of, and when, as far as it names that."""
+    def moments(self, term: Term) -> list[str]:
+        """When a term speaks of a kinetic energy, as far as it names states."""
         if term.path.quantity != KINETIC or term.modifier not in SIGNS:
             return []
         ends = self.scene.configuration.timeline.whole(term.during) if term.during else (term.start, term.end)
         named = (ends or (None,)) if term.modifier else (term.at,)
-        return [(term.path.owner, state) for state in named if state] if None not in named else []
+        return [state for state in named if state in self.order] if set(named) <= set(self.order) else []
 
     def asked(self) -> set[tuple[str, str]]:
         """The moments at which a question asks for a kinetic energy and nothing else."""
         alone = (find.terms[0] for find in self.scene.configuration.problem.finds if len(find.terms) == 1)
-        return {moment for term in alone if not term.modifier for moment in self.moments(term)}
+        return {(term.path.owner, state) for term in alone if not term.modifier for state in self.moments(term)}
 
-    def value(self, owner: str, state: str) -> Formula:
+    def value(self, term: Term, state: str) -> Formula:
         """K at a moment, by the speeds there."""
-        path = next(term.path for term in self._terms() if (owner, state) in self.moments(term))
-        return self.scene.reader(state).meaning(path, Term(path, at=state)).formula
+        return self.scene.reader(state).meaning(term.path, Term(term.path, at=state)).formula
 
-    def is_told(self, owner: str, state: str) -> bool:
+    def is_told(self, term: Term, state: str) -> bool:
         """Whether K is worth a letter: neither nothing nor one itself."""
-        value = self.value(owner, state)
+        value = self.value(term, state)
         return value.symbols() != frozenset() and not is_quantity(value)
 
     def letter(self, owner: str, state: str) -> Formula:
         """K₁ of the first moment at which that of an owner is compared, K₂ of the second."""
-        compared = {moment for term in self._terms() for moment in self.moments(term) if moment[0] == owner}
-        order = [name for name in self.scene.configuration.timeline.named if (owner, name) in compared]
-        number = str(order.index(state) + 1) if state in order else ""
+        terms = [term for find in self.scene.configuration.problem.finds for term in find.terms]
+        compared = {name for term in terms if term.path.owner == owner for name in self.moments(term)} | {state}
+        number = [name for name in self.order if name in compared].index(state) + 1
         return self.scene.registry.ask(SceneQuantity(KINETIC, owner, state, "", f"K{number}", ENERGY))
 
     def renamed(self, term: Term, meaning: Meaning, section: str) -> Meaning:
         """K at one moment, or the difference of two, in letters, with the definitions that tell these in a section."""
         told: list[Formula] = []
         definitions: list[Equation] = []
-        for owner, state in self.moments(term):
-            value = self.value(owner, state)
-            told.append(self.letter(owner, state) if self.is_told(owner, state) else value)
-            if self.is_told(owner, state):
+        for state in self.moments(term):
+            value = self.value(term, state)
+            told.append(self.letter(term.path.owner, state) if self.is_told(term, state) else value)
+            if self.is_told(term, state):
                 definitions.append(_definition(told[-1], value, section, state))
         first, *last = (part if sign > 0 else -part for sign, part in zip(SIGNS[term.modifier], told, strict=True))
         formula = first if not last else last[0] + first if SIGNS[term.modifier][0] < 0 else first + last[0]
         return replace(meaning, formula=formula, definitions=(*meaning.definitions, *definitions))
-
-    def _terms(self) -> list[Term]:
-        """The terms of all questions."""
-        return [term for find in self.scene.configuration.problem.finds for term in find.terms]
 
 
 def _definition(letter: Formula, value: Formula, section: str, state: str) -> Equation:

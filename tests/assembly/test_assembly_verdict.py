@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import Symbol, formula, sqrt
 from rotsolve.confirm.verdicts import confirmations, confirmed
 from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.derivation.results import Results
+from rotsolve.derivation.directions import Directions
 from rotsolve.elements.actions import AppliedForce
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.strings import String
@@ -223,9 +223,9 @@ def test_friction_that_is_told_to_point_the_other_way_is_withheld(way: str, monk
     """Of friction the size is an answer, and its direction a word beside it: both are held against the assembly."""
     text = SLIDES.replace("WAY", way)
     assert all(item.holds for item in solve(text).derivation.confirmed)
-    told = Results._direction
+    told = Directions.words
     other = {"left": "right", "right": "left"}
-    monkeypatch.setattr(Results, "_direction", lambda *given: other[told(*given)])
+    monkeypatch.setattr(Directions, "words", lambda *given: other[told(*given)])
     with pytest.raises(Unsolvable, match="point the other way"):
         solve(text)
 

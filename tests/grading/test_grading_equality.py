@@ -32,7 +32,7 @@ ANSWERS = (
     ("angular-momentum/bullet-in-rod-swing", "omega"),
     ("angular-momentum/bullet-in-rod-swing", "phi"),
     ("angular-momentum/bat-sweet-spot", "omega"),
-    ("angular-momentum/disc-drop", "dK"),
+    ("angular-momentum/disc-drop", "delta_K"),
     ("angular-momentum/beads-drawn-inwards", "W"),
     ("angular-momentum/beads-to-double-speed", "r"),
     ("angular-momentum/bead-flung-along-a-bar", "u"),

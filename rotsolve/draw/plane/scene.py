@@ -8,6 +8,7 @@ from typing import Any
 
 from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import has_quantities
 from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc_points, shifted_by
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.freebody import couple_arrow, free_start
@@ -116,7 +117,7 @@ def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
 
 
 def draw_blows(stage: PlaneStage, sheet: ScenePaper) -> None:
-    """The impulses of events that begin at the state, as arrows up to the points that they strike."""
+    """The impulses of events that begin at the state and that the scene tells, as arrows up to the points that they strike."""
     known = SceneFacts(stage)
     for event in (event for event in stage.model.problem.events if event.from_ == stage.state):
         for ref in event.points(stage.model.problem.connections):
@@ -125,7 +126,7 @@ def draw_blows(stage: PlaneStage, sheet: ScenePaper) -> None:
                 blows = list(event.blows(ref, body, known.instant)) if body is not None else []
             except Unsolvable:
                 continue
-            for blow in (blow for blow in blows if ref.owner in stage.bodies):
+            for blow in (blow for blow in blows if ref.owner in stage.bodies and not has_quantities(blow.size)):
                 x, y = known.arrow(blow.direction)
                 start = shifted_by(sheet.at(known.applied(blow)), (x, y), -PULL)
                 sheet.arrow(start, (x, y), PULL, FORCE)
