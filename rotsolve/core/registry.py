@@ -160,7 +160,7 @@ def _start_of_phase(when: str) -> str:
 
 def _join(*parts: str) -> str:
     """A letter with owners and times as its index: words joined, no marks."""
-    for mark, word in (*SPOKEN.items(), (COURSE, "")):
+    for mark, word in (*SPOKEN.items(), (COURSE, ""), ("+", " ")):  # rod+bullet: what turns as one
         parts = tuple(part.replace(mark, word) for part in parts)
     return "_".join("_".join(part.split()) for part in parts if part)
 
