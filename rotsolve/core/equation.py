@@ -198,9 +198,7 @@ REVERSAL = Law("reversal", family=KINEMATICS, cost=1)
 # inertia and the centre of mass
 
 INERTIA = Law("inertia", cost=1)  # what a mass, a centre of mass or a moment of inertia is
-INTEGRATED = Law(
-    "inertia", cost=1, explained=True
-)  # the same as an integral over the elements into which a body is cut
+INTEGRATED = Law("inertia by integration", cost=1, explained=True)  # the same as an integral over elements
 PARALLEL_AXES = Law("parallel axes", cost=1, shifts=True)
 
 # small swings

@@ -12,6 +12,7 @@ from rotsolve.core.equation import (
     CONSERVATION,
     DERIVATIVE,
     INERTIA,
+    INTEGRATED,
     KINETIC_ENERGY_AT,
     NEWTON,
     PARALLEL_AXES,
@@ -36,7 +37,7 @@ from rotsolve.page.wording import enumerated
 
 FEWEST = 2  # laws of a derivation that needs a plan
 FOR = " for {}"
-APART = frozenset(law.name for law in (INERTIA, PARALLEL_AXES, KINETIC_ENERGY_AT))
+APART = frozenset(law.name for law in (INERTIA, INTEGRATED, PARALLEL_AXES, KINETIC_ENERGY_AT))
 TIES = frozenset(law.name for law in (RULE, RULE_OF_WAYS, STRETCH))  # what ties motions together
 SAID = {  # how a plan speaks of a law, with its bodies behind it where it is written for each; of others by their labels
     SECOND_LAW.name: "Newton's second law for {}",
