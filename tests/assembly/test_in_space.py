@@ -331,6 +331,7 @@ def test_axes_along_z_are_as_in_the_plane(case: tuple[str, str, str, dict[str, s
 # the bundled problems
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("path", IN_SPACE, ids=lambda path: path.stem)
 def test_bundled_problems_are_confirmed(path: Path) -> None:
     verdicts = solved(path).derivation.confirmed
@@ -379,6 +380,7 @@ def changed_answers(path: Path) -> Iterator[tuple[str, str, Any]]:
             yield name, word, verdicts[name]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("path", IN_SPACE, ids=lambda path: path.stem)
 def test_a_changed_answer_is_contradicted(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(hearing, "Inquiry", asked_once())

@@ -128,6 +128,7 @@ def check(place: Place, sides: Sides, label: str) -> None:
     assert holds, f"{label} does not hold at the answers: {told(sides)}"
 
 
+@pytest.mark.sampled(2)
 def test_every_step_holds(file: Path, search_of: Callable[..., Search], number: Number, nearby: Nearby) -> None:
     search = search_of(file)
     for place in places(search, number, nearby):

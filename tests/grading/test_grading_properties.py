@@ -177,6 +177,7 @@ def printed(answer: Answer) -> list[str]:
     return found
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.stem}")
 def test_every_answer_as_it_is_printed_is_right(file: Path) -> None:
     solution = solved(file)

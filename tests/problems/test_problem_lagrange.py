@@ -63,6 +63,7 @@ def refusals(file: Path) -> Iterator[Fault]:
         yield error.fault
 
 
+@pytest.mark.sampled(3)
 def test_it_is_answered_or_refused_for_a_known_reason(problem_file: Path) -> None:
     found = list(refusals(problem_file))
     message, help = REFUSED.get(problem_file.stem, ("", ""))
