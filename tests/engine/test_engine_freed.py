@@ -30,7 +30,7 @@ find: {a: block.acceleration}
 """
 
 
-@pytest.mark.sampled(15)
+@pytest.mark.sampled(30)
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_letters_then_numbers_are_numbers_from_the_start(path: Path) -> None:
     """None of them is refused in letters either."""

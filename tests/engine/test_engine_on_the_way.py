@@ -79,6 +79,7 @@ find: {w: rod.angular_velocity at there}
     assert any("whether foot slips on the way from up to there" in words for words in checks)
 
 
+@pytest.mark.exhaustive
 def test_a_string_is_taut_up_to_a_stop_that_the_scene_does_not_name() -> None:
     """A couple Q − c t lifts a load and fades: just before it stops T = m (g − R (c t + τ + m g R − Q)/(I + m R²)) is least."""
     scene = """

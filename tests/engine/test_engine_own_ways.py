@@ -323,6 +323,7 @@ def least(x: Numbers) -> tuple[float, float]:
     return min(ways, key=lambda way: constraint(*way))
 
 
+@pytest.mark.exhaustive
 def test_axle_and_brake_of_one_wheel_are_overcome_together() -> None:
     """Each alone would be held by the other; not all of the many cases are worked out."""
     answers = {key: view.answer for key, view in rotsolve.solve(SHARED_SHAFT, confirm=False).answers.items()}

@@ -169,7 +169,7 @@ def test_each_mistake_is_shown_on_three_scenes() -> None:
         assert len({row[1] for row in ROWS if row[0] == entry.name}) >= 3, entry.name
 
 
-@pytest.mark.sampled(9)
+@pytest.mark.sampled(18)
 @pytest.mark.parametrize("file", PROBLEMS, ids=lambda file: file.stem)
 def test_no_mistake_gives_the_published_answer(file: Path) -> None:
     problem = read_file(file)

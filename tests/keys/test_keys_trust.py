@@ -35,7 +35,7 @@ def changed(problem: Problem, random: Random) -> dict[str, str]:
     return settings
 
 
-@pytest.mark.sampled(12)
+@pytest.mark.sampled(24)
 @pytest.mark.parametrize("file", PROBLEMS, ids=lambda file: file.stem)
 def test_what_is_evaluated_is_what_is_solved(file: Path) -> None:
     problem = read_file(file)

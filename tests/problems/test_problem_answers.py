@@ -138,7 +138,7 @@ def test_every_question_has_a_published_answer(problem_file: Path) -> None:
     assert {entry.name for entry in problem.answers} == {find.name for find in problem.finds}
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("law", FAMILIES)
 def test_each_law_that_applies_gives_the_same_answers(problem_file: Path, law: str) -> None:
     """What is confirmed by the shortest way are the same answers; here what the assembly contradicts would not even be looked at."""

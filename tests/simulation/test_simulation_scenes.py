@@ -34,5 +34,6 @@ def test_energy_and_momentum_balance(folder: Path) -> None:
             attempt(path)
 
 
+@pytest.mark.exhaustive
 def test_most_scenes_are_followed() -> None:
     assert sum(map(attempt, SCENES)) >= FOLLOWED

@@ -114,7 +114,7 @@ def sets_of(file: Path) -> dict[str, dict[str, tuple[float, str]]]:
     return found
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_every_answer_by_a_second_route(file: Path) -> None:
     for word, numbers in sets_of(file).items():
