@@ -14,7 +14,6 @@ from rotsolve.algebra.formula import PI, Formula
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.letters import Given
-from rotsolve.derivation.cases import MORE_CASES
 from rotsolve.language.problem import Problem
 from rotsolve.motion.positive import is_angle
 from rotsolve.pipeline import solve_problem
@@ -22,7 +21,6 @@ from rotsolve.pipeline import solve_problem
 HOLDS = {">": (1,), "≥": (1, 0), "<": (-1,), "≤": (-1, 0), "=": (0,)}
 CLOSE = 1e-6
 REFUSED = "refused in letters"
-NONE = "none of"
 Values = Mapping[str, Formula]
 
 
@@ -56,11 +54,12 @@ def differences(problem: Problem) -> Iterator[str]:
     told = {answer.name: answer for answer in lettered.answers}
     for refusal in lettered.refused:
         yield f"{REFUSED}: {refusal.name}: {refusal.fault.message}"
-    more = any(check.words == (MORE_CASES,) for check in lettered.checks)
-    for answer in numbered:
-        if answer.name in told:
-            found = list(apart(answer, told[answer.name], values))
-            yield from (f"{REFUSED}: {text}: {MORE_CASES}" if more and NONE in text else text for text in found)
+    more = any(check.more for check in lettered.checks)
+    for answer in (one for one in numbered if one.name in told):
+        if more and not fitting(told[answer.name], values):
+            yield f"{REFUSED}: {answer.name}: its case is not worked out"
+        else:
+            yield from apart(answer, told[answer.name], values)
 
 
 def answers_of(problem: Problem) -> tuple[Answer, ...] | None:
@@ -72,12 +71,17 @@ def answers_of(problem: Problem) -> tuple[Answer, ...] | None:
     return None if any(check.holds is False for check in derivation.checks) else derivation.answers
 
 
+def fitting(lettered: Answer, values: Values) -> list[Answer]:
+    """The branches of an answer whose conditions hold."""
+    return [case for case in (lettered, *lettered.otherwise) if all(holds(one, values) for one in case.conditions)]
+
+
 def apart(numbered: Answer, lettered: Answer, values: Values) -> Iterator[str]:
     """How a branch of an answer whose conditions hold differs from the answer with numbers; there has to be one."""
-    fitting = [case for case in (lettered, *lettered.otherwise) if all(holds(one, values) for one in case.conditions)]
-    if not fitting:
-        yield f"{numbered.name}: {NONE} {1 + len(lettered.otherwise)} branches holds"
-    for one in fitting:
+    found = fitting(lettered, values)
+    if not found:
+        yield f"{numbered.name}: none of {1 + len(lettered.otherwise)} branches holds"
+    for one in found:
         if numbered.word != one.word:
             yield f"{numbered.name}: {one.word} instead of {numbered.word}"
         yield from differing(numbered, one, values)

@@ -20,7 +20,6 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
-ROUGHLY = "the scene asks for an approximation"
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 NEARLY = "approximation:"
 AGAINST = "against its positive sense:"
@@ -101,7 +100,7 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
         checks.append(Check(("an assembly of all bodies' equations gives the same ", *in_a_row(good))))
     checks += [Check((letters[one.name], one.also), None, AGAINST) for one in verdicts if one.holds and one.also]
     checks += [
-        Check((letters[one.name], f" is {one.also} without it, by an assembly of all bodies' equations"), None, NEARLY)
+        Check((letters[one.name], f" is {one.also}"), None, NEARLY)
         for one in verdicts
         if one.holds is None and one.also
     ]

@@ -122,7 +122,7 @@ class Answer(Struct, frozen=True):
     size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.
     Of letters it holds under `conditions`; `otherwise` has the answers under others. `weighed` is what a choice compared, in its order;
     `until` is the state on the way up to which a function of time holds. Of a letter of the scene `rivals` are other roots of the equation
-    that gave it.
+    that gave it. Of letters that leave its direction open `pointing` says with which it is which: "right if R > r".
     """
 
     name: str
@@ -144,6 +144,7 @@ class Answer(Struct, frozen=True):
     weighed: tuple[Formula, ...] = ()
     until: str = ""
     rivals: tuple[Formula, ...] = ()
+    pointing: Words = ()
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:
@@ -160,6 +161,7 @@ class Check(Struct, frozen=True):
     """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed.
 
     What is said of a letter that is `vanishing` goes for a case that holds however small it is. A second way goes by a `law` of FAMILIES.
+    `more` says that letters have more cases, which are not worked out.
     """
 
     words: Words
@@ -167,6 +169,7 @@ class Check(Struct, frozen=True):
     label: str = ""
     vanishing: str = ""
     law: str = ""
+    more: bool = False
 
 
 class AnswerConfirmation(Struct, frozen=True):
@@ -174,7 +177,7 @@ class AnswerConfirmation(Struct, frozen=True):
 
     `answered` and `found` are the numbers of the answer and of the assembly in SI units, entry by entry of a vector. `astray` are
     numbers of letters, within what is printed with the answer, with which the motion does not come to what is asked. `also` tells of a
-    value against the sense of a letter that makes it so as well.
+    value against the sense of a letter that makes it so as well, and of an approximation how near it comes.
     """
 
     name: str

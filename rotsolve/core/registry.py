@@ -138,9 +138,8 @@ def _by_phase(pending: list[SceneQuantity], occupied: set[str]) -> tuple[Index, 
     """t₂, else a₂_block, else Δt, for what is told of the second phase that a page has, or of any moment in its midst."""
     starts = dict.fromkeys(start for quantity in pending if (start := _start_of_phase(quantity.when)))
     numbers = {start: str(number) for number, start in enumerate(starts, 1)}
-    counted = {
-        name[:-1] for name in occupied if name[-1:].isdigit()
-    }  # letters that a number already tells bodies by, or moments
+    # letters that a number already tells bodies by, or moments
+    counted = {name[:-1] for name in occupied if name[-1:].isdigit()}
 
     def numbered(*owner: str) -> Index:
         def index(q: SceneQuantity) -> str:

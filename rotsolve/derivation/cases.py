@@ -23,7 +23,6 @@ from rotsolve.search.letterspace import Glance, LetterSpace
 from rotsolve.search.provisos import Region, condition_line, follows, limits_told, needed, shown, united
 
 NOTHING = Fraction(1, 10**6)  # share of a mass that is left of it where it is next to nothing
-
 MORE_CASES = "of other letters there are more cases, which are not worked out: give them numbers"
 
 
@@ -207,9 +206,8 @@ class CaseTeller(Struct, frozen=True):
             if said not in alike:
                 line = f"if {in_a_line((equality,))} no {other}answer is given for "
                 found[(line, *in_a_row(lacking), *((": ", *said) if said else ()))] = None
-        if self.more:
-            found[(MORE_CASES,)] = None
-        return tuple(Check(words, None) for words in found)
+        checks = [Check(words, None) for words in found]
+        return (*checks, *([Check((MORE_CASES,), None, more=True)] if self.more else []))
 
     def where(self, region: Sequence[Proviso]) -> str:
         """The condition of a region at the head of what is said of it; nothing where it is all there is."""

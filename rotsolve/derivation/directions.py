@@ -45,11 +45,10 @@ class Directions:
         if len(unsure) != 1 or not isinstance(unsure[0], Sum) or len(unsure[0].terms) != 2:
             return ()
         sign = self._sure(simplify(value / unsure[0], positive=self.search.signs.positive))
-        terms = [term if self._sure(term) == 1 else negate(term) for term in unsure[0].terms]
-        senses = [self._sure(term) for term in unsure[0].terms]
-        if sorted(map(str, senses)) != ["-1", "1"] or not sign:
+        sides = {self._sure(term): term for term in unsure[0].terms}
+        if not sign or sides.keys() != {1, -1}:
             return ()
-        more, less = terms if senses[0] == 1 else reversed(terms)
+        more, less = map(self.search.solver.simplify, (sides[1], negate(sides[-1])))
         return (f"{self._both[0 if sign > 0 else 1]} if ", more, " > ", less)
 
     def _sure(self, value: Formula) -> int | None:

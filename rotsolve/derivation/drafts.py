@@ -8,7 +8,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import ForceLine, Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINETIC_ENERGY_AT, NEWTON, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.symbols import is_key
 from rotsolve.core.writing import spoken
@@ -53,8 +53,8 @@ def drafts_of(search: Search) -> list[Draft]:
 
 
 def in_order_of_time(draft: Draft, search: Search) -> None:
-    """K₁ before K₂, whichever is found first: in the order in which they were written."""
-    places = [place for place, index in enumerate(draft.laws) if search.planner.pool[index].law is KINETIC_ENERGY_AT]
+    """K₁ before K₂, whichever is found first: kinetic energies stand in the order in which they were written."""
+    places = [place for place, index in enumerate(draft.laws) if search.planner.pool[index].law.kinetic]
     for place, index in zip(places, sorted(draft.laws[place] for place in places), strict=True):
         draft.laws[place] = index
 

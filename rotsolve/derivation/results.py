@@ -140,13 +140,13 @@ class Results(Struct, frozen=True):
             direction,
             components=parts if asked.resolves else (),
             angle=self._slope(parts) if asked.points else None,
-            remark=self._when(answered)
-            or self.letters.words(ways.condition() if value is None and not direction else ()),
+            remark=self._when(answered),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
             closed=found.formula,
             positive=ways.positive,
             until=self._until(answered),
             rivals=self._rivals(asked),
+            pointing=self.letters.words(ways.condition() if value is None and not direction else ()),
         )
 
     def _rivals(self, asked: Asked) -> tuple[Formula, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Sum, Symbol, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
     ANGLES_TURNED,
@@ -261,14 +261,14 @@ def why_none(encounter: Encounter) -> str:
 
 
 def paths_past(encounter: Encounter) -> Iterator[str | Formula]:
-    """How far from the common point those pass it that travel along a line: the arm of m v."""
+    """How far from the common point those pass it that travel along a line, the arm of m v, where that is no difference."""
     for item in encounter.meetings:
         heading = item.body.motion.heading
         if item.place is None or heading is None or item.before == NOWHERE or item.body.motion.kind != "line":
             continue
         arm = tidy(item.place + item.body.about).cross(unit(heading))
         distance = simplify(negate(arm) if is_negative(arm) else arm)
-        if distance != ZERO:
+        if distance != ZERO and not distance.holds(Sum):
             yield from (f" The path of {spoken(item.body.name)} passes it at the distance ", distance, ".")
 
 

@@ -59,9 +59,8 @@ class InsertedNumbers:
         self.sought: set[str] = set()  # letters whose value is being worked out: a law tells nothing by itself
         self.steps: dict[str, Formula] = {short.letter.name: short.meaning for short in shorts}
         laws = [(law.equation.left, law) for section in derivation.sections for law in section.laws]
-        self.laws = {
-            left.name: law for left, law in laws if isinstance(left, Symbol)
-        }  # by the letter that each tells, if no step does
+        # by the letter that each tells, if no step does
+        self.laws = {left.name: law for left, law in laws if isinstance(left, Symbol)}
 
     def values(self, move: Move) -> tuple[int, tuple[Amount, ...]]:
         """What a step that gives an answer comes to: with numbers put in, and the number; and behind which of its lines that stands."""
@@ -90,9 +89,8 @@ class InsertedNumbers:
 
     def valued(self, law: str, one: Equality) -> tuple[Amount, ...]:
         """The number of a letter that a law tells, where that is worth telling."""
-        return (
-            tuple(replace(amount, unit=parse_unit(VALUED[law])) for amount in self.worth(one)) if law in VALUED else ()
-        )
+        unit = VALUED.get(law)
+        return () if unit is None else tuple(replace(amount, unit=parse_unit(unit)) for amount in self.worth(one))
 
     def worth(self, one: Equality) -> tuple[Amount, ...]:
         """The number of a sum in givens, with its unit; nothing where letters have none."""

@@ -65,7 +65,9 @@ def only_letters(phrases: tuple[Words, ...]) -> bool:
 def answer_row(answer: Answer, digits: int) -> AnswerRow:
     """An answer: its exact form, its certified number, where it points, and what is not certain of it."""
     number, note = certified_digits(answer.value, digits)
-    notes = tuple(phrase for phrase in ((note,) if note else (), answer.remark, holding_if(answer)) if phrase)
+    pointing = () if answer.conditions else answer.pointing  # what holds in a case alone may tell it
+    phrases = ((note,) if note else (), answer.remark, pointing, holding_if(answer))
+    notes = tuple(phrase for phrase in phrases if phrase)
     asides = tuple(text for text in (_pointing(answer, number, digits), answer.word) if text)
     if answer.rows:
         entries = [(part.symbol, part.formula) for part in answer.components if part.formula is not None]

@@ -54,7 +54,7 @@ class Energies:
             return []
         ends = self.scene.configuration.timeline.whole(term.during) if term.during else (term.start, term.end)
         named = (ends or (None,)) if term.modifier else (term.at,)
-        return [state for state in named if state in self.order] if set(named) <= set(self.order) else []
+        return [state for state in named if state] if set(named) <= set(self.order) else []
 
     def asked(self) -> set[tuple[str, str]]:
         """The moments at which a question asks for a kinetic energy and nothing else."""

@@ -191,9 +191,8 @@ class SpaceLaws:
             if (left, change, across) == (ZERO, ZERO, ZERO):
                 continue
             right, relation = add(change, across), "="
-            within = (
-                "Ω × L" if change == ZERO else "(dL/dt in the axes) + Ω × L"
-            )  # what does not change in its axes turns with them
+            # what does not change in its axes turns with them
+            within = "Ω × L" if change == ZERO else "(dL/dt in the axes) + Ω × L"
             rate = "dL/dt" if own.axes.rate == NOTHING else within
             remark: Words = ()
             if axis == "x" and own.axes.name == NODE:

@@ -48,28 +48,42 @@ def answers(text: str) -> dict[str, Answer]:
 def test_a_reel_goes_the_way_that_its_radii_say(way: str) -> None:
     """Whatever is counted positive, it is pulled to the right and goes there if R > r; the page says that F is meant to be positive."""
     text = REEL.format(way=way, under="true")
-    assert plain(answers(text)["a"].remark) == "right if R > r"
+    assert plain(answers(text)["a"].pointing) == "right if R > r"
     assert "F > 0" in rotsolve.solve(text).to()
+    assert '"pointing": "right if R > r"' in rotsolve.solve(text).to("json")
 
 
 def test_what_letters_without_a_difference_leave_open_stays_so() -> None:
     answer = answers(REEL.format(way="right", under="false"))["a"]
-    assert not answer.remark and not answer.direction
+    assert not answer.pointing and not answer.direction
 
 
 def test_masses_say_which_way_an_atwood_machine_goes() -> None:
     found = answers(ATWOOD)
-    assert plain(found["a"].remark) == "down if m₂ > m₁"
-    assert plain(found["b"].remark) == "up if m₂ > m₁"
+    assert plain(found["a"].pointing) == "down if m₂ > m₁"
+    assert plain(found["b"].pointing) == "up if m₂ > m₁"
 
 
 def test_what_has_no_two_ways_or_an_even_power_gets_no_condition() -> None:
     found = answers(BOTH)
-    assert plain(found["a"].remark) == "right if F > G"
-    assert not found["c"].remark
-    assert not answers(ATWOOD)["P"].remark
+    assert plain(found["a"].pointing) == "right if F > G"
+    assert not found["c"].pointing
+    assert not answers(ATWOOD)["P"].pointing
 
 
 def test_with_numbers_the_way_is_known() -> None:
     found = answers(BOTH.replace("F: N, G: N", "F: 3 N, G: 5 N").replace("m: kg", "m: 2 kg"))["a"]
-    assert found.direction == "left" and not found.remark
+    assert found.direction == "left" and not found.pointing
+
+
+def test_in_a_case_nothing_is_said_twice() -> None:
+    """A crate on a rough floor goes where it is pulled if P > μ m g, which is the condition of its case."""
+    page = rotsolve.solve("""
+given: {g: m/s^2, m: kg, mu: number, P: N}
+surfaces: {floor: level}
+bodies: {crate: {mass: m, moves: left}}
+connections: {base: {contact: [crate, floor], friction: mu}}
+actions: {pull: {force: P, on: crate, direction: left}}
+find: {a: crate.acceleration}
+""").to()
+    assert "(if P > μ m g)" in page and "left if" not in page

@@ -179,7 +179,7 @@ def of_scene(at: Node, path: Path, term: Term | None) -> Reckoned:
 def angular_momentum_of_all(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Σ (r × m v + I ω) about one point, or each about its axis; along the turn that those that turn have in common as positive."""
     names = list(at.model.seats)
-    turning = [name for name in names if at.axis(name) is not None and name in at.model.held]
+    turning = [name for name in names if name in at.model.held]
     turning = turning or [name for name in names if at.model.seats[name].rigid.inertia > 0.0]
     senses = {at.model.sense(name) for name in turning}
     if len(senses) != 1:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from fractions import Fraction
 
 from msgspec.structs import replace
@@ -22,7 +21,6 @@ from rotsolve.confirm.verdicts import (
     NO_CASE,
     NO_NUMBER,
     OTHERWISE,
-    ROUGHLY,
     Solved,
     asked_letters,
     both_sets,
@@ -37,6 +35,7 @@ from rotsolve.language.problem import EXTREMES, Find, Problem
 
 SAME = 2e-6  # of the size of what is compared
 FAR = 0.5  # of its size, as far as an approximation may be from what it stands for
+ROUGHLY = "the scene asks for an approximation"
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
 ROUNDED = 1e-14  # of the same, for a float that should be nothing
 COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
@@ -63,7 +62,7 @@ def confirmations_in_space(
         if objects and letters_open(problem) and not admitted(numbers):  # numbers of its own a scene may have
             found = {name: AnswerConfirmation(name, None, NO_CASE) for name in found}
         verdicts |= {name: both_sets(verdicts.get(name), verdict) for name, verdict in found.items()}
-        tried += any(verdict.holds is not None or verdict.why == ROUGHLY for verdict in found.values())
+        tried += any(verdict.holds is not None or verdict.also for verdict in found.values())
     return tuple(verdicts.values())
 
 
@@ -116,15 +115,24 @@ def judged_in_space(
     exact: dict[str, float] = {}
     for answer in answers:
         finds = [find for find in problem.finds if find.group == answer.name]
-        found = heard(finds, answer, said[answer.name], hearing, numbers)
-        own = said[answer.name].get("")
-        made_of = finds[0].formula.symbols() if not finds[0].terms else frozenset()
-        if found.why == ROUGHLY and not found.found and isinstance(own, float) and made_of & exact.keys():
-            with suppress(NotConfirmed, ArithmeticError):  # of others, as they are without the approximation
-                value = value_of(finds[0].formula, {**known, **exact})
-                found = verdict_of(answer.name, False, (own,), (value,), hearing, numbers)
+        found = made_of_others(finds[0], said[answer.name], exact, hearing, numbers) if problem.assume else None
+        found = found or heard(finds, answer, said[answer.name], hearing, numbers)
         exact |= {answer.name: found.found[0]} if len(found.found) == 1 else {}
         yield found
+
+
+def made_of_others(
+    find: Find, said: Said, exact: Mapping[str, float], hearing: Hearing, numbers: Numbers
+) -> AnswerConfirmation | None:
+    """An answer that is a formula of others, held against the same of these as they are without the approximation."""
+    own = said.get("")
+    if find.terms or not isinstance(own, float) or not find.formula.symbols() & exact.keys():
+        return None
+    try:
+        value = value_of(find.formula, {**hearing.known, **exact})
+    except (NotConfirmed, ArithmeticError):
+        return None
+    return verdict_of(find.name, abs(value - own) <= SAME * abs(value), (own,), (value,), hearing, numbers)
 
 
 def letters_by_cases(problem: Problem, answers: Sequence[Answer], said: Mapping[str, Said]) -> dict[str, float]:
@@ -168,8 +176,7 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
     except Unfit as reason:
         return not_so(name, str(reason), hearing.problem, numbers)
     except NotConfirmed as reason:
-        near = hearing.problem.assume and str(reason) == SEVERAL  # of these the approximation is one
-        return AnswerConfirmation(name, None, ROUGHLY if near else str(reason))
+        return AnswerConfirmation(name, None, str(reason))
     except (ArithmeticError, ValueError) as error:
         return AnswerConfirmation(name, None, f"the assembly has no number ({error})")
 
@@ -241,21 +248,21 @@ def verdict_of(
         return AnswerConfirmation(name, True, "", answered, own)
     if not hearing.problem.assume:
         return AnswerConfirmation(name, False, OTHERWISE, answered, own)
-    near = how_near(answered, own, numbers, hearing.problem)
-    if math.dist(answered, own) > FAR * math.hypot(*answered) and not numbers_told(numbers, hearing.problem):
+    near, letters = how_near(answered, own), numbers_told(numbers, hearing.problem)
+    if math.dist(answered, own) > FAR * math.hypot(*answered) and not letters:
         return AnswerConfirmation(
             name, False, f"it is {near or 'not nothing'} without the approximation that the scene asks for"
         )
-    return AnswerConfirmation(name, None, ROUGHLY, answered, own, also=near)
+    also = f"{near} without it, by an assembly of all bodies' equations" if near else ""
+    return AnswerConfirmation(
+        name, None, ROUGHLY, answered, own, also=also + (f", with {letters} in SI units" if also and letters else "")
+    )
 
 
-def how_near(answered: Sequence[float], own: Sequence[float], numbers: Numbers, problem: Problem) -> str:
+def how_near(answered: Sequence[float], own: Sequence[float]) -> str:
     """By how much of an approximate answer the exact one is larger or smaller: "6.1 % larger"; nothing where none has a size."""
     rough, exact = math.hypot(*answered), math.hypot(*own)
     if not rough:
         return ""
-    letters = numbers_told(numbers, problem)
     percent = 100 * (exact / rough - 1)
-    return f"{abs(percent):.2g} % {'larger' if percent > 0 else 'smaller'}" + (
-        f" with {letters} in SI units" if letters else ""
-    )
+    return f"{abs(percent):.2g} % {'larger' if percent > 0 else 'smaller'}"

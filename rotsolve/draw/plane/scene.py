@@ -10,6 +10,7 @@ from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
 from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc_points, shifted_by
+from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.freebody import couple_arrow, free_start
 from rotsolve.draw.plane.places.contacts import normal_sign
@@ -102,9 +103,7 @@ def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
                 x, y = known.arrow(fact.direction)
                 at = sheet.at(known.applied(fact))
                 if fact.role.presses:
-                    sheet.arrow(shifted_by(at, (x, y), -PULL), (x, y), PULL, FORCE)
-                    if words is not None:
-                        sheet.letters.name(words, shifted_by(at, (x, y), -PULL), (-x, -y), 3.0, FORCE.ink)
+                    draw_push(at, (x, y), words, sheet)
                 else:
                     body = stage.bodies[fact.body]
                     if body.block:
@@ -127,9 +126,14 @@ def draw_blows(stage: PlaneStage, sheet: ScenePaper) -> None:
             except Unsolvable:
                 continue
             for blow in (blow for blow in blows if ref.owner in stage.bodies and not has_quantities(blow.size)):
-                x, y = known.arrow(blow.direction)
-                start = shifted_by(sheet.at(known.applied(blow)), (x, y), -PULL)
-                sheet.arrow(start, (x, y), PULL, FORCE)
-                words = told_words(stage, blow.size)
-                if words is not None:
-                    sheet.letters.name(words, start, (-x, -y), 3.0, FORCE.ink)
+                at, way = sheet.at(known.applied(blow)), known.arrow(blow.direction)
+                draw_push(at, way, told_words(stage, blow.size), sheet)
+
+
+def draw_push(at: Point, way: Point, words: Words | None, sheet: ScenePaper) -> None:
+    """What pushes on a point, as an arrow up to it with its letter behind."""
+    x, y = way
+    start = shifted_by(at, way, -PULL)
+    sheet.arrow(start, way, PULL, FORCE)
+    if words is not None:
+        sheet.letters.name(words, start, (-x, -y), 3.0, FORCE.ink)
