@@ -39,9 +39,12 @@ class Directions:
     def condition(self) -> Words:
         """Right if R > r: where one factor alone, a difference, decides the way; nothing where more do."""
         value = self.answered.found.formula
-        if value is None or not self.positive:
+        if value is None or not self.positive or self._sign is not None:
             return ()
-        unsure = [part for part in self._factors(value) if self._sure(part) is None]
+        try:
+            unsure = [part for part in self._factors(value) if self._sure(part) is None]
+        except ZeroDivisionError:  # it has no value
+            return ()
         if len(unsure) != 1 or not isinstance(unsure[0], Sum) or len(unsure[0].terms) != 2:
             return ()
         sign = self._sure(simplify(value / unsure[0], positive=self.search.signs.positive))

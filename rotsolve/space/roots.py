@@ -26,7 +26,7 @@ SMALL = 1e-12
 TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with how far the body is turned by it
 COMES_BACK = {"largest": -1, "smallest": 1}  # the sense in which a body turns from where it has turned farthest
 SEVERAL = "two steady motions are possible, and nothing tells which is meant"
-HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `top.precession: smallest`"
+HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `{}.precession: smallest`"
 
 
 def chosen(
@@ -57,7 +57,7 @@ def chosen(
     word = key.component if key.component in EXTREMES else word_told(key.owner, key.when, scene)
     if not word:
         problem = scene.configuration.problem
-        raise Unsolvable(SEVERAL, help=HELP, lines=problem.lines, file=problem.file)
+        raise Unsolvable(SEVERAL, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
     signs = [-1 if word == "largest" else 1] * len(real)
     index = real[numbers.least([sign * roots[k] for sign, k in zip(signs, real, strict=True)])]
     return PickedRoot(index, (f"the {'smaller' if word == 'smallest' else 'larger'} of both",))

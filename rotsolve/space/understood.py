@@ -26,6 +26,7 @@ WORDS = {  # of scalars: what may stand behind their names
     "cm": frozenset(AXES),
     "freedoms": frozenset(("translations", "rotations")),
 }
+EXERTED = ("force", "torque", "power")  # what an action or a joint exerts has a question of its own
 OF_VECTORS = frozenset((*AXES, "net", "gravity", "1", "2", "3", *INERTIAL))  # the same of vectors
 
 
@@ -35,6 +36,9 @@ def refuse_dropped(path: Path, term: Term) -> None:
     if clause:
         plain = replace(path, component=None)
         help = "leave it out: docs/language.md lists what each quantity takes in space"
+        word = clause.removeprefix(".")
+        if word != clause and path.quantity in EXERTED:
+            help = f"what `{word}` exerts is asked of itself, `{word}.{path.quantity}`; else leave it out"
         raise NotYet(f"`{clause}` is not solved of `{path_text(plain)}` in space", path.span, help)
 
 

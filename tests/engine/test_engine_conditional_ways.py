@@ -87,3 +87,8 @@ actions: {pull: {force: P, on: crate, direction: left}}
 find: {a: crate.acceleration}
 """).to()
     assert "(if P > μ m g)" in page and "left if" not in page
+
+
+def test_what_is_nothing_or_has_no_value_points_nowhere() -> None:
+    found = answers(BOTH.replace("c: block.acceleration * (F - G)", "c: block.acceleration - block.acceleration"))
+    assert not found["c"].pointing

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rotsolve import Solution, solve
+from rotsolve import Solution, Unsolvable, solve
 from rotsolve.algebra.formula import Call, Formula, Power, Product, Symbol
 from rotsolve.core.derivation import LawLine
 from rotsolve.page.text import plain_text
@@ -176,3 +176,19 @@ def test_the_size_of_a_multiple_of_a_root_is_itself() -> None:
         if line.equation.left == Symbol("T")
     )
     assert not torque.equation.right.holds("abs")
+
+
+def test_what_something_exerts_alone_is_asked_of_itself() -> None:
+    """The help names the question that works: r × F of the rope, about the foot."""
+    scene = """
+up: z
+given: {M: 12 kg, h: 4 m, T: 260 N}
+bodies: {mast: {shape: rod, mass: M, length: h, turned: {about: y, by: -90 deg}}}
+connections: {foot: {clamp: mast.start}}
+actions: {stay: {force: T, on: mast.end, direction: [3, 0, -4]}}
+find: {tau: "WORDS about [0, 0, 0]"}
+"""
+    with pytest.raises(Unsolvable) as refused:
+        solve(scene.replace("WORDS", "mast.torque.stay"))
+    assert "`stay.torque`" in str(refused.value)
+    assert solve(scene.replace("WORDS", "stay.torque")).answers["tau"].exact
