@@ -10,8 +10,8 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Refusal
 from rotsolve.core.faults import Contradicted, Impossible, NeverReached, Unsolvable
 from rotsolve.core.letters import letters_of
+from rotsolve.language.block import asked_block
 from rotsolve.language.problem import Find, Problem, before
-from rotsolve.motion.block import asked_block
 from rotsolve.search.answering import Unanswered, needed_for
 from rotsolve.solution import Solution
 

@@ -28,13 +28,14 @@ from rotsolve.core.faults import (
     SceneError,
     Unsolvable,
 )
+from rotsolve.language.block import asked_block
 from rotsolve.language.problem import Find, Problem, before
-from rotsolve.motion.block import asked_block
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
 from rotsolve.profile import stage
 from rotsolve.scene.read import read_source, read_text
+from rotsolve.search.answering import Unanswered
 from rotsolve.search.answers import unsolvable
 from rotsolve.solution import Solution
 from rotsolve.solving import solved
@@ -103,16 +104,26 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
     except Unsolvable as error:
         if problem.space and isinstance(error, NeverReached):  # its assembly looks at states, not at the way to them
             raise
-        fault = fair_refusal(error.fault, problem, [find.name for find in problem.finds], law)
-        if fault is error.fault:
-            raise
-        raise unsolvable(problem, fault.message, fault.span, fault.help, kind=fault.kind) from None
+        raise refused_with_others(error, problem, law) from None
     if not solution.derivation.refused:
         return solution
     refused = [
         replace(item, fault=fair_refusal(item.fault, problem, [item.name], law)) for item in solution.derivation.refused
     ]
     return replace(solution, derivation=replace(solution.derivation, refused=tuple(refused)))
+
+
+def refused_with_others(error: Unsolvable, problem: Problem, law: str | None) -> Unsolvable:
+    """Why nothing has an answer, told of each question where each has its reason, with what is fair to say of it."""
+    every = [find.name for find in problem.finds]
+    names = list(error.refused) if isinstance(error, Unanswered) else []
+    told = [error.fault, *error.others]
+    first, *others = (
+        fair_refusal(fault, problem, [names[k]] if k < len(names) > 1 else every, law) for k, fault in enumerate(told)
+    )
+    if [first, *others] == told:
+        return error
+    return unsolvable(problem, first.message, first.span, first.help, kind=first.kind, others=others)
 
 
 def too_long(problem: Problem) -> Unsolvable:

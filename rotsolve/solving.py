@@ -15,8 +15,8 @@ from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.block import left_out
 from rotsolve.language.problem import EXTREMES, Find, Path, Problem, Term, TimeValue, before
-from rotsolve.motion.block import left_out
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import sticks_at_last, with_hereafter
 from rotsolve.motion.rubs import rubs

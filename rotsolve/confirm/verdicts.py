@@ -5,6 +5,7 @@ An assembly of the plane and one of space hold answers against all bodies' equat
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
@@ -129,7 +130,8 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
         message = f"not confirmed: an assembly of all bodies' equations contradicts {names}" + "".join(
             f": {why}" for why in whys[:1]
         )
-        raise Unsolvable(message, span=fault.span, help=WAYS, lines=problem.lines, file=problem.file)
+        others = [item.fault for item in derivation.refused]
+        raise Unsolvable(message, span=fault.span, help=WAYS, lines=problem.lines, file=problem.file, others=others)
     answers = tuple(answer for answer in derivation.answers if answer.name not in refused)
     told = tuple(Refusal(name, fault) for name, fault in refused.items())
     return replace(derivation, answers=answers, sections=(), trials=(), refused=(*derivation.refused, *told))
@@ -199,10 +201,19 @@ def number_of(answer: Answer, numbers: Numbers, reckon: Callable[[Formula, Numbe
 
 
 def both_sets(before: AnswerConfirmation | None, now: AnswerConfirmation) -> AnswerConfirmation:
-    """Of two sets of numbers: contradicted by one, else gone astray with one, the first, else confirmed by one."""
+    """Of two sets of numbers: contradicted by one, else gone astray with one, the first, else confirmed by one; of an approximation how
+    near it comes with the one of them for which it is meant sooner."""
     if before is None or speaks_for(now) > speaks_for(before):
         return now
+    if before.also and before.holds is None and now.holds is None:
+        return now if now.also and how_far(now) < how_far(before) else before
     return before if before.astray or speaks_for(now) < speaks_for(before) else now
+
+
+def how_far(verdict: AnswerConfirmation) -> float:
+    """The distance of an answer from what the assembly has, as a share of its size."""
+    size = math.hypot(*verdict.answered)
+    return math.dist(verdict.answered, verdict.found) / size if size else 0.0
 
 
 def speaks_for(verdict: AnswerConfirmation) -> int:

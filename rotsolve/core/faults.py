@@ -108,15 +108,17 @@ class Unsolvable(Exception):
         lines: Sequence[str] = (),
         file: str = "",
         kind: str = "",
+        others: Sequence[Fault] = (),
     ) -> None:
         self.fault = Fault(message, span, help, kind or self.kind)
         self.lines = tuple(lines)
         self.file = file
+        self.others = tuple(others)  # why other questions have no answer either
         super().__init__(self.render())
 
     def render(self) -> str:
-        """The message with its place, as printed."""
-        return render(self.fault, self.lines, self.file)
+        """The message with its place, as printed, and those of other questions."""
+        return "\n\n".join(render(fault, self.lines, self.file) for fault in (self.fault, *self.others))
 
 
 class Contradicted(Unsolvable):

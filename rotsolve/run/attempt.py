@@ -106,7 +106,7 @@ def attempt(file: str, request: SolveRequest, text: bytes = b"") -> FileOutcome:
             confirm=request.confirm and request.show is None,
         )
         objects = any(check.holds is False for check in solution.derivation.checks)
-        refused = "\n\n".join(reason.render() for reason in solution.refused.values())
+        refused = "\n\n".join(dict.fromkeys(reason.render() for reason in solution.refused.values()))
         with stage("render", whole=True):
             page = page_of(solution, request)
             return FileOutcome(

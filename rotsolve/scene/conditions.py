@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.algebra.units.dimension import word_of
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import CLAUSES
 from rotsolve.language.problem import EXTREMES, Condition, Find, Path
 from rotsolve.language.words import hint, quoted
@@ -73,8 +74,10 @@ def equality(scope: Scope, part: Text, words: list[Lexeme], sign: int, quantity:
     start, stop = words[sign + 1].start, words[end - 1].end
     right = part.cut(start, stop)
     word = word_of(dimension)
-    owner = find.terms[0].path.owner if find.terms else ""
-    found = read_scalar(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
+    first = find.terms[0].path if find.terms else None
+    kind = QUANTITIES.get(first.quantity) if first is not None else None
+    letter, owner = (kind.letter if kind is not None else "") or "x", first.owner if first is not None else ""
+    found = read_scalar(scope, right, Want(part.value[: words[sign - 1].end], word, letter, owner))
     return None if found is None else Condition(None, found, span=part.span, phrase=find)
 
 

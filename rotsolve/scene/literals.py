@@ -74,6 +74,7 @@ POWER = r"(?:\s*\^\s*(?:[-−]?\d+|\([-−]?\d+/\d\))|[²³⁻¹⁴]+)?"
 UNIT = re.compile(rf"\s*(?P<word>[^\W\d_]+|°|%){POWER}")
 # What is rare is compiled when a text first needs it.
 MORE = rf"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+){POWER}"
+BELOW = r"\s*/\s*(?P<word>[^\W\d_]+)(?![\w.(])"
 CALL = rf"\.{NAME}"
 
 
@@ -135,6 +136,12 @@ def unit_end(text: str, position: int, names: Collection[str]) -> int:
             break
         position = match.end()
     return position
+
+
+def unit_below(text: str, position: int, names: Collection[str]) -> str:
+    """The name right behind a quantity and a slash that could be one more unit, the `s` of `9.8 m/s` where `s` is a given; else ''."""
+    match = re.compile(BELOW).match(text, position)
+    return match["word"] if match and match["word"] in names and names_unit(match["word"]) else ""
 
 
 def names_unit(word: str) -> bool:
@@ -220,7 +227,7 @@ def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str, wanted: Di
     """Refuse `2 m` where `m` is a given; the product is proposed where it may be what is `wanted`."""
     number, own = text[: -len(unit)].strip(), scope.dimensions.get(unit)
     message = f"{quoted(text)} can be read in two ways: `{unit}` is a given and a unit"
-    fits = own is None or wanted is None or own.matches(wanted)
+    fits = (own is None or wanted is None or own.matches(wanted)) and "/" not in text
     product = f"write `{number}*{unit}` for the product, or " if fits else ""
     help = f"{product}put the quantity in `given` under a name"
     return scope.fault(place, message, help, "ambiguous")

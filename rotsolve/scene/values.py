@@ -34,6 +34,7 @@ from rotsolve.scene.literals import (
     names_unit,
     share_of_pi,
     stand_in,
+    unit_below,
     unit_fault,
     whole_literal,
 )
@@ -105,6 +106,9 @@ def replacement(
         unit = piece.text.lstrip("0123456789.").strip()
         if unit in scope.givens:
             return ambiguous(scope, place, piece.text, unit, None)
+        below = unit_below(node.value, piece.end, scope.givens)
+        if below:
+            return ambiguous(scope, place, f"{piece.text}/{below}", below, None)
         try:
             quantity = parse_quantity(piece.text)
         except UnitError as error:

@@ -30,14 +30,20 @@ Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each
 
 
 class Unanswered(Unsolvable):
-    """Questions that have no answer even alone, by name, each with its reason; as such the first of these reasons."""
+    """Questions that have no answer even alone, by name, each with its reason."""
 
     def __init__(self, refused: dict[str, Unsolvable]) -> None:
-        first = next(iter(refused.values()))
+        first, *others = refused.values()
         self.refused = refused
         fault = first.fault
         super().__init__(
-            fault.message, span=fault.span, help=fault.help, lines=first.lines, file=first.file, kind=fault.kind
+            fault.message,
+            span=fault.span,
+            help=fault.help,
+            lines=first.lines,
+            file=first.file,
+            kind=fault.kind,
+            others=[other.fault for other in others],
         )
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.core.faults import Fault, Span, Unsolvable
 
 if TYPE_CHECKING:
     from rotsolve.language.problem import Find, Problem
@@ -92,7 +93,13 @@ CHECK_DATA = "check the givens and what the states say"
 
 
 def unsolvable(
-    problem: Problem, message: str, span: Span | None = None, help: str = "", *, kind: str = ""
+    problem: Problem,
+    message: str,
+    span: Span | None = None,
+    help: str = "",
+    *,
+    kind: str = "",
+    others: Sequence[Fault] = (),
 ) -> Unsolvable:
-    """A message with its place in the file."""
-    return Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file, kind=kind)
+    """A message with its place in the file, and those of other questions."""
+    return Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file, kind=kind, others=others)

@@ -7,11 +7,12 @@ what swings on a hinge may have to pass its highest place before.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING, cast
 
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
 from rotsolve.core.symbols import has_quantities
+from rotsolve.language.block import asked_parts, names_of_parts, speaks_of_all
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.explain import contradicted, unreachable
@@ -27,9 +28,12 @@ COMING = ("angular_velocity", "nutation")  # the rates with which a body comes t
 
 def not_come_to(search: Search) -> Iterator[Unsolvable]:
     """Why the motion does not come to a later state, or no state is steady, where what is asked there does not show it."""
-    for state in search.scene.configuration.problem.states:
+    problem = search.scene.configuration.problem
+    whole = any(speaks_of_all(term.path) for find in problem.finds for term in find.terms)
+    asked = names_of_parts(problem) if whole else asked_parts(problem)
+    for state in problem.states:
         if state.steady:
-            yield from without_rates(state.name, STEADY, search)
+            yield from without_rates(state.name, STEADY, search, asked)
     for interval in search.scene.configuration.timeline.intervals:
         if interval.event is None and interval.end in dynamics_of(search):
             yield from without_rates(interval.end, COMING, search)
@@ -57,11 +61,15 @@ def dynamics_of(search: Search) -> Mapping[str, SpaceLaws]:
     return cast("SpaceEquations", search.scene).dynamics
 
 
-def without_rates(state: str, kinds: tuple[str, ...], search: Search) -> Iterator[Unsolvable]:
-    """The rates at a state that have no real value."""
+def without_rates(
+    state: str, kinds: tuple[str, ...], search: Search, asked: Collection[str] | None = None
+) -> Iterator[Unsolvable]:
+    """The rates at a state that have no real value, of the bodies on which it hangs what is asked."""
     registry, aside = search.scene.registry, search.apart()
     for name, item in list(registry.quantities.items()):
         if item.kind not in kinds or item.component or item.when != state:
+            continue
+        if asked is not None and item.owner not in asked:
             continue
         if has_quantities(search.solver.with_found(registry.ask(item))):
             try:

@@ -167,7 +167,7 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
     """What to add to the scene; never what is asked, and of states only what leads on."""
     scene = search.scene
     if scene.configuration.problem.space:
-        return "say more: how each body stands and turns at each state, what holds it, what acts on it"
+        return suggestion_in_space(missing, find)
     lonely = unreached(scene)
     if lonely:
         return f"nothing tells when `{lonely}` is reached: {LINE_OR_EVENT}"
@@ -194,6 +194,16 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
     if quantities and all(item.kind in FORCES for item in quantities):
         return "the laws can not tell these forces apart: leave out a support, or give one of them"
     return "say more: sizes and masses, where each body is at each state, how fast it moves"
+
+
+def suggestion_in_space(missing: Sequence[SceneQuantity | str], find: Find) -> str:
+    """What to add to a scene in space: the velocity without which a kinetic energy is that of the rotation alone, where only that lacks."""
+    lacking = {(item.kind, item.owner) for item in missing if isinstance(item, SceneQuantity)}
+    asked = [term.path for term in find.terms if term.path.quantity == "kinetic_energy" and not term.path.component]
+    if asked and lacking == {("velocity", asked[0].owner)}:
+        name = asked[0].owner
+        return f"say `{name}.velocity: [2 m/s, 0 m/s, 0 m/s]`, or ask for `{name}.kinetic_energy.rotational`"
+    return "say more: how each body stands and turns at each state, what holds it, what acts on it"
 
 
 def unreached(scene: SceneEquations) -> str:

@@ -106,7 +106,7 @@ class LetterSigns:
 
     def rooted(self, value: Formula) -> tuple[Formula, Formula, Formula] | None:
         """The a, b and c of a + b √c; None of anything else."""
-        roots = set(roots_in(value))
+        roots = {root for root in roots_in(value) if root.symbols() & self.letters.keys()}
         if len(roots) != 1 or not value.symbols() & self.letters.keys() or length(value) > LONG:
             return None
         root = next(iter(roots))

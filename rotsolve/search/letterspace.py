@@ -31,7 +31,7 @@ from rotsolve.search.lettersigns import LetterSigns, Proviso
 
 DOUBLINGS = 9  # up to which a letter is made larger or smaller
 LONGEST = 150  # nodes of what a case hangs on from which on it is not told in letters
-PATIENT = 600  # nodes up to which it is tried whether it is shorter than it is written
+PATIENT = 1000  # nodes up to which it is tried whether it is shorter than it is written
 BITS, MORE_BITS = 64, 2048  # of the balls by which points are looked for, and where those tell nothing
 FURTHEST = 26  # doublings up to which an edge is looked for
 CLOSER = 10  # halvings of the way to an edge

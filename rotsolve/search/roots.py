@@ -11,7 +11,7 @@ from msgspec import Struct
 from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol, call
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, call
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Passage
@@ -274,6 +274,10 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     by_value = search.scene.configuration.problem.space and not (asked.where is not None and asked.where.word)
     signed = given.dimension is None or is_angle(given) or (by_value and given.dimension.matches(ANGULAR_VELOCITY))
     limits += [] if signed else [Symbol(name)]
+    if search.scene.configuration.problem.space:
+        from rotsolve.space.steady import tilts_with
+
+        limits += [gap for tilt in tilts_with(name, search.scene) for gap in (tilt, PI - tilt)]
     able = [
         index
         for index, root in enumerate(roots)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.calculus.derivative import period_of, same_a_turn_on
+from rotsolve.algebra.calculus.derivative import differentiate, period_of, same_a_turn_on
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.linear import solve_linear
@@ -65,6 +65,7 @@ class Isolation(Textbook, kw_only=True):
         if (value is not None or alone) and self.hollow(gap, name):
             raise Redundant(item.index)
         if value is None and alone:
+            gap = gap if self.without_square(gap, name) is None else up_to_first(gap, name)
             return self.one_root(name, solve_polynomial(gap, name, order=self.order, positive=self.positive), gap)
         return None if value is None else (value, ())
 
@@ -99,6 +100,10 @@ class Isolation(Textbook, kw_only=True):
         if power in (1, 2):
             if self.hollow(gap, asked):
                 raise Redundant(item.index)
+            if power == 2 and (none := self.without_square(gap, asked)) is not None:
+                lower = [self.simplify(up_to_first(side, asked)) for side in (left, right)]
+                roots = solve_polynomial(lower[0] - lower[1], asked, order=self.order, positive=self.positive)
+                return roots, [Equality(none, ZERO), Equality(lower[0], lower[1])]
             roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
             square = self.square_in(gap, asked) if power == 2 else None
             told = [] if square is None else [Equality(Symbol(asked) ** 2, square)]
@@ -111,6 +116,17 @@ class Isolation(Textbook, kw_only=True):
                 if roots:
                     return roots, self.bounds_put_in(item, asked) or self.unfolded(item, Equality(left, right))
         return solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive), []
+
+    def without_square(self, gap: Formula, name: str) -> Formula | None:
+        """The coefficient before the square of an unknown where it is nothing, though its letters do not show it, as A − C for A = C; None
+        where it is something, and of what is no quadratic."""
+        parts = coefficients(gap, name, order=self.order, positive=self.positive) or ()
+        if len(parts) != 3 or not parts[2].symbols():
+            return None
+        size = self.signs.at_trial(parts[2])
+        return (
+            self.simplify(parts[2]) if size is not None and size.sign == 0 and self.signs.taken(parts[2]) == 0 else None
+        )
 
     def square_in(self, gap: Formula, name: str) -> Formula | None:
         """c of an equation x² = c, given as gap = 0; None for others."""
@@ -220,6 +236,12 @@ class Isolation(Textbook, kw_only=True):
     def unfolded(self, item: Item, done: Equality) -> list[Equality]:
         """The equation with its integrals carried out, where that is not how it stands."""
         return [] if (done.left, done.right) == (item.left, item.right) else [done]
+
+
+def up_to_first(value: Formula, name: str) -> Formula:
+    """A polynomial in a letter without the terms beyond the first power."""
+    none = {name: ZERO}
+    return value.substitute(none) + differentiate(value, name).substitute(none) * Symbol(name)
 
 
 def letters_of(value: Formula) -> int:

@@ -212,10 +212,14 @@ class JointedBodies(Struct, frozen=True, dict=True):
         return self.problem.gravity is not None and not (pushed or held)
 
     def pointlike(self, name: str) -> bool:
-        """Whether a body is a mere particle."""
+        """Whether a body is a mere particle; what hangs on a hinge and carries others on theirs, as a gimbal does, is none."""
         body = self.bodies[name]
         whole = body.inertia is not None or body.gyration is not None or body.tensor is not None or bool(body.parts)
-        return not whole and shape_of(body).pointlike
+        turned, carries = (
+            any(name == getattr(joint, side).owner and joint.turning for joint in self.joints)
+            for side in ("body", "carrier")
+        )
+        return not whole and shape_of(body).pointlike and not (turned and carries)
 
     def axis(self, name: str) -> Triple | None:
         """The direction in its own axes about which a body spins, as its `axis` tells, else that about which its inertia is symmetric."""

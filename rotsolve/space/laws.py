@@ -21,7 +21,7 @@ from rotsolve.core.equation import (
     Equation,
 )
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import of_kinds
+from rotsolve.core.symbols import is_key, key_of, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, scaled_by, vector_sum
@@ -188,7 +188,7 @@ class SpaceLaws:
         torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
         where = f" about its {'centre of mass' if point == CM else spoken(point)}{'' if led == NOTHING else ', which is led along'}"
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
-            if (left, change, across) == (ZERO, ZERO, ZERO):
+            if (left, change, across) == (ZERO, ZERO, ZERO) or self.goes_on(name):
                 continue
             right, relation = add(change, across), "="
             # what does not change in its axes turns with them
@@ -203,6 +203,12 @@ class SpaceLaws:
             yield RATE_IN_AXES.equation(
                 left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
             )
+
+    def goes_on(self, name: str) -> bool:
+        """Whether a fast top precesses as at a state before, where the law has been written: what was left out there was made of the spin,
+        or of ω₃, so that it would not hold to the letter of the other here."""
+        rate = self.moment.ask("precession", name) if self.fast else ZERO
+        return isinstance(rate, Symbol) and is_key(rate.name) and key_of(rate.name).when != self.moment.when
 
     def of_fast_spin(self, name: str, right: Formula) -> tuple[Formula, Words]:
         """The rate of L without what is small where the spin is much faster than the precession: Ω² beside ω₃ Ω."""

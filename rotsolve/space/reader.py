@@ -166,7 +166,7 @@ class SpaceReader(VectorReader):
         reading = SCALARS.get(path.quantity)
         of_elements = path.quantity in ("freedoms", "power")
         if reading is None or (path.owner and path.owner not in self.bodies and not of_elements):
-            raise NotYet(f"`{path_text(path)}` is not solved in space yet")
+            raise NotYet(f"`{path_text(path)}` is not solved in space yet", help=self.of_body_instead(path, SCALARS))
         if not path.owner and path.quantity not in OF_SCENE:
             raise NotYet(f"`{path_text(path)}` of all bodies together is not solved in space", path.span, "name a body")
         return reading(self, path, term)

@@ -56,8 +56,8 @@ def chosen(
         return PickedRoot(real[0])
     word = key.component if key.component in EXTREMES else word_told(key.owner, key.when, scene)
     if not word:
-        problem = scene.configuration.problem
-        raise Unsolvable(SEVERAL, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
+        problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
+        raise Unsolvable(SEVERAL, span=span, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
     signs = [-1 if word == "largest" else 1] * len(real)
     index = real[numbers.least([sign * roots[k] for sign, k in zip(signs, real, strict=True)])]
     return PickedRoot(index, (f"the {'smaller' if word == 'smallest' else 'larger'} of both",))

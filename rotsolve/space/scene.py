@@ -26,7 +26,7 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, Dimension, product_rank
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
+from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
@@ -34,11 +34,11 @@ from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import GENERIC, is_key, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
-from rotsolve.core.writing import spoken, with_powers
+from rotsolve.core.writing import in_direction, spoken, with_powers
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.motion.timeline import OPEN, Interval
-from rotsolve.paths.meaning import Meaning, NotYet, Unclear
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of
 from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import NODE
 from rotsolve.space.coincidences import coincidences
@@ -47,7 +47,7 @@ from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import conserved, through
 from rotsolve.space.pushes import Pushes
-from rotsolve.space.reader import SpaceReader
+from rotsolve.space.reader import SpaceReader, plainly_named
 from rotsolve.space.stability import limit_of, steady_limit
 
 if TYPE_CHECKING:
@@ -410,12 +410,27 @@ class SpaceEquations(SceneEquations, dict=True):
                 message = f"`{action.name}` goes by how a body stands or moves, which is not solved in space"
                 raise Unsolvable(message, span=ref.span, help="`rotsolve simulate` follows it")
 
+    def told_of_pushes(self, dynamics: SpaceLaws) -> Iterator[Equation]:
+        """What a state tells of the forces and couples of joints and actions, as an equation each: nothing else would put it in."""
+        moment, bodies = dynamics.moment, self.held.bodies
+        for number, line in enumerate(moment.state.conditions):
+            path, value = line.path, line.value
+            if path is None or value is None or path.owner in bodies or path.quantity not in ("force", "torque"):
+                continue
+            term = Term(path, axes=line.axes or None)
+            meaning = SpaceReader(dynamics, self.dynamics, self.configuration.problem).meaning(path, term)
+            moment.used.add(number)
+            yield from meaning.laws
+            words = in_direction(label_of(plainly_named(path), term), path.component or "", in_space=True)
+            yield CONDITION.equation(meaning.formula, value, moment.when, words=f", {words}")
+
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state."""
         self.refuse_varying()
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)
+            yield from self.told_of_pushes(dynamics)
             if dynamics.moment.onward is not None:
                 yield from dynamics.moment.onward.equations()
         for interval in self.configuration.timeline.intervals:

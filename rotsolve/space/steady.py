@@ -58,13 +58,7 @@ def steady_letter(name: str, scene: SceneEquations) -> Sought | None:
         sought = key.kind in ("tilt", "spin", "axial_rate") and not key.component
         return Sought(name, "", tilts, True, False, OF_QUANTITY) if steady and sought else None
     given = next((given for given in problem.givens if given.name == name and given.asked), None)
-    lines = [line for state in states for line in state.conditions if line.path is not None]
-    tilts = tuple(
-        line.value
-        for line in lines
-        if line.path is not None and line.path.quantity == "tilt" and line.value is not None
-        if name in line.value.symbols()
-    )
+    tilts = tilts_with(name, scene)
     steady = any(state.steady for state in states)
     if given is None or not (steady or tilts):
         return None
@@ -75,6 +69,17 @@ def steady_letter(name: str, scene: SceneEquations) -> Sought | None:
     word = words.pop() if len(words) == 1 else ""
     rate = given.dimension is None or any(given.dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
     return Sought(name, word, tilts, steady, not rate, OF_LETTER.format(name=name))
+
+
+def tilts_with(name: str, scene: SceneEquations) -> tuple[Formula, ...]:
+    """The tilts that states tell by a letter, which lie from 0 to 180°."""
+    lines = (line for state in scene.configuration.timeline.states for line in state.conditions)
+    return tuple(
+        line.value
+        for line in lines
+        if line.path is not None and line.path.quantity == "tilt" and line.value is not None
+        if name in line.value.symbols()
+    )
 
 
 def of_steady(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 
 from msgspec.structs import replace
 
@@ -66,10 +66,15 @@ class VectorReader:
             message = f"`{path_text(path)}` of all bodies together is not solved in space"
             raise NotYet(message, path.span, "name a body")
         if reading is None:
-            raise NotYet(f"`{path_text(path)}` is not solved in space yet")
+            raise NotYet(f"`{path_text(path)}` is not solved in space yet", help=self.of_body_instead(path, OF_BODIES))
         if term.relative and (path.component or "").split()[:1] not in ([which] for which in INERTIAL):
             return self.relative(path, term)
         return reading(self, path, term)
+
+    def of_body_instead(self, path: Path, known: Collection[str]) -> str:
+        """The help that what is asked of a joint can be asked of the body that it holds."""
+        joint = self.held.joint(path.owner)
+        return f"ask for `{joint.body.owner}.{path.quantity}`" if joint is not None and path.quantity in known else ""
 
     def relative(self, path: Path, term: Term) -> Seen:
         """The velocity or acceleration of a body in a frame that turns, as the state tells its motion there."""

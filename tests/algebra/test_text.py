@@ -186,6 +186,9 @@ TABLE = [
     (Fraction(1, 3) * call("sqrt", n(3)) * length, "⅓ √3 L", "1/3*sqrt(3)*L"),
     (call("sqrt", n(3)) * g / (4 * length), "√3 g/(4 L)", "sqrt(3)*g/(4*L)"),
     (3 * g * call("cos", theta0) / (2 * length), "3 g cos θ₀/(2 L)", "3*g*cos(theta0)/(2*L)"),
+    (m * g * call("sin", n("5/12") * PI), "m g sin 75°", "m*g*sin(5/12*pi)"),
+    (Product((Power(call("cos", PI / 8), n(2)), m)), "cos²(22.5°) m", "cos(pi/8)^2*m"),
+    (call("tan", PI / 7) * m, "tan(π/7) m", "tan(pi/7)*m"),
     (
         -call("sqrt", 3 * g * (1 + call("sin", theta0)) / length),
         "−√(3 g (1 + sin θ₀)/L)",

@@ -11,8 +11,8 @@ from msgspec.structs import replace
 
 from rotsolve import SceneError, Unsolvable, pipeline, solve, solving
 from rotsolve.derivation.drafts import drafts_of
+from rotsolve.language.block import asked_block, left_out
 from rotsolve.language.problem import Find, Problem
-from rotsolve.motion.block import asked_block, left_out
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.search.search import Search
 

@@ -277,7 +277,19 @@ class Rewriter:
             return add(divide(PI, Number(Fraction(2))), negate(self._same("asin", first)))
         if function == "atan2" and self._surely_positive(arguments[1]):
             return self._inverse("atan", (self.tidy(divide(first, arguments[1])),))
-        return self._same(function, first) if len(arguments) == 1 else call(function, *arguments)
+        return (
+            self._same(function, first) if len(arguments) == 1 else call(function, *self._reduced(first, arguments[1]))
+        )
+
+    def _reduced(self, y: Formula, x: Formula) -> tuple[Formula, Formula]:
+        """The arguments of atan2 without a common factor that is positive, (u, 2 w) for (¼ M R² u, ½ M R² w)."""
+        calls = (node for side in (y, x) for node in side.walk(Call) if isinstance(node, Call))
+        if x == ZERO or any(node.function not in TRIG for node in calls):
+            return y, x
+        ratio = self.tidy(divide(y, x))
+        if isinstance(ratio, Quotient) and self._surely_positive(self.tidy(divide(x, ratio.denominator))):
+            return ratio.numerator, ratio.denominator
+        return y, x
 
     def _surely_positive(self, node: Formula) -> bool:
         """Whether a formula is made of positive letters and numbers alone."""

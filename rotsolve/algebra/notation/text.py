@@ -32,7 +32,8 @@ from rotsolve.algebra.notation.letters import GLYPHS, PRIME, name_to_text, super
 SUM, NEGATIVE, PRODUCT, QUOTIENT, CALL, POWER, ATOM = range(7)
 
 BARE_NAMES = {"log": "ln", "asin": "arcsin", "acos": "arccos", "atan": "arctan", **ELLIPTIC}
-BARE = frozenset(("sin", "cos", "tan", "log", "asin", "acos", "atan"))
+ANGULAR = frozenset(("sin", "cos", "tan"))
+BARE = ANGULAR | {"log", "asin", "acos", "atan"}
 
 LARGEST_FRACTION_PART = 20, 100  # numerator and denominator up to which 7/10 stays a fraction and is not 0.7
 MOST_DECIMALS = 6
@@ -249,7 +250,29 @@ def trails(formula: Formula) -> bool:
         return _square_like(formula) and is_function(formula.base) and trails(formula.base)
     if not isinstance(formula, Call) or formula.function not in (*BARE, "sqrt"):
         return False
-    return may_be_bare(formula.arguments[0])
+    return may_be_bare(as_told(formula.function, formula.arguments)[0])
+
+
+def as_told(function: str, arguments: tuple[Formula, ...]) -> tuple[Formula, ...]:
+    """The arguments of a function as they are written: the angle of a sine in degrees, sin 75°, where it is a short number of them."""
+    degrees = in_degrees(arguments[0]) if function in ANGULAR and not isinstance(arguments[0], Constant) else None
+    return arguments if degrees is None or 1000 % degrees.denominator else (Decimal(f"{float(degrees):.9g}°"),)
+
+
+def in_degrees(angle: Formula) -> Fraction | None:
+    """The degrees of a multiple of π; None of all else."""
+    match angle:
+        case Constant():
+            return Fraction(180)
+        case Negative(operand):
+            degrees = in_degrees(operand)
+            return None if degrees is None else -degrees
+        case Product((Number(value), Constant())):
+            return 180 * value
+        case Quotient(numerator, Number(value)):
+            degrees = in_degrees(numerator)
+            return None if degrees is None else degrees / value
+    return None
 
 
 def may_be_bare(argument: Formula) -> bool:
@@ -264,10 +287,11 @@ def _unicode_closed(formula: Formula) -> str:
         assert isinstance(formula, Call)
         call, raised = formula, ""
     name = "√" if call.function == "sqrt" else BARE_NAMES.get(call.function, call.function)
-    return f"{name}{raised}({_unicode(call.arguments[0])[0]})"
+    return f"{name}{raised}({_unicode(as_told(call.function, call.arguments)[0])[0]})"
 
 
 def _unicode_call(function: str, arguments: tuple[Formula, ...]) -> Piece:
+    arguments = as_told(function, arguments)
     inner = ", ".join(_unicode(argument)[0] for argument in arguments)
     if function == "abs":  # bars within bars could not be told apart
         return f"abs({inner})" if arguments[0].holds("abs") else f"|{inner}|", ATOM
@@ -286,8 +310,9 @@ def _unicode_power(base: Formula, exponent: Formula) -> Piece:
     if isinstance(base, Call) and base.function in BARE and whole and _square_like(Power(base, exponent)):
         assert isinstance(exponent, Number)
         raised = superscripted(exponent.value.numerator)
-        inner = _unicode(base.arguments[0])[0]
-        body = f" {inner}" if may_be_bare(base.arguments[0]) else f"({inner})"
+        (angle,) = as_told(base.function, base.arguments)
+        inner = _unicode(angle)[0]
+        body = f" {inner}" if may_be_bare(angle) else f"({inner})"
         return f"{BARE_NAMES.get(base.function, base.function)}{raised}{body}", CALL
     text = _wrap(_unicode(base), ATOM)
     if whole:

@@ -34,6 +34,7 @@ from rotsolve.algebra.notation.text import (
     QUOTIENT,
     Piece,
     Signs,
+    as_told,
     closing_level,
     ends_in_integral,
     is_function,
@@ -144,6 +145,7 @@ def _starts_with_digit(formula: Formula) -> bool:
 
 
 def _set_call(function: str, arguments: tuple[Formula, ...], marks: Marks, raised: str = "") -> Piece:
+    arguments = as_told(function, arguments)
     inner = marks.comma.join(_set(argument, marks)[0] for argument in arguments)
     if function == "abs":
         return marks.bars(inner), ATOM
@@ -160,7 +162,7 @@ FUNCTIONS = {"K": "K", "F": "F", "Π": r"\Pi"} | {
 }
 
 LATEX = Marks(
-    number=str,
+    number=lambda text: text.replace("°", r"^{\circ}"),
     letter=name_to_latex,
     function=lambda name: FUNCTIONS.get(name, rf"\{name}"),
     row=str,

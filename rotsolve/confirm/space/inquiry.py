@@ -51,6 +51,7 @@ READ = (
     "energy",
     "speed",
 )  # lines held against worlds
+OF_MASS = ("inertia_tensor", "inertia", "principal_moments", "mass")  # what a body has however it moves
 OPEN = "the equations of all bodies leave it open"
 SEVERAL = "several motions fit its state"
 BROKEN = "the lines of its state do not go together"
@@ -359,6 +360,10 @@ class Inquiry:
             found = distinct([told_by(way, term) for way in ways(name)])
         except LeftOpen:
             found = distinct([told_by(way, term) for way in self.followed(name)])
+        except Unfit:
+            if term.path.quantity not in OF_MASS or term.axes not in (None, "", "body"):
+                raise
+            found = distinct([told_by(way, term) for way in manners_of(self.rig, None, self.put)])
         return self.modified(found, term)
 
     def period(self, name: str | None, term: Term) -> float:

@@ -31,6 +31,7 @@ from rotsolve.confirm.verdicts import (
 )
 from rotsolve.core.derivation import Answer, AnswerConfirmation
 from rotsolve.core.symbols import TIME
+from rotsolve.language.block import asked_block
 from rotsolve.language.problem import EXTREMES, Find, Problem
 
 SAME = 2e-6  # of the size of what is compared
@@ -148,7 +149,7 @@ def letters_by_cases(problem: Problem, answers: Sequence[Answer], said: Mapping[
 
 
 def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbers: Numbers) -> AnswerConfirmation:
-    """One answer held against what the assembly has."""
+    """One answer held against what the assembly has; where the scene does not move with these numbers, against that of its asked part."""
     name = answer.name
     try:
         if finds[0].choice is not None:
@@ -174,7 +175,12 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
             return tested(answer, parts, hearing, finds[0], numbers)
         return compared_in_space(finds, answer, parts, hearing, numbers)
     except Unfit as reason:
-        return not_so(name, str(reason), hearing.problem, numbers)
+        part = asked_block(replace(hearing.problem, finds=tuple(finds)))
+        if len(part.bodies) == len(hearing.problem.bodies):
+            if hearing.problem.assume and letters_open(hearing.problem):  # numbers for which it was not meant
+                return AnswerConfirmation(name, None, ROUGHLY)
+            return not_so(name, str(reason), hearing.problem, numbers)
+        return heard(finds, answer, said, Hearing(part, hearing.known, hearing.told), numbers)
     except NotConfirmed as reason:
         return AnswerConfirmation(name, None, str(reason))
     except (ArithmeticError, ValueError) as error:

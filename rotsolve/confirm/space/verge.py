@@ -11,6 +11,7 @@ from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.language.problem import Condition, Find
 
 STEP = 1e-5  # by how much a letter is changed, to see what that changes
+TOUCHING = 1e-3  # of what a gap is beside it: 3 % of a step, less than answers are compared by
 BESIDE = 1e-6  # how near a value has to be to that from which on a motion is what is asked, as a part of it
 NEAR = (BESIDE, 1e-4)  # for roots, and for what grows or not, which rounding tells less closely
 WithLetter = Callable[[float], Inquiry]
@@ -29,9 +30,12 @@ def gap_under(condition: Condition, with_letter: WithLetter) -> Callable[[float]
 
 
 def step_to(gap: Callable[[float], float], own: float) -> float:
-    """The nearest number with which a gap is closed, by Newton's steps."""
+    """The nearest number with which a gap is closed, by Newton's steps; the number itself where the gap is open on both sides of it and
+    only closed there, as that of a size which is to be nothing."""
     step = STEP * (abs(own) or 1.0)
     up, down, here = gap(own + step), gap(own - step), gap(own)
+    if up * down > 0 and abs(here) <= TOUCHING * min(abs(up), abs(down)):
+        return own
     slope = (up - down) / 2
     if abs(slope) <= 1e-9 * STEP * max(abs(up), abs(down), abs(here)):
         raise NotConfirmed("its condition does not hang on it")

@@ -8,13 +8,14 @@ those is not told.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 from msgspec import Struct
 
 from rotsolve.confirm.linear import General, solved_generally
 from rotsolve.confirm.space.arrows import arrow_length, inner_product, times_arrow
 from rotsolve.confirm.space.efforts import Efforts
+from rotsolve.confirm.space.quadratics import quadratic, shared_roots
 from rotsolve.confirm.space.rig import Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import SPEED, Key, Rates, Tie, Ties, dotted, of_turning
@@ -27,8 +28,6 @@ ANY = (
     (-1.27, 0.732),
 )  # how far along what is open: of the rates, of accelerations and reactions
 ROUNDED = 1e-6  # of the largest I ω²: beside less than that nothing counts as left over
-ROOTS = 8  # how many ways are told apart
-STEPS = 40  # of Newton's iteration
 
 
 class Unfit(Exception):
@@ -219,101 +218,10 @@ def steady_roots(standing: Moving, tested: Sequence[int], count: int) -> list[li
     model = quadratic(lambda rates: standing.over(with_rates([0.0] * count, tested, rates)), len(tested), scale)
     if model is None:
         return None
-    if len(tested) == 1:
-        return [[root * scale] for root in common_roots(model)]
-    found: list[list[float]] = []
-    for start in starts(len(tested)):
-        root = newton(model, start)
-        if root is not None and all(math.dist(root, other) > 1e-6 * (1.0 + math.hypot(*root)) for other in found):
-            found.append(root)
-    return [[part * scale for part in root] for root in found[:ROOTS]]
+    return [[part * scale for part in root] for root in shared_roots(model)]
 
 
 def natural_rate(standing: Moving) -> float:
     """A rate such as the scene has: the largest that is told, or √(g/l)."""
     sizes = [abs(value) for value in standing.moving.values]
     return max([*sizes, math.sqrt(standing.stance.rig.gravity), 1.0])
-
-
-Model = tuple[
-    list[float], list[list[float]], list[list[list[float]]]
-]  # r₀ + Σ b_i x_i + Σ c_ij x_i x_j, component by component
-
-
-def quadratic(over: Callable[[Sequence[float]], list[float]], count: int, scale: float) -> Model | None:
-    """What is left over as a quadratic of the rates in units of a scale; None where it is nothing whatever they are."""
-
-    def at(**parts: float) -> list[float]:
-        return over([scale * parts.get(f"x{k}", 0.0) for k in range(count)])
-
-    base = at()
-    linear, square = [], [[base] * count for _ in range(count)]
-    for i in range(count):
-        up, down = at(**{f"x{i}": 1.0}), at(**{f"x{i}": -1.0})
-        linear.append([(a - b) / 2 for a, b in zip(up, down, strict=True)])
-        square[i][i] = [(a + b) / 2 - c for a, b, c in zip(up, down, base, strict=True)]
-        for j in range(i):
-            both = at(**{f"x{i}": 1.0, f"x{j}": 1.0})
-            alone = [base, linear[i], linear[j], square[i][i], square[j][j]]
-            mixed = [value - sum(parts) for value, *parts in zip(both, *alone, strict=True)]
-            square[i][j] = square[j][i] = [part / 2 for part in mixed]
-    size = max((abs(part) for row in (base, *linear, *(c for cs in square for c in cs)) for part in row), default=0.0)
-    rate_parts = [part for row in (*linear, *(c for cs in square for c in cs)) for part in row]
-    if max(map(abs, rate_parts), default=0.0) <= RIGHT * max(size, RIGHT):
-        return None
-    return base, linear, square
-
-
-def common_roots(model: Model) -> list[float]:
-    """The real roots that all components of a quadratic of one rate share."""
-    base, (linear,), ((square,),) = model
-    sizes = [max(abs(a), abs(b), abs(c)) for a, b, c in zip(base, linear, square, strict=True)]
-    best = max(range(len(sizes)), key=sizes.__getitem__)
-    roots = quadratic_roots(square[best], linear[best], base[best])
-    most = sizes[best]
-
-    def holds(x: float) -> bool:
-        left = (c + b * x + a * x * x for a, b, c in zip(square, linear, base, strict=True))
-        return all(abs(part) <= 1e-7 * most * (1.0 + x * x) for part in left)
-
-    return [root for root in roots if holds(root)]
-
-
-def quadratic_roots(a: float, b: float, c: float) -> list[float]:
-    """The real roots of a x² + b x + c, the smaller one first."""
-    if abs(a) <= 1e-13 * max(abs(b), abs(c)):
-        return [-c / b] if b else []
-    inside = b * b - 4 * a * c
-    if inside < -1e-13 * b * b or (inside < 0 and not b):
-        return []
-    whole = -0.5 * (b + math.copysign(math.sqrt(max(inside, 0.0)), b))
-    roots = {whole / a, c / whole if whole else 0.0}
-    return sorted(roots)
-
-
-def starts(count: int) -> list[list[float]]:
-    """Where Newton's iteration sets out from."""
-    sizes = (0.31, -0.47, 2.3, -3.1, 0.05)
-    return [[sizes[(number + k * (1 + number // 5)) % 5] for k in range(count)] for number in range(5 * min(count, 3))]
-
-
-def newton(model: Model, start: Sequence[float]) -> list[float] | None:
-    """A root near a start, by Gauss's and Newton's steps; None where it comes to none."""
-    base, linear, square = model
-    x, count = list(start), len(start)
-    size = max((abs(part) for row in (base, *linear, *(c for cs in square for c in cs)) for part in row), default=1.0)
-    for _ in range(STEPS):
-        slopes = [
-            [linear[i][n] + 2 * sum(square[i][j][n] * x[j] for j in range(count)) for i in range(count)]
-            for n in range(len(base))
-        ]
-        left = [base[n] + sum(x[i] * (linear[i][n] + slopes[n][i]) for i in range(count)) / 2 for n in range(len(base))]
-        if max(map(abs, left), default=0.0) <= 1e-12 * size * (1.0 + max(map(abs, x)) ** 2):
-            return x
-        rows = [{j: sum(slope[i] * slope[j] for slope in slopes) for j in range(count)} for i in range(count)]
-        right = [-sum(slope[i] * part for slope, part in zip(slopes, left, strict=True)) for i in range(count)]
-        step = solved_generally(rows, right, count).values
-        x = [part + move for part, move in zip(x, step, strict=True)]
-        if not all(map(math.isfinite, x)) or max(map(abs, x)) > 1e6:
-            return None
-    return None

@@ -66,9 +66,9 @@ class Heading(Struct, frozen=True):
         return self._cosine(Fraction(-90))
 
     def _cosine(self, shift: Fraction) -> Formula:
-        degrees = (self.degrees + shift) % 360
         if not self.terms:
-            return _cosine_of_degrees(degrees)
+            return (_sine_of_degrees if shift else _cosine_of_degrees)(self.degrees)
+        degrees = (self.degrees + shift) % 360
         terms, quarter = self.terms, round(degrees / 90)
         rest = degrees - 90 * quarter
         flipped = terms[0][1] < 0
@@ -151,10 +151,21 @@ def _of_slope(terms: tuple[tuple[Formula, Fraction], ...], rest: Fraction, quart
 @lru_cache(ANGLES)
 def _cosine_of_degrees(degrees: Fraction) -> Formula:
     folded = min(degrees % 360, 360 - degrees % 360)
-    value = _COSINE.get(min(folded, 180 - folded))
-    if value is None:
-        return Call("cos", (Number(degrees / 180) * PI,))
+    value = _of_acute("cos", min(folded, 180 - folded))
     return negate(value) if folded > 90 else value
+
+
+@lru_cache(ANGLES)
+def _sine_of_degrees(degrees: Fraction) -> Formula:
+    folded = degrees % 180
+    value = _of_acute("sin", min(folded, 180 - folded))
+    return negate(value) if degrees % 360 > 180 else value
+
+
+def _of_acute(function: str, degrees: Fraction) -> Formula:
+    """The sine or cosine of an angle up to 90°: exact where it is a usual one."""
+    value = _COSINE.get(90 - degrees if function == "sin" else degrees)
+    return Call(function, (Number(degrees / 180) * PI,)) if value is None else value
 
 
 class Vector(Struct, frozen=True):

@@ -26,11 +26,21 @@ def asked_block(problem: Problem) -> Problem:
     loose = loose_letters(problem)
     if len(problem.bodies) < 2 or spoken_of_as_a_whole(problem, loose):
         return problem
-    named = {body.name for body in problem.bodies} | {item.name for item in acting(problem)}
+    named, kept = names_of_parts(problem), asked_parts(problem, loose)
+    return problem if kept == named else with_only(problem, kept, named - kept)
+
+
+def asked_parts(problem: Problem, loose: frozenset[str] | None = None) -> set[str]:
+    """The names of the bodies, connections and actions on which a question can depend, one by one: all of what it asks of all bodies."""
+    loose, named = loose_letters(problem) if loose is None else loose, names_of_parts(problem)
     # of a surface whose slope or size is asked for, what lies on it may tell that
     surfaces = [item.name for item in problem.surfaces if not loose.isdisjoint(names_in(item))]
-    kept = reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *surfaces}) & named
-    return problem if kept == named else with_only(problem, kept, named - kept)
+    return reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *surfaces}) & named
+
+
+def names_of_parts(problem: Problem) -> set[str]:
+    """The names of all bodies, and of all that acts on them."""
+    return {body.name for body in problem.bodies} | {item.name for item in acting(problem)}
 
 
 def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str]) -> Problem:
