@@ -134,7 +134,9 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
         raise Unsolvable(message, span=fault.span, help=WAYS, lines=problem.lines, file=problem.file, others=others)
     answers = tuple(answer for answer in derivation.answers if answer.name not in refused)
     told = tuple(Refusal(name, fault) for name, fault in refused.items())
-    return replace(derivation, answers=answers, sections=(), trials=(), refused=(*derivation.refused, *told))
+    return replace(
+        derivation, answers=answers, sections=(), trials=(), insights=(), refused=(*derivation.refused, *told)
+    )
 
 
 def against(item: AnswerConfirmation) -> str:

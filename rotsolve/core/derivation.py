@@ -52,12 +52,16 @@ class Equality(Struct, frozen=True):
 
 
 class ForceLine(Struct, frozen=True):
-    """The forces on one body in words ("weight m g, down"), its declared positive sense, and remarks in brackets."""
+    """The forces on one body in words ("weight m g, down"), its declared positive sense, and remarks in brackets.
+
+    `turned` is the only force that has a torque where a law for the rotation of the body is written, by noun and letter, if it is unknown.
+    """
 
     body: str
     forces: tuple[Words, ...]
     positive: str = ""
     remarks: tuple[Words, ...] = ()
+    turned: tuple[str, Formula] | None = None
 
 
 class LawLine(Struct, frozen=True):
@@ -212,7 +216,8 @@ class Derivation(Struct, frozen=True):
     """The whole solution of a problem; `trials` are those that decided how everything moves that rubs.
 
     `refused` are the questions that have no answer; they take no other with them.
-    `confirmed` says of each answer whether an assembly of all bodies' equations gives the same; nothing where nobody asked.
+    `confirmed` says of each answer whether an assembly of all bodies' equations gives the same; nothing where nobody asked. `insights` are
+    sentences about what the answers say.
     """
 
     title: str
@@ -229,3 +234,4 @@ class Derivation(Struct, frozen=True):
     trials: tuple[Trial, ...] = ()
     refused: tuple[Refusal, ...] = ()
     confirmed: tuple[AnswerConfirmation, ...] = ()
+    insights: tuple[Words, ...] = ()

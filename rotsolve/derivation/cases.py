@@ -55,7 +55,9 @@ class CaseTeller(Struct, frozen=True):
         own = [check for check in main.checks if self.goes_for(check, full[0])]
         checks = (*own, *doubts_besides(main, self.good), *self.failing(set(named)))
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
-        return replace(main, answers=answers, sections=sections, checks=checks, conventions=said, refused=refused)
+        insights = main.insights if len(told) <= 1 else ()  # else they are of one case
+        changes = {"sections": sections, "checks": checks, "conventions": said, "refused": refused}
+        return replace(main, answers=answers, insights=insights, **changes)
 
     def goes_for(self, check: Check, case: Solved) -> bool:
         """Whether what is said of a letter that is next to nothing is said of a case that holds there."""

@@ -27,12 +27,14 @@ from rotsolve.core.derivation import (
     sentences,
 )
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE, Equation
+from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import COORDINATE, TIME, is_key, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
 from rotsolve.derivation.headings import section_title
+from rotsolve.derivation.insights import insights
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.results import LONG, Results, readable
 from rotsolve.derivation.sought import sought_words
@@ -206,7 +208,12 @@ class DerivationComposer:
             equations_written=len(self.search.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
             trials=trials,
+            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone()))),
         )
+
+    def _turned_alone(self) -> Iterator[tuple[BodyFacts, Force]]:
+        """The bodies that one force alone turns, with that force."""
+        return (pair for draft in self.drafts for pair in self.diagrams.alone(draft))
 
     def _reached(self, state: str) -> str:
         """What is said of a state that has no lines of its own."""

@@ -6,17 +6,22 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence, S
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol
+from rotsolve.algebra.notation.text import unsigned
 from rotsolve.core.derivation import ForceLine, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.symbols import is_key
+from rotsolve.core.vectors.heading import TURNS
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Ref, Step
+
+LONGEST_TORQUE = 25  # nodes of a torque that stands in the line of its force
 
 
 class Draft(Struct):
@@ -235,19 +240,53 @@ class Diagrams(Struct, frozen=True):
                 continue
             letters = {letter for letter in size.symbols() if is_key(letter)}
             if letters <= in_use:
-                spoken_of.append(words(item.words))
+                spoken_of.append(words((*item.words, *self._turning(item, body, draft, in_use))))
             elif not item.role.unseen:
                 spoken_of.append(nameless(item, told=not (item.role.rubs and letters)))
         if silent and not spoken_of:
             alone = f"{joined_names(nouns(silent))}: no torque about the {support_of(silent)}"
             return ForceLine(spoken(body.name), ((alone,),), body.positive)
         remarks = (*without_torque(silent), *self._through_the_centre(body, draft))
-        return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, remarks)
+        return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, remarks, self._turned(body, draft, words))
+
+    def _turning(self, item: Force | Couple, body: BodyFacts, draft: Draft, in_use: Set[str]) -> Words:
+        """The torque of a force on a body of which a section writes the law for rotation: ": torque M g (L/2) cos θ, clockwise"."""
+        if isinstance(item, Couple) or not self._rotates(body, draft):
+            return ()
+        torque = body.torque_of(item)
+        size = unsigned(torque)
+        known = {name for name in torque.symbols() if is_key(name)} <= in_use
+        if torque == ZERO or not known or isinstance(torque, Sum) or length(torque) > LONGEST_TORQUE:
+            return ()
+        size, sense = (torque if size is None else size), TURNS[size is not None]
+        told = sense in item.way or self.scene.configuration.signs.sign(size) == -1
+        return (": torque ", size, "" if told else f", {sense}")
+
+    def alone(self, draft: Draft) -> Iterator[tuple[BodyFacts, Force]]:
+        """The bodies of which a section writes the law for rotation and that one force alone turns, with that force."""
+        for body in self._drawn(draft):
+            turning = (
+                [item for item in body.acting if body.torque_of(item) != ZERO] if self._rotates(body, draft) else []
+            )
+            if len(turning) == 1 < len(body.acting) and isinstance(turning[0], Force):
+                yield body, turning[0]
+
+    def _turned(self, body: BodyFacts, draft: Draft, words: Callable[[Words], Words]) -> tuple[str, Formula] | None:
+        """The only force that turns a body, where it is an unknown of the laws."""
+        force = next((force for own, force in self.alone(draft) if own is body), None)
+        if force is None or not isinstance(force.size, Symbol) or not is_key(force.size.name):
+            return None
+        (letter,) = words((force.size,))
+        return (force.role.noun or force.noun, letter) if isinstance(letter, Formula) else None
+
+    def _rotates(self, body: BodyFacts, draft: Draft) -> bool:
+        """Whether a law of a section is that for rotation of a body."""
+        laws = (self.pool[index] for index in draft.laws)
+        return any(law.law == ROTATION and body.name in law.bodies for law in laws)
 
     def _through_the_centre(self, body: BodyFacts, draft: Draft) -> tuple[Words, ...]:
         """Which forces have no torque about the centre of mass, about which a body turns that nothing holds."""
-        laws = (self.pool[index] for index in draft.laws)
-        if body.motion.kind == "axis" or not any(law.law == ROTATION and body.name in law.bodies for law in laws):
+        if body.motion.kind == "axis" or not self._rotates(body, draft):
             return ()
         acting = [force for force in body.forces if not force.role.unseen and force.size != ZERO]
         central = [force for force in acting if body.torque_of(force) == ZERO]

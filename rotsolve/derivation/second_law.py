@@ -16,9 +16,10 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.certified.balls import Ball, Undefined
 from rotsolve.algebra.exact.normal import equal, is_zero
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
-from rotsolve.core.derivation import Check
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Number, Symbol
+from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON, Equation
 from rotsolve.core.symbols import has_quantities
 from rotsolve.derivation.letters import Letters, listed
@@ -30,6 +31,7 @@ from rotsolve.search.planning import families_for
 from rotsolve.search.search import FEW_TRIES, Search
 from rotsolve.solver.textbook import is_long_root
 
+LONGEST_TOLD = 40  # nodes of an equation that is told among the checks
 SETS = 4  # of numbers for letters that have none
 CLOSE = 1e-9  # up to which share of their size two numbers agree
 NOTHING = arb(0)
@@ -66,7 +68,25 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
                 yield Check((f"{FAMILIES[law].words} gives another ", name, ": ", another), False)
         if agreed:
             names = listed(answered.asked.find.name for answered in agreed)
-            yield Check((f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names), law=law)
+            said = (f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names)
+            yield Check((*said, *equation_of(law, search, other, letters)), law=law)
+
+
+def equation_of(law: str, search: Search, other: Search, letters: Letters) -> Words:
+    """The equation of a law by which an answer comes out once more, ": m g R = m R a + I α", where all its letters are printed anyway, and
+    no other law has said the same."""
+    told = [search.planner.pool[index] for item in search.answered for index in item.used]
+    gaps = [one.left - one.right for one in told if one.family]
+    for equation in (other.planner.pool[index] for item in other.answered for index in item.used):
+        gap = equation.left - equation.right
+        if equation.family == law and any(is_zero(gap - one) or is_zero(gap + one) for one in gaps):
+            return ()
+        known = equation.symbols() <= letters.symbols.keys() | other.givens.keys()
+        if equation.family == law and known and equation.relation == "=" and not gap.holds(Integral):
+            left, right = (side.substitute(letters.symbols) for side in (equation.left, equation.right))
+            if length(left) + length(right) <= LONGEST_TOLD:
+                return (": ", left, " = ", right)
+    return ()
 
 
 class Confirmation(Enum):
@@ -201,23 +221,24 @@ def over_a_phase(other: Search) -> bool:
 
 def families(answered: Answered, search: Search) -> set[str]:
     """The laws behind an answer: those of its own plan, and of the answers that it uses."""
-    found: set[str] = set()
+    return {law.family for law in behind(answered, search)} & FAMILIES.keys()
+
+
+def behind(answered: Answered, search: Search) -> Iterator[Equation]:
+    """The equations behind an answer: those of its own plan, and of the answers that it uses."""
     by_letter = {item.asked.letter: item for item in search.answered}
     pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
     while pending:
         item = pending.pop()
         for index in item.used:
             equation = search.planner.pool[index]
-            if equation.family:
-                found.add(equation.family)
-            elif search.refs.get(index, ("law", 0))[0] == "step":
-                behind = (search.planner.pool[k] for other in search.answered for k in other.used)
-                found |= {law.family for law in behind}
+            yield equation
+            if not equation.family and search.refs.get(index, ("law", 0))[0] == "step":
+                yield from (search.planner.pool[k] for other in search.answered for k in other.used)
             for name in equation.symbols():
                 if name in by_letter and name not in seen:
                     seen.add(name)
                     pending.append(by_letter[name])
-    return found & FAMILIES.keys()
 
 
 def again(other: Search, answered: Answered) -> Formula | None:

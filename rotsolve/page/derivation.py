@@ -76,6 +76,9 @@ class DerivationPage(Page, frozen=True):
             yield Answers(self.answer_rows(derivation))
             used = {name for answer in derivation.answers for form in printed_forms(answer) for name in form.symbols()}
             yield from (Paragraph(("with ", *numbers.meaning(one))) for one in shorts if one.letter.name in used)
+        if derivation.insights and self.detail != BRIEF:
+            yield Title(2, ("Remarks",))
+            yield Bullets(tuple(map(Bullet, derivation.insights)))
         for law, other in self.others:
             yield Title(2, (f"The same by {law}",))
             yield from self.section_blocks(other, InsertedNumbers(other, (), self.digits))

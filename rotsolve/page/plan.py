@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.derivation import Derivation, LawLine, Section
+from rotsolve.core.derivation import Derivation, ForceLine, LawLine, Section
 from rotsolve.core.equation import (
     ANGULAR_MOMENTUM_IN_SPACE,
     BLOWS,
@@ -77,10 +77,27 @@ def plan_sentences(section: Section, derivation: Derivation) -> Iterator[Phrase]
     laws, ties = principles(section.laws), ties_of(section.laws)
     if laws:
         yield (capital(f"{and_joined(laws)}."),)
+    yield from map(turned_alone, telling_forces(section))
     if laws and ties:
         yield (f"The motions are tied together: {and_joined(ties)}.",)
     if len(set(newtonian(section))) > 1:
         yield (f"That makes {len(section.laws)} equations for as many unknowns.",)
+
+
+def telling_forces(section: Section) -> Iterator[ForceLine]:
+    """The bodies that one unknown force alone turns, of which Newton's second law tells the size."""
+    for line in section.forces:
+        letters = set() if line.turned is None else line.turned[1].symbols()
+        laws = [law for law in section.laws if law.name == SECOND_LAW.name]
+        if letters and any(letters & (law.equation.left.symbols() | law.equation.right.symbols()) for law in laws):
+            yield line
+
+
+def turned_alone(line: ForceLine) -> Phrase:
+    """Why Newton's second law is needed as well: "Only the friction f turns disc: it is unknown, and Newton's second law tells it."."""
+    assert line.turned is not None
+    noun, letter = line.turned
+    return (f"Only the {noun} ", letter, f" turns {line.body}: it is unknown, and Newton's second law tells it.")
 
 
 def newtonian(section: Section) -> Iterator[str]:

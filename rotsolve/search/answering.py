@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
@@ -36,6 +36,7 @@ class Unanswered(Unsolvable):
         first, *others = refused.values()
         self.refused = refused
         fault = first.fault
+        explained = fault.kind == CONTRADICTORY  # then what is not known comes of that
         super().__init__(
             fault.message,
             span=fault.span,
@@ -43,7 +44,7 @@ class Unanswered(Unsolvable):
             lines=first.lines,
             file=first.file,
             kind=fault.kind,
-            others=[other.fault for other in others],
+            others=[other.fault for other in others if not (explained and other.fault.kind == INCOMPLETE)],
         )
 
 

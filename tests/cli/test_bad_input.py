@@ -166,7 +166,7 @@ def test_what_is_left_out_is_a_letter_and_the_answer_says_so(
 ) -> None:
     Path("x.yaml").write_text(GOOD.replace(old, new), encoding="utf-8")
     code, out, err = command("solve", "x.yaml")
-    part = out[out.index("Answers\n") + 8 : out.index("Checks\n")]
+    part = out[out.index("Answers\n") + 8 : out.index("Remarks\n")]
     assert (code, err) == (0, "")
     assert [" ".join(line.split()) for line in part.splitlines()] == answers
 

@@ -256,7 +256,11 @@ def trails(formula: Formula) -> bool:
 def as_told(function: str, arguments: tuple[Formula, ...]) -> tuple[Formula, ...]:
     """The arguments of a function as they are written: the angle of a sine in degrees, sin 75°, where it is a short number of them."""
     degrees = in_degrees(arguments[0]) if function in ANGULAR and not isinstance(arguments[0], Constant) else None
-    return arguments if degrees is None or 1000 % degrees.denominator else (Decimal(f"{float(degrees):.9g}°"),)
+    return (
+        arguments
+        if degrees is None or 1000 % degrees.denominator
+        else (Decimal(f"{float(degrees):.9g}°".replace("-", "−")),)
+    )
 
 
 def in_degrees(angle: Formula) -> Fraction | None:
@@ -276,7 +280,7 @@ def in_degrees(angle: Formula) -> Fraction | None:
 
 
 def may_be_bare(argument: Formula) -> bool:
-    return isinstance(argument, Constant) or (isinstance(argument, Symbol) and "." not in argument.name)
+    return isinstance(argument, Constant) or (isinstance(argument, Symbol) and not {".", "−"} & set(argument.name))
 
 
 def _unicode_closed(formula: Formula) -> str:

@@ -130,6 +130,29 @@ def gate_on_a_leaning_post(n: Numbers) -> Answers:
     return {"alpha": abs(derivatives(energy, 1.0)[1]) / inertia, "I": inertia}
 
 
+def two_plane_balancing(n: Numbers) -> Answers:
+    """The places at which neither bearing is pushed: their forces are linear in these."""
+
+    def pushed(places: Any) -> Any:
+        x1, y1, x2, y2 = places
+        lumps = (n.m1, n.r1 * X + n.d * Z), (n.m2, n.r2 * Y + 2 * n.d * Z)
+        rotor = points(*lumps, (n.mb, x1 * X + y1 * Y), (n.mb, x2 * X + y2 * Y + 3 * n.d * Z))
+        motion = steadily(rotor, Z, n.n)
+        return np.concatenate([force[:2] for force in two_bearings(motion.force(), motion.torque(), Z, -n.d, 4 * n.d)])
+
+    still = pushed(np.zeros(4))
+    slopes = np.array([pushed(place) - still for place in np.eye(4)]).T
+    return dict(zip(("x1", "y1", "x2", "y2"), np.linalg.solve(slopes, -still), strict=True))
+
+
+def gyrocompass_let_go(n: Numbers) -> Answers:
+    """dL/dt = A dω/dt + (C − A) ω₃ de₃/dt has no part along the hinge: what turns the rotor there would have to turn a light gimbal."""
+    axle, earth = turn(X, n.eta) @ Z, n.W * Z
+    carried = np.cross(earth, axle)
+    axial = (earth + n.s * axle) @ axle
+    return {"alpha": -(n.A * n.s * carried + (n.C - n.A) * axial * carried) @ X / n.A}
+
+
 CALCULATIONS = {
     "cube-edge": cube_edge,
     "cylinder-like-a-sphere": cylinder_like_a_sphere,
@@ -142,4 +165,6 @@ CALCULATIONS = {
     "shaft-out-of-balance": shaft_out_of_balance,
     "skew-disc": skew_disc,
     "skew-rod": skew_rod,
+    "two-plane-balancing": two_plane_balancing,
+    "gyrocompass-let-go": gyrocompass_let_go,
 }

@@ -1,0 +1,200 @@
+"""Insights: what an answer says beyond its number: what has cancelled, what it grows with, how it compares with free fall or a weight.
+
+Each sentence comes from the closed form of an answer and from the equations behind it. What numbers do not certify is not said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.sign import sign_within
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ONE, Call, Formula, Product, Sum, Symbol
+from rotsolve.algebra.units.dimension import ACCELERATION, FORCE, LENGTH, MASS
+from rotsolve.core.derivation import Words, in_a_row
+from rotsolve.core.equation import SECOND_LAW, Equation
+from rotsolve.core.facts import BodyFacts, Force
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import has_quantities
+from rotsolve.core.writing import spoken
+from rotsolve.derivation.second_law import behind
+from rotsolve.language.problem import Path
+from rotsolve.paths.meaning import NotYet
+from rotsolve.search.answers import Answered
+from rotsolve.search.search import Search
+
+SIZES = (MASS, LENGTH, MASS * LENGTH**2)  # of which it is told what grows with them
+LONG = 60  # nodes of one of which it is looked at
+PLAIN = frozenset(("sqrt", "sin", "cos", "tan"))
+MOST = 2  # sentences about what cancels
+TWO = 2  # forces of which one is a weight and the other compared with it
+SIMPLE = 5  # nodes of a formula that shows at once what it grows with
+DIGITS = 3
+SHORT = 15  # nodes of a share of the energy that is told in letters
+CLOSE = (95, 105)  # per cent of a weight within which a force is not compared with it
+
+
+def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterator[Words]:
+    """Sentences about the answers, the most telling kinds first, each kind once or twice; `alone` are bodies with the one force that turns
+    them."""
+    told = [item for item in search.wholes() if item.found.formula is not None and not item.asked.find.runs]
+    lawful = [item for item in told if any(law.family for law in behind(item, search))]
+    yield from cancelled(lawful, search)
+    yield from growing(lawful, search)
+    yield from beside_free_fall(lawful, search)
+    yield from beside_weights(lawful, search)
+    yield from energy_lost(search)
+    for name in dict.fromkeys(body.name for body, force in alone if force.role.rubs):
+        yield (f"without friction {spoken(name)} would keep its angular velocity: no other force has a torque on it",)
+
+
+def closed(item: Answered) -> Formula | None:
+    """The formula of an answer in givens alone."""
+    formula = item.found.formula
+    return None if formula is None or has_quantities(formula) or not formula.symbols() else formula
+
+
+def letter(item: Answered) -> Formula:
+    """What an answer is called."""
+    return Symbol(item.asked.find.name)
+
+
+def cancelled(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """ "M cancels: α and ω do not depend on it", of givens that the laws of answers hold and their formulas do not; masses first."""
+    lost: dict[tuple[Formula, ...], list[str]] = {}
+    for given in sorted(search.givens.values(), key=lambda given: given.dimension != MASS):
+        without = [letter(item) for item in told if not given.asked and cancels(given.name, item, search)]
+        if without:
+            lost.setdefault(tuple(without), []).append(given.name)
+    for letters, names in list(lost.items())[:MOST]:
+        verb, it = ("cancels", "it") if len(names) == 1 else ("cancel", "them")
+        do = "does" if len(letters) == 1 else "do"
+        yield (
+            *listed_with_and(map(Symbol, names)),
+            f" {verb}: ",
+            *listed_with_and(letters),
+            f" {do} not depend on {it}",
+        )
+
+
+def cancels(name: str, item: Answered, search: Search) -> bool:
+    """Whether a given stands in the laws of an answer's own plan and not in its formula."""
+    formula = closed(item)
+    laws = (search.planner.pool[index] for index in item.used)
+    return formula is not None and name not in formula.symbols() and any(name in law.symbols() for law in laws)
+
+
+def listed_with_and(letters: Iterable[Formula]) -> Words:
+    """a, T and N."""
+    *first, last = letters
+    return (*in_a_row(first), " and ", last) if first else (last,)
+
+
+def growing(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """ "a grows with m and falls with M", of the first answer whose formula does not show it at once."""
+    for item in told:
+        formula = closed(item)
+        calls = set() if formula is None else {node.function for node in formula.walk(Call) if isinstance(node, Call)}
+        if formula is None or not SIMPLE < length(formula) < LONG or not formula.holds(Sum) or calls - PLAIN:
+            continue
+        yield from growth(item, formula, search)
+        return
+
+
+def growth(item: Answered, formula: Formula, search: Search) -> Iterator[Words]:
+    """What a positive answer grows with whatever the numbers are, by the signs of its derivatives."""
+    positive = search.signs.positive
+    ways: dict[int, list[Formula]] = {1: [], -1: []}
+    for given in search.givens.values() if search.signs.sign(formula) == 1 else ():
+        if given.name in formula.symbols() and given.dimension in SIZES:
+            side = sign_within(search.solver.simplify(differentiate(formula, given.name)), positive)
+            if side:
+                ways[side].append(Symbol(given.name))
+    if ways[1] and ways[-1]:
+        yield (letter(item), " grows with ", *listed_with_and(ways[1]), " and falls with ", *listed_with_and(ways[-1]))
+
+
+def beside_free_fall(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """ "a_end is 1.30 g, more than in free fall", of the first acceleration that is larger than g."""
+    gravity = search.scene.configuration.problem.gravity
+    for item in told:
+        formula = closed(item)
+        if formula is None or item.asked.dimension != ACCELERATION or not isinstance(gravity, Symbol):
+            continue
+        ratio = Call("abs", (formula / gravity,))
+        size = search.signs.number(ratio) if gravity.name in formula.symbols() else None
+        if size is not None and search.signs.by_numbers(ratio - ONE) == 1:
+            said = letter(item) if search.signs.sign(formula) == 1 else Call("abs", (letter(item),))
+            yield (said, f" is {size.text(DIGITS)} ", gravity, ", more than in free fall")
+            return
+
+
+def beside_weights(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """ "T is 0.556 m g, less than the weight of block", of the first force that stands in Newton's second law beside a weight."""
+    for item in told:
+        formula = closed(item)
+        if formula is None or item.asked.dimension != FORCE:
+            continue
+        for law in behind(item, search):
+            weight = weight_in(law, search)
+            if weight is None or item.asked.letter not in law.symbols():
+                continue
+            ratio = search.signs.number(Call("abs", (formula / weight,)))
+            if ratio is None or not ratio.sign or CLOSE[0] < 100 * ratio.float < CLOSE[1]:
+                continue
+            than = "more" if ratio.float > 1 else "less"
+            yield (
+                letter(item),
+                f" is {ratio.text(DIGITS)} ",
+                weight,
+                f", {than} than the weight of {spoken(law.bodies[0])}",
+            )
+            return
+
+
+def weight_in(law: Equation, search: Search) -> Formula | None:
+    """The term m g of Newton's second law of one body."""
+    gravity = search.scene.configuration.problem.gravity
+    if law.law != SECOND_LAW or len(law.bodies) != 1 or not isinstance(gravity, Symbol):
+        return None
+    if not isinstance(law.left, Sum) or len(law.left.terms) != TWO:
+        return None
+    for term in law.left.terms:
+        size = -term if search.signs.sign(term) == -1 else term
+        names = size.symbols()
+        masses = [name for name in names if name in search.givens and search.givens[name].dimension == MASS]
+        if isinstance(size, Product) and gravity.name in names and len(names) == 2 and len(masses) == 1:
+            return size
+    return None
+
+
+def energy_lost(search: Search) -> Iterator[Words]:
+    """ "in the hit the kinetic energy falls from 8.12 J to 3.04 J, by 62.5 %", of events; in letters the share that is lost, if short."""
+    if search.scene.configuration.problem.space:
+        return
+    for interval in search.scene.configuration.timeline.intervals:
+        if interval.event is None:
+            continue
+        first, last = (kinetic_energy(state, search) for state in (interval.start, interval.end))
+        if first is None or last is None or not search.signs.sign(first):
+            continue
+        share = search.solver.simplify((first - last) / first)
+        numbers = [search.signs.number(value) for value in (first, last, 100 * share)]
+        said = f"in the {spoken(interval.name)} the kinetic energy "
+        if search.signs.sign(share) == 0:
+            yield (f"{said}stays the same",)
+        elif all(number is not None and number.sign in (0, 1) for number in numbers):
+            one, two, lost = (number.text(DIGITS) for number in numbers if number is not None)
+            yield (f"{said}falls from {one} J to {two} J, by {lost} %",)
+        elif search.signs.sign(share) == 1 and length(share) <= SHORT:
+            yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")
+
+
+def kinetic_energy(state: str, search: Search) -> Formula | None:
+    """The kinetic energy of all bodies at a state, in givens; None where what is asked does not tell it."""
+    try:
+        found = search.solver.with_found(search.scene.reader(state).meaning(Path("", "kinetic_energy")).formula)
+    except (NotYet, Unsolvable):
+        return None
+    return None if has_quantities(found) else found
