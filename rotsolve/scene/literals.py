@@ -160,7 +160,7 @@ def stand_in(number: int, length: int) -> str:
 FACTOR = rf"(?:{DIGITS}(?:\s*/\s*\d+)?(?:\s*[×x*·]\s*10(?:\^[-−]?\d+|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?|[¼½¾⅓⅔⅕⅙⅛⅜⅝⅞])"
 PI_WORD = r"(?:pi(?!\w)|π)"
 LITERAL = re.compile(
-    rf"\s*[-+−]?\s*(?:{FACTOR}(?:\s*[*·]?\s*{PI_WORD})?|{PI_WORD})(?:\s*/\s*\d+)?\s*(?P<unit>(?:[^\W\d_]|[°%]).*)?",
+    rf"\s*[-+−]?\s*(?:{FACTOR}(?:\s*[*·]?\s*{PI_WORD})?|{PI_WORD})(?:\s*/\s*\d+)?\s*(?P<unit>(?:(?<=\s)1\s*/\s*\(?)?(?:[^\W\d_]|[°%]).*)?",
     re.DOTALL,
 )
 COMMA = r"\s*[-+−]?\d+,\d"  # compiled where there is a comma

@@ -70,6 +70,7 @@ def n(value: int | str) -> Number:
         (".5 m", n("0.5"), LENGTH, "m"),
         ("2 Hz", n(2), FREQUENCY, "Hz"),
         ("5/s", n(5), FREQUENCY, "1/s"),
+        ("5 1/s", n(5), FREQUENCY, "1/s"),
         ("36 km/h", n(10), LENGTH / TIME, "km/h"),
         ("2 J/(kg m)", n(2), ACCELERATION, "J/(kg m)"),
         ("2 m/s*kg", n(2), MOMENTUM, "m kg/s"),

@@ -64,6 +64,8 @@ def parse_quantity(text: str) -> UnitValue:
     stripped = rest.lstrip()
     if not stripped:
         return UnitValue(power_of_pi(value, pi_power), NONE, None, text)
+    if (one := re.match(r"1\s*(?=/\s*\D)", stripped)) and rest != stripped:  # 5 1/s, as its unit is printed
+        stripped = stripped[one.end() :]
     at = len(text) - len(stripped)
     if stripped[0].isdigit() or stripped[0] in FRACTIONS or stripped[0] == ".":
         raise UnitError(f"two numbers side by side: `{text.strip()}`", 0, len(text))
