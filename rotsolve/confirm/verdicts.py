@@ -12,6 +12,7 @@ from fractions import Fraction
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Number
+from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import Numbers
 from rotsolve.confirm.course.sizes import letters_open
@@ -234,7 +235,7 @@ def not_so(name: str, why: str, problem: Problem, numbers: Numbers) -> AnswerCon
 def numbers_told(numbers: Numbers, problem: Problem) -> str:
     """m = 0.806, R = 1.01: the letters that have no number in the scene."""
     told = (given.name for given in letters_open(problem) if given.name in numbers)
-    return ", ".join(f"{name} = {numbers[name]:g}" for name in told)
+    return ", ".join(f"{name_to_text(name)} = {numbers[name]:g}" for name in told)
 
 
 def pairs(verdict: AnswerConfirmation) -> Iterator[tuple[float, float]]:

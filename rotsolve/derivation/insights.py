@@ -6,12 +6,14 @@ Each sentence comes from the closed form of an answer and from the equations beh
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.sign import sign_within
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, Call, Formula, Product, Sum, Symbol
-from rotsolve.algebra.units.dimension import ACCELERATION, FORCE, LENGTH, MASS
+from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product, Sum, Symbol
+from rotsolve.algebra.units.dimension import ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
@@ -24,7 +26,7 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
 
-SIZES = (MASS, LENGTH, MASS * LENGTH**2)  # of which it is told what grows with them
+SIZES = (MASS, LENGTH, INERTIA)  # of which it is told what grows with them
 LONG = 60  # nodes of one of which it is looked at
 PLAIN = frozenset(("sqrt", "sin", "cos", "tan"))
 MOST = 2  # sentences about what cancels
@@ -45,6 +47,8 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from beside_free_fall(lawful, search)
     yield from beside_weights(lawful, search)
     yield from energy_lost(search)
+    yield from opposite(told)
+    yield from beside_a_ring(told, search)
     for name in dict.fromkeys(body.name for body, force in alone if force.role.rubs):
         yield (f"without friction {spoken(name)} would keep its angular velocity: no other force has a torque on it",)
 
@@ -198,3 +202,40 @@ def kinetic_energy(state: str, search: Search) -> Formula | None:
     except (NotYet, Unsolvable):
         return None
     return None if has_quantities(found) else found
+
+
+def opposite(told: Sequence[Answered]) -> Iterator[Words]:
+    """ "W = −ΔK", of two energies that are asked for."""
+    energies = [
+        (item, formula) for item in told if item.asked.dimension == ENERGY and (formula := closed(item)) is not None
+    ]
+    for (one, first), (other, second) in combinations(energies, 2):
+        if is_zero(first + second):
+            yield (letter(other), " = −", letter(one))
+            return
+
+
+def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """ "I is ½ of M R², that of the same mass all at the distance R", of a moment of inertia c M R²."""
+    for item in told:
+        formula = closed(item)
+        if formula is None or item.asked.dimension != INERTIA:
+            continue
+        names = {given.dimension: given.name for given in search.givens.values() if given.name in formula.symbols()}
+        if len(formula.symbols()) != TWO or not {MASS, LENGTH} <= names.keys():
+            continue
+        whole = Symbol(names[MASS]) * Symbol(names[LENGTH]) ** 2
+        share = search.solver.simplify(formula / whole)
+        if isinstance(share, Number) and 0 < share.value < 1:
+            distance = Symbol(names[LENGTH])
+            yield (
+                letter(item),
+                " is ",
+                share,
+                " of ",
+                whole,
+                ", which the same mass all at the distance ",
+                distance,
+                " would have",
+            )
+            return

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, add, multiply, negate, sqrt, total
-from rotsolve.core.derivation import Words
+from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import CARRIED, CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
 from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, Role, signed, square
 from rotsolve.core.vectors.heading import Heading, Vector
@@ -129,7 +129,24 @@ def balance_of_torques(at: AtMoment) -> Iterator[Equation]:
             left, right = law([*pushes, *(couple.torque for couple in body.couples)], ZERO)
             geometry = next(filter(None, (by_triangle(point, force) for force in body.forces)), ())
             where = f"its point of contact at {spoken(owner)}"
-            yield TORQUES.equation(left, right, at.section, (body.name,), geometry, point=where)
+            remark = geometry or without_arm(
+                [force for force, torque in zip(body.forces, pushes, strict=True) if torque == ZERO]
+            )
+            yield TORQUES.equation(left, right, at.section, (body.name,), remark, point=where)
+
+
+def without_arm(forces: Sequence[Force]) -> Words:
+    """Which forces have no arm about a point: "N and f have no arm there"."""
+    letters = [force.size for force in forces if isinstance(force.size, Symbol)]
+    if not letters or len(letters) < len(forces):
+        return ()
+    *first, last = letters
+    return (
+        *in_a_row(first),
+        *((" and ",) if first else ()),
+        last,
+        " have no arm there" if first else " has no arm there",
+    )
 
 
 def by_triangle(point: Vector, force: Force) -> Words:

@@ -7,6 +7,7 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.facts import (
     WEIGHT,
@@ -105,7 +106,9 @@ def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     for owner in instant.configuration.carried(name, instant.state):
         mass = mass_of(instant.body(owner))
         if mass != ZERO:
-            size, arm = mass * gravity, instant.point(PointRef(owner, "cm"))
+            told = gravity.symbols() & mass.symbols()  # by its weight: (w/g) g is w
+            size = simplify(mass * gravity) if told else mass * gravity
+            arm = instant.point(PointRef(owner, "cm"))
             place = ", at the centre of mass" if arm.parts and owner == name else ""
             noun = "weight" if owner == name else f"weight of {spoken(owner)}"
             forces.append(Force("", WEIGHT, name, size, unit(DOWN), arm, noun, f"down{place}", part=owner))
