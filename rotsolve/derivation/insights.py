@@ -126,7 +126,7 @@ def beside_free_fall(told: Sequence[Answered], search: Search) -> Iterator[Words
         formula = closed(item)
         if formula is None or item.asked.dimension != ACCELERATION or not isinstance(gravity, Symbol):
             continue
-        ratio = Call("abs", (formula / gravity,))
+        ratio = Call("abs", (search.solver.simplify(formula / gravity),))
         size = search.signs.number(ratio) if gravity.name in formula.symbols() else None
         if size is not None and search.signs.by_numbers(ratio - ONE) == 1:
             said = letter(item) if search.signs.sign(formula) == 1 else Call("abs", (letter(item),))

@@ -79,7 +79,9 @@ class DerivationPage(Page, frozen=True):
         if derivation.insights and self.detail != BRIEF:
             yield Title(2, ("Remarks",))
             yield Bullets(tuple(map(Bullet, derivation.insights)))
-        for law, other in self.others:
+        for law, other in self.others if self.detail != BRIEF else ():
+            if laws_told(other) <= laws_told(derivation):
+                continue  # no other way
             yield Title(2, (f"The same by {law}",))
             yield from self.section_blocks(other, InsertedNumbers(other, (), self.digits))
         if derivation.refused:
@@ -116,6 +118,11 @@ class DerivationPage(Page, frozen=True):
         from rotsolve.page.data import derivation_data
 
         return {"file": self.file, **derivation_data(self.derivation, self.digits)}
+
+
+def laws_told(derivation: Derivation) -> set[Equality]:
+    """The equations that a derivation goes by."""
+    return {law.equation for section in derivation.sections for law in section.laws}
 
 
 def refusal_bullet(refusal: Refusal) -> Bullet:
