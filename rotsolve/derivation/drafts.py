@@ -254,12 +254,11 @@ class Diagrams(Struct, frozen=True):
         if isinstance(item, Couple) or not self._rotates(body, draft):
             return ()
         torque = body.torque_of(item)
-        size = unsigned(torque)
-        known = {name for name in torque.symbols() if is_key(name)} <= in_use
-        if torque == ZERO or not known or isinstance(torque, Sum) or length(torque) > LONGEST_TORQUE:
+        size, keys = unsigned(torque), {name for name in torque.symbols() if is_key(name)}
+        if torque == ZERO or not keys <= in_use or isinstance(torque, Sum) or length(torque) > LONGEST_TORQUE:
             return ()
         size, sense = (torque if size is None else size), TURNS[size is not None]
-        told = sense in item.way or self.scene.configuration.signs.sign(size) == -1
+        told = sense in item.way or (not keys and self.scene.configuration.signs.by_numbers(size) == -1)
         return (": torque ", size, "" if told else f", {sense}")
 
     def alone(self, draft: Draft) -> Iterator[tuple[BodyFacts, Force]]:

@@ -13,6 +13,7 @@ from rotsolve.algebra.certified.sign import sign_within
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product, Sum, Symbol
+from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import SECOND_LAW, Equation
@@ -27,7 +28,7 @@ from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
 
 SIZES = (MASS, LENGTH, INERTIA)  # of which it is told what grows with them
-LONG = 60  # nodes of one of which it is looked at
+LONG = 25  # nodes of one of which it is looked at: derivatives of longer ones cost more than the sentence is worth
 PLAIN = frozenset(("sqrt", "sin", "cos", "tan"))
 MOST = 2  # sentences about what cancels
 TWO = 2  # forces of which one is a weight and the other compared with it
@@ -112,7 +113,7 @@ def growth(item: Answered, formula: Formula, search: Search) -> Iterator[Words]:
     ways: dict[int, list[Formula]] = {1: [], -1: []}
     for given in search.givens.values() if search.signs.sign(formula) == 1 else ():
         if given.name in formula.symbols() and given.dimension in SIZES:
-            side = sign_within(search.solver.simplify(differentiate(formula, given.name)), positive)
+            side = sign_within(differentiate(formula, given.name), positive)
             if side:
                 ways[side].append(Symbol(given.name))
     if ways[1] and ways[-1]:
@@ -126,8 +127,12 @@ def beside_free_fall(told: Sequence[Answered], search: Search) -> Iterator[Words
         formula = closed(item)
         if formula is None or item.asked.dimension != ACCELERATION or not isinstance(gravity, Symbol):
             continue
-        ratio = Call("abs", (search.solver.simplify(formula / gravity),))
-        size = search.signs.number(ratio) if gravity.name in formula.symbols() else None
+        if gravity.name not in formula.symbols():
+            continue
+        whole = formula / gravity
+        short = search.signs.lacking(formula) and length(formula) < SHORT  # letters may cancel
+        ratio = Call("abs", (search.solver.simplify(whole) if short else whole,))
+        size = search.signs.number(ratio)
         if size is not None and search.signs.by_numbers(ratio - ONE) == 1:
             said = letter(item) if search.signs.sign(formula) == 1 else Call("abs", (letter(item),))
             yield (said, f" is {size.text(DIGITS)} ", gravity, ", more than in free fall")
@@ -165,7 +170,7 @@ def weight_in(law: Equation, search: Search) -> Formula | None:
     if not isinstance(law.left, Sum) or len(law.left.terms) != TWO:
         return None
     for term in law.left.terms:
-        size = -term if search.signs.sign(term) == -1 else term
+        size = unsigned(term) or term
         names = size.symbols()
         masses = [name for name in names if name in search.givens and search.givens[name].dimension == MASS]
         if isinstance(size, Product) and gravity.name in names and len(names) == 2 and len(masses) == 1:

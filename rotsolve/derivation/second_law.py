@@ -75,14 +75,14 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
 def equation_of(law: str, search: Search, other: Search, letters: Letters) -> Words:
     """The equation of a law by which an answer comes out once more, ": m g R = m R a + I α", where all its letters are printed anyway, and
     no other law has said the same."""
-    told = [search.planner.pool[index] for item in search.answered for index in item.used]
-    gaps = [one.left - one.right for one in told if one.family]
+    told = (search.planner.pool[index] for item in search.answered for index in item.used)
+    same = {(one.left, one.right) for one in told if one.family}
     for equation in (other.planner.pool[index] for item in other.answered for index in item.used):
-        gap = equation.left - equation.right
-        if equation.family == law and any(is_zero(gap - one) or is_zero(gap + one) for one in gaps):
+        if equation.family == law and (equation.left, equation.right) in same:
             return ()
         known = equation.symbols() <= letters.symbols.keys() | other.givens.keys()
-        if equation.family == law and known and equation.relation == "=" and not gap.holds(Integral):
+        summed = equation.left.holds(Integral) or equation.right.holds(Integral)
+        if equation.family == law and known and equation.relation == "=" and not summed:
             left, right = (side.substitute(letters.symbols) for side in (equation.left, equation.right))
             if length(left) + length(right) <= LONGEST_TOLD:
                 return (": ", left, " = ", right)
