@@ -165,6 +165,12 @@ class Find(Struct, frozen=True):
         )
 
     @property
+    def extreme_letter(self) -> str:
+        """The letter of which it asks the `largest` or the `smallest` value that fits the scene; '' of other questions."""
+        alone = isinstance(self.formula, Symbol) and not self.terms and self.where is None
+        return self.formula.name if alone and self.modifier in EXTREMES else ""  # type: ignore[attr-defined]
+
+    @property
     def verge(self) -> bool:
         """Whether it asks with what value of a letter something is on the point of slipping: `largest F where touch sticks`."""
         return self.where is not None and self.where.word in ("sticks", "rolls")

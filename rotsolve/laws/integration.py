@@ -24,6 +24,7 @@ INTEGRALS = {
     "zx": "I_zx = −∫ z x dm",
 }
 INDICES = {"xx": "x", "yy": "y", "zz": ""}  # how a letter tells its axis: not at all where it is square to the picture
+LINE = "line"  # what is spread over a length needs no size beside it
 FLAT = {"xx": "I = ∫ y² dm", "yy": "I = ∫ x² dm"}
 
 
@@ -80,7 +81,7 @@ def mass(spread: Spread, piece: RigidPiece) -> tuple[Formula, Steps]:
     if piece.shape.graded:
         cut = sliced(spread, piece)
         integral = cut.total(ONE, spread.tidy)
-        return letter, (spread.define(letter, integral, "mass, M = ∫ dm", elements(spread, cut, ONE, ""), INTEGRATED),)
+        return letter, (spread.define(letter, integral, "mass, M = ∫ dm", elements(spread, cut, ONE), INTEGRATED),)
     if steps:  # the density comes from the mass
         return spread.mass, ()
     extent, steps = content(spread, piece)
@@ -96,7 +97,7 @@ def centre_letter(spread: Spread, piece: RigidPiece, axis: str) -> tuple[Formula
     sigma, steps = density(spread, piece)
     whole, more = mass(spread, piece)
     integral = cut.total(multiply(sigma, cut.first(axis)), spread.tidy)
-    said = elements(spread, cut, sigma, DENSITY[piece.shape.spread][1])
+    said = elements(spread, cut, sigma, piece.shape.spread)
     letter = spread.letter("cm", f"{axis}_cm")
     label = f"centre of mass, {axis} = (1/M) ∫ {axis} dm"
     return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said, INTEGRATED))
@@ -151,16 +152,13 @@ def integral_of(
     plain = {item.variable**2 for item in cut.ranges}
     factor: Words = ("(", second, ")") if isinstance(second, Sum) else (second,)
     each: Words = () if second in plain else (NEXT, f"In {words[entry]} each adds ", *factor, " dm.")
-    return integral, label, (*elements(spread, cut, sigma, DENSITY[piece.shape.spread][1]), *each)
+    return integral, label, (*elements(spread, cut, sigma, piece.shape.spread), *each)
 
 
-SLICED = ("area", "volume")  # what slices have beside their lengths
-
-
-def elements(spread: Spread, cut: Slicing, sigma: Formula, word: str) -> Words:
+def elements(spread: Spread, cut: Slicing, sigma: Formula, over: str = LINE) -> Words:
     """As "Cut into rings of radius r and width dr, each of area 2 π r dr: dm = 2 π σ r dr."."""
     width: Words = tuple(part for item in cut.ranges for part in (" d", item.variable))
     size: Words = ()
-    if sigma != ONE and cut.weight != ONE and word in SLICED and cut.weight not in cut.element:
-        size = (f", each of {word} ", spread.tidy(cut.weight), *width)
+    if sigma != ONE and cut.weight != ONE and over != LINE and cut.weight not in cut.element:
+        size = (f", each of {DENSITY[over][1]} ", spread.tidy(cut.weight), *width)
     return ("Cut into ", *cut.element, *size, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width, ".")

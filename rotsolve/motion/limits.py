@@ -13,12 +13,14 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, call, negate, sqrt,
 from rotsolve.core.limits import Limit
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.tensor import ONE_AXIS, displaced
+from rotsolve.core.vectors.triple import Z
+from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.elements.shapes import Shape
 from rotsolve.language.bodies import Part
 from rotsolve.language.problem import Body, Problem, references
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import limited_values
-from rotsolve.motion.rigid import materials
+from rotsolve.motion.rigid import materials, part_rows, part_spot
 
 LOWEST = {  # by what a key says of its values
     "positive": "must be positive",
@@ -99,6 +101,9 @@ def tensor_limits(body: Body) -> Iterator[Limit]:
 
 def hole_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
     """How far a round or rectangular hole lies within a round or rectangular shape."""
+    if hole.turned:
+        yield from depth_margins(hole, whole)
+        return
     x, y = hole_centre(hole)
     radius, box = round_rim(hole.body.shape), hole.body.shape.box() if hole.body.shape is not None else ()
     edge, sides = round_rim(whole), whole.box() if whole is not None else ()
@@ -112,6 +117,54 @@ def hole_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
     inner = dict(getattr(whole, "radii", ())).get("inner")
     if inner is not None and radius is not None:
         yield far_out((x, y)) - inner - radius
+    yield from depth_margins(hole, whole)
+
+
+def depth_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
+    """How far a hole lies within a solid along its z axis, and a ball within a ball in all directions."""
+    own = hole.body.shape
+    if own is None or whole is None:
+        return
+    z = (*(hole.at or ()), ZERO, ZERO, ZERO)[2]
+    deep, deeper = own.depth(), whole.depth()
+    if own.spherical and whole.spherical:
+        yield simplify((whole.outer or ZERO) - far_out([*hole_centre(hole), z]) - (own.outer or ZERO))
+        return
+    if hole.turned and bored(hole, whole):
+        yield from box_margins(hole, whole)
+        return
+    if own.spherical and deeper is not None:
+        deep = 2 * (own.outer or ZERO)
+    if deep is not None and deeper is not None:
+        yield from (simplify((deeper - deep) / 2 - way) for way in dict.fromkeys((z, negate(z))))
+
+
+def bored(hole: Part, whole: Shape) -> bool:
+    """Whether a hole is a cylinder in a box."""
+    own = hole.body.shape
+    return own is not None and own.round and own.depth() is not None and bool(whole.box()) and whole.depth() is not None
+
+
+def box_margins(hole: Part, whole: Shape) -> Iterator[Formula]:
+    """How far a turned cylinder lies within a box: along each axis it reaches (L/2)|n| + R √(1 − n²) from its centre, n its axis's part."""
+    own, rows, spot = hole.body.shape, part_rows(hole), part_spot(hole)
+    assert own is not None
+    length, radius = own.depth() or ZERO, own.outer or ZERO
+    axis = Z if rows is None else rotated_in_space(rows, Z)
+    for side, at, part in zip((*whole.box(), whole.depth() or ZERO), spot, axis, strict=True):
+        reach = length / 2 * call("abs", part) + radius * sqrt(ONE - part**2)
+        yield from (simplify(side / 2 - reach - way) for way in dict.fromkeys((at, negate(at))))
+
+
+def seen_to_fit(hole: Part, whole: Shape | None) -> bool:
+    """Whether the margins of a hole in space tell that it lies within a shape: not of one that is turned, nor in a cone and its like."""
+    own = hole.body.shape
+    if own is None or whole is None or (whole.flat and own.flat):
+        return True
+    known = own.spherical or own.depth() is not None
+    return bored(hole, whole) or (
+        not hole.turned and ((own.spherical and whole.spherical) or (known and whole.depth() is not None))
+    )
 
 
 def box_corners(box: tuple[Formula, ...], angle: Formula | None) -> Iterator[tuple[Formula, Formula]]:

@@ -6,11 +6,19 @@ import re
 from collections.abc import Callable, Collection, Mapping
 
 from rotsolve.algebra.certified.ball import evaluate, note
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
-from rotsolve.algebra.units.dimension import DIMENSIONS, TIME, Dimension, DimensionError, dimension_of, fits_everything
+from rotsolve.algebra.units.dimension import (
+    ANGLE,
+    DIMENSIONS,
+    TIME,
+    Dimension,
+    DimensionError,
+    dimension_of,
+    fits_everything,
+)
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
@@ -206,6 +214,11 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
     wanted = DIMENSIONS[want.dimension] if want.dimension else None
     known = {**scope.dimensions, **want.extra, "time": TIME}
     missing = [name for name in sorted(formula.symbols()) if known.get(name) is None]
+    if len(missing) > 1:  # what only sines are taken of is an angle, beside the one that is inferred
+        turned = {name for name in missing if name in angles_in(formula)}
+        scope.dimensions.update(dict.fromkeys(turned, ANGLE))
+        known.update(dict.fromkeys(turned, ANGLE))
+        missing = [name for name in missing if name not in turned]
     if missing:
         found = infer(formula, missing, known, wanted)
         if found is not None:
@@ -219,6 +232,12 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
     if given is not None and given.value is not None:
         shown = f"{shown} = {given.text}"
     return dimension_holds(scope, node, want, dimension, shown, unit, formula == ZERO)
+
+
+def angles_in(formula: Formula) -> set[str]:
+    """The letters of which sines, cosines or tangents are taken, alone."""
+    calls = (node for node in formula.walk(Call) if isinstance(node, Call) and node.function in ("sin", "cos", "tan"))
+    return {call.arguments[0].name for call in calls if isinstance(call.arguments[0], Symbol)}
 
 
 def agreed_dimension(

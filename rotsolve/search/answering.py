@@ -167,6 +167,18 @@ def answer_one(search: Search, find: Find) -> None:
             refuse_unsolved(search, error.shortage, find)
         raise no_answer(error, search, find) from None
     refuse_open(search, find)
+    refuse_undefined(search, find)
+
+
+def refuse_undefined(search: Search, find: Find) -> None:
+    """Unsolvable where an angle has no value: between vectors of which one is nothing, atan2(0, 0), or with a cosine beyond 1."""
+    for answered in search.answered if not find.runs else ():
+        formula = answered.found.formula if answered.asked.find.name == find.name and not answered.aside else None
+        if formula is None or not formula.holds("atan2", "acos", "asin") or search.signs.lacking(formula):
+            continue
+        if search.signs.number(formula) is None:
+            message = f"`{find.name}` has no value: what it is the angle of has no direction there"
+            raise unsolvable(search.scene.configuration.problem, message, find.span)
 
 
 def refuse_open(search: Search, find: Find) -> None:
@@ -228,12 +240,16 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
     question = replace(question, whole=whole)
     if question.moving.parts and stands_still(question.moving, search):
         raise NotYet(resting(find.terms[0].path))
+    extreme = find.extreme_letter if search.scene.configuration.problem.space else ""
+    search.solver.once_round = extreme if extreme and search.may_be_angle(extreme) else ""
     try:
         return search.answer(question)
     except NoAnswer as error:
         if NEWTON in search.families:
             raise
         return with_newton(search, whole or find.name, lambda: search.answer(question), error)
+    finally:
+        search.solver.once_round = ""
 
 
 def stands_still(velocity: Vector, search: Search) -> bool:

@@ -75,7 +75,7 @@ def with_equation(search: Search, find: Find) -> None:
         return
     question = question_for(replace(find, where=None), search.scene, search.letters())
     limit = condition_equation(search, condition.phrase, condition.value)
-    search.seeking, search.solver.once_round = find, letter if may_be_angle(letter, search) else ""
+    search.seeking, search.solver.once_round = find, letter if search.may_be_angle(letter) else ""
     retired = set(search.retired)
     try:
         answered = search.answer(question, limit)
@@ -90,22 +90,19 @@ def with_equation(search: Search, find: Find) -> None:
         return
     finally:
         search.seeking, search.solver.once_round = None, ""
-    if not any(search.planner.pool[index] is limit for index in answered.used):
-        search.take_back(answered)
-        raise NotYet(
-            f"`{find.name}` does not depend on `{condition.phrase.text.strip()}`: it is settled without the condition",
-            help="leave the condition out"
-            + ("" if free else ", or declare as `unknown` the letter that it is to settle"),
-        )
+    help = "leave the condition out" + ("" if free else ", or declare as `unknown` the letter that it is to settle")
+    refuse_settled(search, answered, limit, condition.phrase.text.strip(), help)
     if letter in search.givens and seekers(search, find, letter):
         search.retired = retired
         set_free(search, answered, letter, limit)
 
 
-def may_be_angle(letter: str, search: Search) -> bool:
-    """Whether a letter of the scene is an angle, as far as its dimension is known."""
-    given = search.givens.get(letter)
-    return given is not None and (given.dimension is None or is_angle(given))
+def refuse_settled(search: Search, answered: Answered, limit: Equation, said: str, help: str) -> None:
+    """Refuse an answer for which the equation of its condition was not needed: it is settled without it, and need not fulfil it."""
+    if not any(search.planner.pool[index] is limit for index in answered.used):
+        search.take_back(answered)
+        name = answered.find.name
+        raise NotYet(f"`{name}` does not depend on `{said}`: it is settled without the condition", help=help)
 
 
 def condition_equation(search: Search, phrase: Find, value: Formula) -> Equation:
@@ -209,6 +206,8 @@ def on_the_verge_in_space(search: Search, find: Find) -> None:
     limit = search.scene.verge(condition)  # type: ignore[attr-defined]
     question = question_for(without_condition(find), search.scene, search.letters())
     answered = search.answer(question, limit)
+    said = f"{condition.owner} is {condition.word}"
+    refuse_settled(search, answered, limit, said, "leave the condition out, or tell less of that state")
     found, letter = answered.found.formula, question.letter
     if found is None:
         return

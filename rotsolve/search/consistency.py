@@ -19,6 +19,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Sum, S
 from rotsolve.core.equation import FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
+from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 from rotsolve.search.within import seeks
@@ -107,10 +108,18 @@ def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
             if size is not None:
                 trial = replace(numbers, found={**numbers.found, name: size})
                 trial.found.update(on_the_way(name, search, trial))
-                holding += [number] if first_broken(search, trial) is None else []
+                fits = first_broken(search, trial) is None and not negative_size(search, trial)
+                holding += [number] if fits else []
                 timely += [] if untimely(search, trial) else [number]
     both = [number for number in holding if number in timely]
     return both or holding or timely or list(range(len(roots)))
+
+
+def negative_size(search: Search, numbers: KnownBalls) -> bool:
+    """Whether an unknown of the scene would be what it can not be, such as a negative mass."""
+    asked = search.scene.configuration.problem.sought
+    limits = (limit for limit in limits_of_scene(search.scene.configuration) if limit.gap.symbols() & asked)
+    return any(size is not None and size < 0 for size in (numbers.size(limit.gap) for limit in limits))
 
 
 def on_the_way(name: str, search: Search, numbers: KnownBalls) -> dict[str, Ball]:

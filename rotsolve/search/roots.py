@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, call
-from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY
+from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
@@ -29,6 +29,7 @@ from rotsolve.solver.steps import PickedRoot
 if TYPE_CHECKING:
     from rotsolve.search.search import Search
 
+BODILY = (LENGTH, MASS, INERTIA)
 SAME = 1e-9  # relative difference up to which two places lie equally far to either side
 
 
@@ -270,7 +271,8 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     A size is positive; a rate in space has its sign, but for the least with which a motion is stable or steady.
     """
     numbers, given, word = search.numbers, search.givens[name], asked.modifier
-    limits = [limit.gap for limit in limits_of_scene(search.scene.configuration) if name in limit.gap.symbols()]
+    told = [limit for limit in limits_of_scene(search.scene.configuration) if name in limit.gap.symbols()]
+    limits, strict = [limit.gap for limit in told], {limit.gap for limit in told if limit.strict}
     by_value = search.scene.configuration.problem.space and not (asked.where is not None and asked.where.word)
     signed = given.dimension is None or is_angle(given) or (by_value and given.dimension.matches(ANGULAR_VELOCITY))
     limits += [] if signed else [Symbol(name)]
@@ -282,8 +284,13 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
         index
         for index, root in enumerate(roots)
         if numbers.of(root) is not None
-        and all(numbers.side(numbers.with_answers(gap.substitute({name: root}))) != -1 for gap in limits)
+        and not any(
+            numbers.side(numbers.with_answers(gap.substitute({name: root}))) in (-1, 0 if gap in strict else -1)
+            for gap in limits
+        )
     ]
+    if given.dimension in BODILY:  # without a length, or a mass, there is no body
+        able = [index for index in able if numbers.side(roots[index]) == 1] or able
     if not able:
         return picked
     sign = -1 if word == "largest" else 1

@@ -22,6 +22,7 @@ from rotsolve.core.symbols import POSITION, RATE, RATES, has_quantities, is_key,
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import EXTREMES, Find
 from rotsolve.matching import Plan
+from rotsolve.motion.positive import is_angle
 from rotsolve.plan import Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
@@ -145,7 +146,9 @@ class Search(Struct, dict=True):
         picked = self.picked_root(name, roots, period)
         if picked is not None and name in self.givens:
             finds = (self.seeking, *self.scene.configuration.problem.finds)
-            asked = asked or next((find for find in finds if find is not None and find.seeks == name), None)
+            asked = asked or next(
+                (find for find in finds if find is not None and name in (find.seeks, find.extreme_letter)), None
+            )
             if asked is not None and asked.modifier in EXTREMES:
                 from rotsolve.search.roots import extreme_root
 
@@ -188,6 +191,11 @@ class Search(Struct, dict=True):
         finds = self.scene.configuration.problem.finds
         place = {find.name: number for number, find in enumerate(finds)}
         return sorted([*self.wholes(), *self.chosen], key=lambda item: place.get(item.find.group, len(place)))
+
+    def may_be_angle(self, letter: str) -> bool:
+        """Whether a letter of the scene is an angle, as far as its dimension is known."""
+        given = self.givens.get(letter)
+        return given is not None and (given.dimension is None or is_angle(given))
 
     def wholes(self) -> list[Answered]:
         """The answers that are not parts of others (components, what a choice compares, steps on the way)."""

@@ -67,7 +67,8 @@ def out_of_bounds(search: Search) -> Iterator[Impossible]:
 def impossible_letter(given: Given, why: str, search: Search) -> Impossible:
     """A letter that nothing that it can be makes fit, with its place in the file."""
     problem, help = search.scene.configuration.problem, "check what the scene says of it"
-    message = f"no `{given.name}` that it can be makes it so{why}"
+    several = len(problem.sought) > 1  # then another value of another letter might
+    message = f"no `{given.name}` {'is found that fits' if several else 'that it can be makes it so'}{why}"
     return Impossible(message, span=given.span, help=help, lines=problem.lines, file=problem.file)
 
 
@@ -99,7 +100,9 @@ def beyond_its_bound(bound: Bound, search: Search) -> bool:
         found = value_found(name, search)
         if found is not None and found.formula is not None:
             value = value.substitute({name: found.formula})
-        elif found is not None and found.number is not None:
+    for name in value.symbols():  # those too on which an answer hangs
+        found = value_found(name, search)
+        if found is not None and found.number is not None:
             roots[name] = found.number
     if roots:
         try:

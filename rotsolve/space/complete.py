@@ -6,9 +6,10 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.language.problem import Problem
+from rotsolve.motion.admissible import check_sequence
 from rotsolve.motion.complete import MadeLetters, complete_body
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.limits import body_limits
+from rotsolve.motion.limits import body_limits, seen_to_fit
 from rotsolve.space.arrangement import JointedBodies
 
 
@@ -21,6 +22,8 @@ def configured_in_space(problem: Problem) -> Configuration:
         configuration = Configuration(whole)
         held = JointedBodies(whole, configuration.signs)
         _ = held.order
+        check_sequence(whole)
+        refuse_unseen_holes(whole)
     except Unsolvable as error:
         fault = error.fault
         raise Unsolvable(
@@ -35,3 +38,13 @@ def configured_in_space(problem: Problem) -> Configuration:
     if faults:
         raise SceneError(faults[:1], problem.lines, problem.file)
     return configuration
+
+
+def refuse_unseen_holes(problem: Problem) -> None:
+    """Refuse a hole of which nothing tells that it lies within its body: it would take away mass that is not there."""
+    for body in problem.bodies:
+        for hole in body.holes:
+            if not seen_to_fit(hole, body.shape):
+                message = f"whether the hole `{hole.body.name}` lies within `{body.name}` is not solved in space"
+                help = "solved are cylinders in boxes, holes along z in cylinders, and balls in balls"
+                raise Unsolvable(message, span=body.span, help=help)

@@ -30,6 +30,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Given
 from rotsolve.laws import inertia
 from rotsolve.laws.centre_of_mass import Unknown
+from rotsolve.laws.integration import NotSliced
 from rotsolve.motion.spread import Spread
 from rotsolve.space.arrangement import JointedBodies
 
@@ -62,6 +63,10 @@ class Tensors(Struct):
             except Unknown as error:
                 help = "a hole that is flat tells it no depth: give it a shape that has one"
                 raise Unsolvable(f"{error}: its tensor in space nothing tells", span=body.span, help=help) from None
+            except NotSliced as error:
+                help = "give that shape to a body of its own, clamped to this one"
+                lines, file = self.held.problem.lines, self.held.problem.file
+                raise Unsolvable(str(error), span=body.span, help=help, lines=lines, file=file) from None
             self.steps.update(dict.fromkeys(told.definitions))
             entries[word] = told.formula
             if told.formula != ZERO and not isinstance(told.formula, Symbol):

@@ -14,6 +14,7 @@ from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.triple import (
     AXES,
+    NOTHING,
     cross_product,
     dot_product,
     length_of,
@@ -151,6 +152,9 @@ class SpaceReader(VectorReader):
             two, others = there.vector(other.path, other)
             one = axes.to(self.asked_axes(term.path, term), one)
             two = others.to(there.asked_axes(other.path, other), two)
+        if NOTHING in (one, two):
+            lost = path_text((term if one == NOTHING else other).path)
+            raise NotYet(f"`{lost}` is nothing, so that it is at no angle from anything", term.path.span)
         if sum(part != ZERO for part in cross_product(one, two)) > 1:
             cosine = simplify(dot_product(one, two) / sqrt(multiply(square_of(one), square_of(two))))
             return Meaning(Call("acos", (cosine,)), ANGLE, label="angle between two vectors, cos = a · b/(|a| |b|)")

@@ -66,6 +66,10 @@ def of_rolling(dynamics: SpaceLaws, name: str) -> Meaning:
     point of contact (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇ (Routh, Advanced Rigid SpaceLaws, §244)."""
     moment, held = dynamics.moment, dynamics.moment.held
     joint = next(joint for joint in held.of_body(name) if joint.rolls)
+    goes_round = moment.told(name, "precession")
+    if goes_round is not None and goes_round != ZERO:
+        message = f"what a small disturbance does to `{name}`, which turns about the vertical, is not solved: only of what rolls straight on"
+        raise NotYet(message, moment.state.span)
     own, tensor = moment.attitude(name), dynamics.tensor(name, CM)
     assert own.about is not None
     axial, across = entry_along(tensor, own.about), entry_along(tensor, (own.about[1], own.about[2], own.about[0]))

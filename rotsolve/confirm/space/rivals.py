@@ -90,7 +90,10 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
         return False
     if len(left) == 1:
         return True
-    if len(left) == 2 and own > 0 and abs(sum(left)) <= SAME * own and find.modifier not in EXTREMES:
+    on_hinge = hearing.is_angle(place) and all(
+        tilt is None for tilt in tilts
+    )  # a half turn off it hangs the other way round
+    if len(left) == 2 and own > 0 and abs(sum(left)) <= SAME * own and find.modifier not in EXTREMES and not on_hinge:
         return True  # one motion, seen from both sides
     word = find.modifier or next((term.modifier for term in find.terms), "")
     if word not in EXTREMES:

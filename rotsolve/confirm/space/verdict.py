@@ -31,7 +31,7 @@ from rotsolve.confirm.verdicts import (
 )
 from rotsolve.core.derivation import Answer, AnswerConfirmation
 from rotsolve.core.symbols import TIME
-from rotsolve.language.block import asked_block
+from rotsolve.language.block import asked_block, asked_parts
 from rotsolve.language.problem import EXTREMES, Find, Problem
 
 SAME = 2e-6  # of the size of what is compared
@@ -114,12 +114,35 @@ def judged_in_space(
     told = {key: size for key, name in put.items() if isinstance(size := said.get(name, {}).get(""), float)}
     hearing = Hearing(problem, known, told)
     exact: dict[str, float] = {}
+    verdicts: dict[str, AnswerConfirmation] = {}
     for answer in answers:
         finds = [find for find in problem.finds if find.group == answer.name]
         found = made_of_others(finds[0], said[answer.name], exact, hearing, numbers) if problem.assume else None
         found = found or heard(finds, answer, said[answer.name], hearing, numbers)
         exact |= {answer.name: found.found[0]} if len(found.found) == 1 else {}
-        yield found
+        verdicts[answer.name] = found
+    yield from hanging_on_doubtful(verdicts, hearing)
+
+
+def hanging_on_doubtful(verdicts: Mapping[str, AnswerConfirmation], hearing: Hearing) -> Iterator[AnswerConfirmation]:
+    """The verdicts; what hangs on a letter that may have several values is no more confirmed than that letter is."""
+    finds = {find.group: find for find in hearing.problem.finds}
+    several = [finds[item.name] for item in verdicts.values() if item.holds is None and item.why == SEVERAL]
+    doubtful = [find for find in several if hearing.is_put_in(find)]
+    doubtful += [finds[item.name] for item in verdicts.values() if item.holds is False and finds[item.name].seeks]
+    for item in verdicts.values():
+        own = finds[item.name]
+        letter = next(
+            (find for find in doubtful if item.holds and find is not own and share_parts(find, own, hearing)), None
+        )
+        why = "" if letter is None else f"`{letter.name}`, on which it may hang, has several values that fit"
+        yield replace(item, holds=None, why=why) if why else item
+
+
+def share_parts(one: Find, other: Find, hearing: Hearing) -> bool:
+    """Whether some part of the scene has a say in two questions."""
+    names = [asked_parts(replace(hearing.problem, finds=(find,))) for find in (one, other)]
+    return bool(names[0] & names[1])
 
 
 def made_of_others(

@@ -51,10 +51,11 @@ def just_holds(find: Find, own: float, with_letter: WithLetter) -> float:
     if way is None:
         raise NotConfirmed("whether the largest or the smallest is asked")
     test, near = (is_steady, NEAR[0]) if condition.word == "steady" else (holds_still, NEAR[1])
-    inside, outside = (with_letter(own + abs(own) * part * way * near) for part in (1.0, -1.0))
+    size = abs(own) or 1.0
+    inside, outside = (with_letter(own + size * part * way * near) for part in (1.0, -1.0))
     if test(inside, condition.owner) and not test(outside, condition.owner):
         return own
-    return own + 0.1 * way * abs(own)  # the edge is somewhere else
+    return own + 0.1 * way * size  # the edge is somewhere else
 
 
 def is_steady(inquiry: Inquiry, name: str) -> bool:

@@ -88,6 +88,9 @@ class Cuboid(Shape, frozen=True):
         element = ("plates of area ", b * c, " and thickness d", x)
         return on_line(element, Range(x, -a / 2, a / 2), b * c, (b**2 / 12, c**2 / 12))
 
+    def box(self) -> tuple[Formula, ...]:
+        return self.sides[:2]
+
     def outline(self) -> tuple[Place, ...]:
         return corners_of_box(*self.sides[:2])
 
