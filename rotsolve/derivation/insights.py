@@ -21,7 +21,7 @@ from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.second_law import behind
+from rotsolve.derivation.behind import behind
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -48,19 +48,19 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from beside_free_fall(lawful, search)
     yield from beside_weights(lawful, search)
     yield from energy_lost(search)
-    yield from opposite(told)
+    yield from opposite_energies(told)
     yield from beside_a_ring(told, search)
     for name in dict.fromkeys(body.name for body, force in alone if force.role.rubs):
         yield (f"without friction {spoken(name)} would keep its angular velocity: no other force has a torque on it",)
 
 
-def closed(item: Answered) -> Formula | None:
+def in_givens(item: Answered) -> Formula | None:
     """The formula of an answer in givens alone."""
     formula = item.found.formula
     return None if formula is None or has_quantities(formula) or not formula.symbols() else formula
 
 
-def letter(item: Answered) -> Formula:
+def called(item: Answered) -> Formula:
     """What an answer is called."""
     return Symbol(item.asked.find.name)
 
@@ -69,7 +69,7 @@ def cancelled(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "M cancels: α and ω do not depend on it", of givens that the laws of answers hold and their formulas do not; masses first."""
     lost: dict[tuple[Formula, ...], list[str]] = {}
     for given in sorted(search.givens.values(), key=lambda given: given.dimension != MASS):
-        without = [letter(item) for item in told if not given.asked and cancels(given.name, item, search)]
+        without = [called(item) for item in told if not given.asked and cancels(given.name, item, search)]
         if without:
             lost.setdefault(tuple(without), []).append(given.name)
     for letters, names in list(lost.items())[:MOST]:
@@ -85,7 +85,7 @@ def cancelled(told: Sequence[Answered], search: Search) -> Iterator[Words]:
 
 def cancels(name: str, item: Answered, search: Search) -> bool:
     """Whether a given stands in the laws of an answer's own plan and not in its formula."""
-    formula = closed(item)
+    formula = in_givens(item)
     laws = (search.planner.pool[index] for index in item.used)
     return formula is not None and name not in formula.symbols() and any(name in law.symbols() for law in laws)
 
@@ -99,15 +99,15 @@ def listed_with_and(letters: Iterable[Formula]) -> Words:
 def growing(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "a grows with m and falls with M", of the first answer whose formula does not show it at once."""
     for item in told:
-        formula = closed(item)
+        formula = in_givens(item)
         calls = set() if formula is None else {node.function for node in formula.walk(Call) if isinstance(node, Call)}
         if formula is None or not SIMPLE < length(formula) < LONG or not formula.holds(Sum) or calls - PLAIN:
             continue
-        yield from growth(item, formula, search)
+        yield from grows_with(item, formula, search)
         return
 
 
-def growth(item: Answered, formula: Formula, search: Search) -> Iterator[Words]:
+def grows_with(item: Answered, formula: Formula, search: Search) -> Iterator[Words]:
     """What a positive answer grows with whatever the numbers are, by the signs of its derivatives."""
     positive = search.signs.positive
     ways: dict[int, list[Formula]] = {1: [], -1: []}
@@ -117,14 +117,14 @@ def growth(item: Answered, formula: Formula, search: Search) -> Iterator[Words]:
             if side:
                 ways[side].append(Symbol(given.name))
     if ways[1] and ways[-1]:
-        yield (letter(item), " grows with ", *listed_with_and(ways[1]), " and falls with ", *listed_with_and(ways[-1]))
+        yield (called(item), " grows with ", *listed_with_and(ways[1]), " and falls with ", *listed_with_and(ways[-1]))
 
 
 def beside_free_fall(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "a_end is 1.30 g, more than in free fall", of the first acceleration that is larger than g."""
     gravity = search.scene.configuration.problem.gravity
     for item in told:
-        formula = closed(item)
+        formula = in_givens(item)
         if formula is None or item.asked.dimension != ACCELERATION or not isinstance(gravity, Symbol):
             continue
         if gravity.name not in formula.symbols():
@@ -134,7 +134,7 @@ def beside_free_fall(told: Sequence[Answered], search: Search) -> Iterator[Words
         ratio = Call("abs", (search.solver.simplify(whole) if short else whole,))
         size = search.signs.number(ratio)
         if size is not None and search.signs.by_numbers(ratio - ONE) == 1:
-            said = letter(item) if search.signs.sign(formula) == 1 else Call("abs", (letter(item),))
+            said = called(item) if search.signs.sign(formula) == 1 else Call("abs", (called(item),))
             yield (said, f" is {size.text(DIGITS)} ", gravity, ", more than in free fall")
             return
 
@@ -142,7 +142,7 @@ def beside_free_fall(told: Sequence[Answered], search: Search) -> Iterator[Words
 def beside_weights(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "T is 0.556 m g, less than the weight of block", of the first force that stands in Newton's second law beside a weight."""
     for item in told:
-        formula = closed(item)
+        formula = in_givens(item)
         if formula is None or item.asked.dimension != FORCE:
             continue
         for law in behind(item, search):
@@ -154,7 +154,7 @@ def beside_weights(told: Sequence[Answered], search: Search) -> Iterator[Words]:
                 continue
             than = "more" if ratio.float > 1 else "less"
             yield (
-                letter(item),
+                called(item),
                 f" is {ratio.text(DIGITS)} ",
                 weight,
                 f", {than} than the weight of {spoken(law.bodies[0])}",
@@ -185,7 +185,7 @@ def energy_lost(search: Search) -> Iterator[Words]:
     for interval in search.scene.configuration.timeline.intervals:
         if interval.event is None:
             continue
-        first, last = (kinetic_energy(state, search) for state in (interval.start, interval.end))
+        first, last = (energy_at(state, search) for state in (interval.start, interval.end))
         if first is None or last is None or not search.signs.sign(first):
             continue
         share = search.solver.simplify((first - last) / first)
@@ -200,7 +200,7 @@ def energy_lost(search: Search) -> Iterator[Words]:
             yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")
 
 
-def kinetic_energy(state: str, search: Search) -> Formula | None:
+def energy_at(state: str, search: Search) -> Formula | None:
     """The kinetic energy of all bodies at a state, in givens; None where what is asked does not tell it."""
     try:
         found = search.solver.with_found(search.scene.reader(state).meaning(Path("", "kinetic_energy")).formula)
@@ -209,21 +209,21 @@ def kinetic_energy(state: str, search: Search) -> Formula | None:
     return None if has_quantities(found) else found
 
 
-def opposite(told: Sequence[Answered]) -> Iterator[Words]:
+def opposite_energies(told: Sequence[Answered]) -> Iterator[Words]:
     """ "W = −ΔK", of two energies that are asked for."""
     energies = [
-        (item, formula) for item in told if item.asked.dimension == ENERGY and (formula := closed(item)) is not None
+        (item, formula) for item in told if item.asked.dimension == ENERGY and (formula := in_givens(item)) is not None
     ]
     for (one, first), (other, second) in combinations(energies, 2):
         if is_zero(first + second):
-            yield (letter(other), " = −", letter(one))
+            yield (called(other), " = −", called(one))
             return
 
 
 def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "I is ½ of M R², that of the same mass all at the distance R", of a moment of inertia c M R²."""
     for item in told:
-        formula = closed(item)
+        formula = in_givens(item)
         if formula is None or item.asked.dimension != INERTIA:
             continue
         names = {given.dimension: given.name for given in search.givens.values() if given.name in formula.symbols()}
@@ -234,7 +234,7 @@ def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
         if isinstance(share, Number) and 0 < share.value < 1:
             distance = Symbol(names[LENGTH])
             yield (
-                letter(item),
+                called(item),
                 " is ",
                 share,
                 " of ",

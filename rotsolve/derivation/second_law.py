@@ -22,6 +22,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON, Equation
 from rotsolve.core.symbols import has_quantities
+from rotsolve.derivation.behind import families
 from rotsolve.derivation.letters import Letters, listed
 from rotsolve.paths.meaning import NotYet
 from rotsolve.plan import Shortage
@@ -69,10 +70,10 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
         if agreed:
             names = listed(answered.asked.find.name for answered in agreed)
             said = (f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names)
-            yield Check((*said, *equation_of(law, search, other, letters)), law=law)
+            yield Check((*said, *equation_told(law, search, other, letters)), law=law)
 
 
-def equation_of(law: str, search: Search, other: Search, letters: Letters) -> Words:
+def equation_told(law: str, search: Search, other: Search, letters: Letters) -> Words:
     """The equation of a law by which an answer comes out once more, ": m g R = m R a + I α", where all its letters are printed anyway, and
     no other law has said the same."""
     told = (search.planner.pool[index] for item in search.answered for index in item.used)
@@ -217,28 +218,6 @@ def eliminated(rows: list[list[Ball]], columns: int) -> list[list[Ball]]:
 def over_a_phase(other: Search) -> bool:
     """Whether the other way sums over a phase; all that holds at single moments has been compared with the answers before."""
     return any(runs(other.planner.pool[index], other) for index in other.answered[-1].used)
-
-
-def families(answered: Answered, search: Search) -> set[str]:
-    """The laws behind an answer: those of its own plan, and of the answers that it uses."""
-    return {law.family for law in behind(answered, search)} & FAMILIES.keys()
-
-
-def behind(answered: Answered, search: Search) -> Iterator[Equation]:
-    """The equations behind an answer: those of its own plan, and of the answers that it uses."""
-    by_letter = {item.asked.letter: item for item in search.answered}
-    pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
-    while pending:
-        item = pending.pop()
-        for index in item.used:
-            equation = search.planner.pool[index]
-            yield equation
-            if not equation.family and search.refs.get(index, ("law", 0))[0] == "step":
-                yield from (search.planner.pool[k] for other in search.answered for k in other.used)
-            for name in equation.symbols():
-                if name in by_letter and name not in seen:
-                    seen.add(name)
-                    pending.append(by_letter[name])
 
 
 def again(other: Search, answered: Answered) -> Formula | None:

@@ -16,6 +16,7 @@ from rotsolve.core.vectors.tensor import ONE_AXIS, displaced
 from rotsolve.core.vectors.triple import Z
 from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.elements.shapes import Shape
+from rotsolve.elements.shapes.material import bored
 from rotsolve.language.bodies import Part
 from rotsolve.language.problem import Body, Problem, references
 from rotsolve.motion.configuration import Configuration
@@ -122,6 +123,7 @@ def hole_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
 
 def depth_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
     """How far a hole lies within a solid along its z axis, and a ball within a ball in all directions."""
+    hole = bored(hole, whole)
     own = hole.body.shape
     if own is None or whole is None:
         return
@@ -130,7 +132,7 @@ def depth_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
     if own.spherical and whole.spherical:
         yield simplify((whole.outer or ZERO) - far_out([*hole_centre(hole), z]) - (own.outer or ZERO))
         return
-    if hole.turned and bored(hole, whole):
+    if hole.turned and cylinder_in_box(hole, whole):
         yield from box_margins(hole, whole)
         return
     if own.spherical and deeper is not None:
@@ -139,7 +141,7 @@ def depth_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
         yield from (simplify((deeper - deep) / 2 - way) for way in dict.fromkeys((z, negate(z))))
 
 
-def bored(hole: Part, whole: Shape) -> bool:
+def cylinder_in_box(hole: Part, whole: Shape) -> bool:
     """Whether a hole is a cylinder in a box."""
     own = hole.body.shape
     return own is not None and own.round and own.depth() is not None and bool(whole.box()) and whole.depth() is not None
@@ -158,11 +160,12 @@ def box_margins(hole: Part, whole: Shape) -> Iterator[Formula]:
 
 def seen_to_fit(hole: Part, whole: Shape | None) -> bool:
     """Whether the margins of a hole in space tell that it lies within a shape: not of one that is turned, nor in a cone and its like."""
+    hole = bored(hole, whole)
     own = hole.body.shape
     if own is None or whole is None or (whole.flat and own.flat):
         return True
     known = own.spherical or own.depth() is not None
-    return bored(hole, whole) or (
+    return cylinder_in_box(hole, whole) or (
         not hole.turned and ((own.spherical and whole.spherical) or (known and whole.depth() is not None))
     )
 

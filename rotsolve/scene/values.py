@@ -215,7 +215,7 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
     known = {**scope.dimensions, **want.extra, "time": TIME}
     missing = [name for name in sorted(formula.symbols()) if known.get(name) is None]
     if len(missing) > 1:  # what only sines are taken of is an angle, beside the one that is inferred
-        turned = {name for name in missing if name in angles_in(formula)}
+        turned = {name for name in missing if name in turned_letters(formula)}
         scope.dimensions.update(dict.fromkeys(turned, ANGLE))
         known.update(dict.fromkeys(turned, ANGLE))
         missing = [name for name in missing if name not in turned]
@@ -234,7 +234,7 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
     return dimension_holds(scope, node, want, dimension, shown, unit, formula == ZERO)
 
 
-def angles_in(formula: Formula) -> set[str]:
+def turned_letters(formula: Formula) -> set[str]:
     """The letters of which sines, cosines or tangents are taken, alone."""
     calls = (node for node in formula.walk(Call) if isinstance(node, Call) and node.function in ("sin", "cos", "tan"))
     return {call.arguments[0].name for call in calls if isinstance(call.arguments[0], Symbol)}

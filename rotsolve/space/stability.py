@@ -68,7 +68,7 @@ def of_rolling(dynamics: SpaceLaws, name: str) -> Meaning:
     joint = next(joint for joint in held.of_body(name) if joint.rolls)
     goes_round = moment.told(name, "precession")
     if goes_round is not None and goes_round != ZERO:
-        message = f"what a small disturbance does to `{name}`, which turns about the vertical, is not solved: only of what rolls straight on"
+        message = f"what a small disturbance does to `{name}` is not solved: it turns about the vertical, and does not roll straight on"
         raise NotYet(message, moment.state.span)
     own, tensor = moment.attitude(name), dynamics.tensor(name, CM)
     assert own.about is not None

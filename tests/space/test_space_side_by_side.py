@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from rotsolve import Unsolvable, solve
-from rotsolve.confirm.space.quadratics import groups_of, shared_roots
+from rotsolve.confirm.space.quadratics import rate_groups, shared_roots
 
 HEAD = "title: t\nup: z\n"
 BODY = "{name}: {{mass: M, inertia: {{about: {tip}, principal: [A, A, C]}}, axis: z, points: {{{tip}: [0, 0, -l]}}}}"
@@ -68,7 +68,7 @@ def test_roots_that_lie_far_apart_are_all_found() -> None:
     base = [1e-3, 2.0]
     linear = [[-1.0, 0.0], [0.0, -3.0]]
     square = [[[1e-4, 0.0], [0.0, 0.0]], [[0.0, 0.0], [0.0, 1.0]]]
-    assert len(groups_of((base, linear, square))) == 2
+    assert len(rate_groups((base, linear, square))) == 2
     found = sorted((round(x, 6), round(y, 6)) for x, y in shared_roots((base, linear, square)))
     assert found == [(0.001, 1.0), (0.001, 2.0), (9999.999, 1.0), (9999.999, 2.0)]
 
@@ -77,7 +77,7 @@ def test_rates_that_hang_together_are_solved_together() -> None:
     """x y = 2 and x + y = 3."""
     base, linear = [-2.0, -3.0], [[0.0, 1.0], [0.0, 1.0]]
     square = [[[0.0, 0.0], [0.5, 0.0]], [[0.5, 0.0], [0.0, 0.0]]]
-    assert len(groups_of((base, linear, square))) == 1
+    assert len(rate_groups((base, linear, square))) == 1
     found = {tuple(round(part, 9) for part in root) for root in shared_roots((base, linear, square))}
     assert found == {(1.0, 2.0), (2.0, 1.0)}
 

@@ -255,7 +255,7 @@ def trails(formula: Formula) -> bool:
 
 def as_told(function: str, arguments: tuple[Formula, ...]) -> tuple[Formula, ...]:
     """The arguments of a function as they are written: the angle of a sine in degrees, sin 75°, where it is a short number of them."""
-    degrees = in_degrees(arguments[0]) if function in ANGULAR and not isinstance(arguments[0], Constant) else None
+    degrees = degrees_of(arguments[0]) if function in ANGULAR and not isinstance(arguments[0], Constant) else None
     return (
         arguments
         if degrees is None or 1000 % degrees.denominator
@@ -263,18 +263,18 @@ def as_told(function: str, arguments: tuple[Formula, ...]) -> tuple[Formula, ...
     )
 
 
-def in_degrees(angle: Formula) -> Fraction | None:
+def degrees_of(angle: Formula) -> Fraction | None:
     """The degrees of a multiple of π; None of all else."""
     match angle:
         case Constant():
             return Fraction(180)
         case Negative(operand):
-            degrees = in_degrees(operand)
+            degrees = degrees_of(operand)
             return None if degrees is None else -degrees
         case Product((Number(value), Constant())):
             return 180 * value
         case Quotient(numerator, Number(value)):
-            degrees = in_degrees(numerator)
+            degrees = degrees_of(numerator)
             return None if degrees is None else degrees / value
     return None
 

@@ -49,8 +49,8 @@ def quadratic(over: Callable[[Sequence[float]], list[float]], count: int, scale:
 def shared_roots(model: Model) -> list[list[float]]:
     """The rates with which all equations hold, in units of the scale; of each group that is solved apart one with one."""
     base, linear, _ = model
-    groups = groups_of(model)
-    size = sizes_of(model)
+    groups = rate_groups(model)
+    size = row_sizes(model)
     alone = [n for n in range(len(base)) if not any(n in rows for _, rows in groups)]
     if any(abs(base[n]) > RIGHT * max(size, default=0.0) for n in alone):
         return []
@@ -65,10 +65,10 @@ def shared_roots(model: Model) -> list[list[float]]:
     return roots
 
 
-def groups_of(model: Model) -> list[tuple[list[int], list[int]]]:
+def rate_groups(model: Model) -> list[tuple[list[int], list[int]]]:
     """The rates that equations hold together, each group with its equations."""
     base, linear, square = model
-    sizes, count = sizes_of(model), len(linear)
+    sizes, count = row_sizes(model), len(linear)
     held = []
     for n in range(len(base)):
         parts = [max(abs(linear[i][n]), *(abs(square[i][j][n]) for j in range(count))) for i in range(count)]
@@ -80,7 +80,7 @@ def groups_of(model: Model) -> list[tuple[list[int], list[int]]]:
     return [(sorted(group), [n for n, names in enumerate(held) if names & group]) for group in groups]
 
 
-def sizes_of(model: Model) -> list[float]:
+def row_sizes(model: Model) -> list[float]:
     """The largest number of each equation."""
     base, linear, square = model
     return [

@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import SUBSCRIPTS, name_to_latex, name_to_text
-from rotsolve.algebra.notation.text import in_degrees, to_text
+from rotsolve.algebra.notation.text import degrees_of, to_text
 from rotsolve.algebra.notation.typeset import to_latex
 
 SIZE = 10.5  # of letters, in points
@@ -44,7 +44,7 @@ def formula_words(value: Formula) -> Words:
     """A formula; a multiple of π is an angle, and told in degrees."""
     if isinstance(value, Symbol):
         return letter(value.name)
-    if (degrees := in_degrees(value)) is not None:
+    if (degrees := degrees_of(value)) is not None:
         return prose(f"{float(degrees):.4g}°".replace("-", "−"))
     return Words(to_text(value), f"${to_latex(value)}$")
 

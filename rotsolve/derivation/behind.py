@@ -1,0 +1,34 @@
+"""Behind: the equations on which an answer rests, those of its own plan and of the answers that it uses, and their laws."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from rotsolve.core.equation import FAMILIES, Equation
+
+if TYPE_CHECKING:
+    from rotsolve.search.answers import Answered
+    from rotsolve.search.search import Search
+
+
+def families(answered: Answered, search: Search) -> set[str]:
+    """The laws behind an answer: those of its own plan, and of the answers that it uses."""
+    return {law.family for law in behind(answered, search)} & FAMILIES.keys()
+
+
+def behind(answered: Answered, search: Search) -> Iterator[Equation]:
+    """The equations behind an answer: those of its own plan, and of the answers that it uses."""
+    by_letter = {item.asked.letter: item for item in search.answered}
+    pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
+    while pending:
+        item = pending.pop()
+        for index in item.used:
+            equation = search.planner.pool[index]
+            yield equation
+            if not equation.family and search.refs.get(index, ("law", 0))[0] == "step":
+                yield from (search.planner.pool[k] for other in search.answered for k in other.used)
+            for name in equation.symbols():
+                if name in by_letter and name not in seen:
+                    seen.add(name)
+                    pending.append(by_letter[name])
