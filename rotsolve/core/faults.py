@@ -118,7 +118,8 @@ class Unsolvable(Exception):
 
     def render(self) -> str:
         """The message with its place, as printed, and those of other questions."""
-        return "\n\n".join(render(fault, self.lines, self.file) for fault in (self.fault, *self.others))
+        told = dict.fromkeys(render(fault, self.lines, self.file) for fault in (self.fault, *self.others))
+        return "\n\n".join(told)
 
 
 class Contradicted(Unsolvable):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.symbols import is_coordinate
@@ -288,7 +289,7 @@ def check_ends(scope: Scope, name: str, key: Text, entries: Entries, part: Part)
         if scope.side(gap) == 0:
             scope.fault(entries["end"][0], f"the rod `{name}` begins where it ends", kind="limits")
         length = shape.reach()
-        if length is not None and scope.side(length - gap) != 0:
+        if length is not None and not is_zero(length**2 - gap**2) and scope.side(length - gap) != 0:
             help = "leave out `length`: it is how far `start` and `end` are apart"
             scope.fault(entries["length"][0], f"the rod `{name}` is not as long as its ends are apart", help, "limits")
 

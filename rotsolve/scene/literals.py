@@ -131,6 +131,8 @@ def unit_end(text: str, position: int, names: Collection[str]) -> int:
     position = match.end()
     while position < len(text) and (match := re.compile(MORE).match(text, position)):
         following = text[match.end() : match.end() + 1]
+        if match["word"] == "in" and match[0][0].isspace():  # `= 500 N m in rev/min` asks for a unit
+            break
         more = following in ("_", "(", ".") or following.isdigit()
         if match["word"] in names or more or not names_unit(match["word"]):
             break

@@ -214,7 +214,7 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
     wanted = DIMENSIONS[want.dimension] if want.dimension else None
     known = {**scope.dimensions, **want.extra, "time": TIME}
     missing = [name for name in sorted(formula.symbols()) if known.get(name) is None]
-    if len(missing) > 1:  # what only sines are taken of is an angle, beside the one that is inferred
+    if missing:  # what sines are taken of is an angle, beside the one that is inferred
         turned = {name for name in missing if name in turned_letters(formula)}
         scope.dimensions.update(dict.fromkeys(turned, ANGLE))
         known.update(dict.fromkeys(turned, ANGLE))

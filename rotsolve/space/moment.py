@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient, neg
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME, has_quantities, phase_midst
+from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import (
     AS_DRAWN,
@@ -119,7 +119,7 @@ class SpaceMoment(TellingMoment):
             alpha = triple([differentiate(part, TIME) for part in omega])
         if self.later and omega != NOTHING:
             help = "turn it by a `hinge` with its `angular_velocity`, or ask at the first state"
-            message = f"how `{name}`, which is led, stands at `{self.when}` is not solved: time has passed"
+            message = f"how `{name}`, which is led, stands at {self.spoken_of()} is not solved: time has passed"
             raise NotYet(message, self.held.bodies[name].span, help)
         rows = self.turned(name)
         back = transposed(rows)
@@ -339,11 +339,13 @@ class SpaceMoment(TellingMoment):
     def lost(self, name: str) -> str:
         """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""
         if self.onward is not None and self.onward.passed() is not None:
-            when = "any time" if phase_midst(self.at) else f"`{self.when}`"
-            return (
-                f"how `{name}` stands at {when} is not solved: its motion in time has no closed form that is known here"
-            )
-        return f"how `{name}` stands at `{self.when}` nothing tells" if self.later else ""
+            said = "is not solved: its motion in time has no closed form that is known here"
+            return f"how `{name}` stands at {self.spoken_of()} {said}"
+        return f"how `{name}` stands at {self.spoken_of()} nothing tells" if self.later else ""
+
+    def spoken_of(self) -> str:
+        """When this moment is, in words."""
+        return f"`{self.when}`" if self.at == self.when else "any time"
 
     def axle_spin(self, name: str) -> Formula | None:
         """How fast a body spins on the axle on which another one carries it; None of others."""

@@ -86,8 +86,10 @@ def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numb
         if laws.moment.held.vanishes(axial):
             message = f"`{owner}` has no steady precession at `{state}`: its weight turns it away from the vertical, and it is thin"
         else:
-            rate = numbers.of(2 * sqrt(felt) / axial)
-            help = f"it needs {form}" + (f", at least {rate:.4g} rad/s" if rate is not None else "")
+            rate = numbers.signs.number(
+                2 * sqrt(felt) / axial
+            )  # of letters none: it would be that of the case that is tried
+            help = f"it needs {form}" + (f", at least {rate.float:.4g} rad/s" if rate is not None else "")
     raise NoSteadyMotion(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
