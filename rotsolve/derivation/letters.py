@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from msgspec.structs import replace
@@ -165,7 +166,10 @@ class Letters:
         return found
 
 
-def names_with_dots(used: Iterable[str], names: Mapping[str, str]) -> dict[str, str]:
+RATE_WORD = re.compile(r"([A-Za-z]+?)dot((?:_?\w+)?)")  # omegadot, omegadot_gate
+
+
+def names_with_dots(used: Collection[str], names: Mapping[str, str]) -> dict[str, str]:
     """The names of rates of coordinates, and of the rates of these: those of the coordinates with a dot or two."""
     found = {}
     for name in used:
@@ -173,6 +177,8 @@ def names_with_dots(used: Iterable[str], names: Mapping[str, str]) -> dict[str, 
         own = replace(key, kind=key.kind.removeprefix(DOTTED).removeprefix(DOTTED))
         if own != key and own.name in names:
             found[name] = names[own.name] + DOT * key.kind.count(DOTTED)
+    words = {name: match for name in used if (match := RATE_WORD.fullmatch(names.get(name, ""))) is not None}
+    found |= {name: match[1] + match[2] + DOT for name, match in words.items()}  # ω̇ of the laws in space
     return found
 
 
