@@ -162,12 +162,11 @@ def seen_to_fit(hole: Part, whole: Shape | None) -> bool:
     """Whether the margins of a hole in space tell that it lies within a shape: not of one that is turned, nor in a cone and its like."""
     hole = bored(hole, whole)
     own = hole.body.shape
-    if own is None or whole is None or (whole.flat and own.flat):
+    if own is None or whole is None or own.flat or whole.flat or not (own.spherical or own.depth() is not None):
+        return True  # what lacks for its mass is said elsewhere
+    if own.spherical and whole.spherical:
         return True
-    known = own.spherical or own.depth() is not None
-    return cylinder_in_box(hole, whole) or (
-        not hole.turned and ((own.spherical and whole.spherical) or (known and whole.depth() is not None))
-    )
+    return cylinder_in_box(hole, whole) or (not hole.turned and whole.depth() is not None)
 
 
 def box_corners(box: tuple[Formula, ...], angle: Formula | None) -> Iterator[tuple[Formula, Formula]]:

@@ -146,9 +146,8 @@ class Search(Struct, dict=True):
         picked = self.picked_root(name, roots, period)
         if picked is not None and name in self.givens:
             finds = (self.seeking, *self.scene.configuration.problem.finds)
-            asked = asked or next(
-                (find for find in finds if find is not None and name in (find.seeks, find.extreme_letter)), None
-            )
+            asked = asked or next((find for find in finds if find is not None and find.seeks == name), None)
+            asked = asked or self.extreme_asked(name)
             if asked is not None and asked.modifier in EXTREMES:
                 from rotsolve.search.roots import extreme_root
 
@@ -156,6 +155,19 @@ class Search(Struct, dict=True):
             if picked.guessed:
                 self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
         return picked
+
+    def extreme_asked(self, name: str) -> Find | None:
+        """The question for the largest or smallest value of a letter in space, where no motion tells which it comes to first."""
+        if not self.scene.configuration.problem.space:
+            return None
+        from rotsolve.space.roots import way_on_hinge
+        from rotsolve.space.steady import steady_letter
+
+        finds = self.scene.configuration.problem.finds
+        asked = next((find for find in finds if find.extreme_letter == name), None)
+        if asked is None or steady_letter(name, self.scene) or way_on_hinge(name, self.scene, self.numbers):
+            return None
+        return asked
 
     def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
