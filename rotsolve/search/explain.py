@@ -167,7 +167,7 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
     """What to add to the scene; never what is asked, and of states only what leads on."""
     scene = search.scene
     if scene.configuration.problem.space:
-        return suggestion_in_space(missing, find)
+        return suggestion_in_space(missing, find, scene)
     lonely = unreached(scene)
     if lonely:
         return f"nothing tells when `{lonely}` is reached: {LINE_OR_EVENT}"
@@ -196,8 +196,15 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
     return "say more: sizes and masses, where each body is at each state, how fast it moves"
 
 
-def suggestion_in_space(missing: Sequence[SceneQuantity | str], find: Find) -> str:
-    """What to add to a scene in space: the velocity without which a kinetic energy is that of the rotation alone, where only that lacks."""
+def suggestion_in_space(missing: Sequence[SceneQuantity | str], find: Find, scene: SceneEquations) -> str:
+    """What to add to a scene in space: the velocity without which a kinetic energy is that of the rotation alone, where only that lacks;
+    what a state says of a joint that should be said of a body."""
+    unread = (line.path for line in scene.unread_lines() if line.path is not None)
+    joints = {item.name: item for item in scene.configuration.problem.connections}
+    for path in unread:
+        if path.owner in joints:
+            body = joints[path.owner].touches()[-1].owner
+            return f"nothing uses what a state says of `{path_text(path)}`: say it of a body, `{body}.{path.quantity}`"
     lacking = {(item.kind, item.owner) for item in missing if isinstance(item, SceneQuantity)}
     asked = [term.path for term in find.terms if term.path.quantity == "kinetic_energy" and not term.path.component]
     if asked and lacking == {("velocity", asked[0].owner)}:

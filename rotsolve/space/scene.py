@@ -56,6 +56,7 @@ if TYPE_CHECKING:
 SIZE_OF_CHANGE = "size of change of"
 CHANGES = ("change of", "lost")
 PUSHING = ("force", "torque")
+TOLD_OF_BODIES = ("kinetic_energy", "energy", "speed", "momentum")
 ROTATING = (RATE_IN_AXES, LAGRANGE_EQUATION)  # what tells a steady precession
 
 
@@ -410,12 +411,13 @@ class SpaceEquations(SceneEquations, dict=True):
                 message = f"`{action.name}` goes by how a body stands or moves, which is not solved in space"
                 raise Unsolvable(message, span=ref.span, help="`rotsolve simulate` follows it")
 
-    def told_of_pushes(self, dynamics: SpaceLaws) -> Iterator[Equation]:
-        """What a state tells of the forces and couples of joints and actions, as an equation each: nothing else would put it in."""
+    def told_beside(self, dynamics: SpaceLaws) -> Iterator[Equation]:
+        """What a state tells of forces and couples, energies and the like, as an equation each: nothing else would put it in."""
         moment, bodies = dynamics.moment, self.held.bodies
         for number, line in enumerate(moment.state.conditions):
             path, value = line.path, line.value
-            if path is None or value is None or path.owner in bodies or path.quantity not in ("force", "torque"):
+            told = TOLD_OF_BODIES if path is not None and path.owner in bodies else PUSHING
+            if path is None or value is None or path.quantity not in told:
                 continue
             term = Term(path, axes=line.axes or None)
             meaning = SpaceReader(dynamics, self.dynamics, self.configuration.problem).meaning(path, term)
@@ -430,7 +432,7 @@ class SpaceEquations(SceneEquations, dict=True):
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)
-            yield from self.told_of_pushes(dynamics)
+            yield from self.told_beside(dynamics)
             if dynamics.moment.onward is not None:
                 yield from dynamics.moment.onward.equations()
         for interval in self.configuration.timeline.intervals:
