@@ -224,7 +224,11 @@ def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "I is ½ of M R², that of the same mass all at the distance R", of a moment of inertia c M R²."""
     for item in told:
         formula = in_givens(item)
-        if formula is None or item.asked.dimension != INERTIA:
+        paths = [term.path for term in item.asked.find.terms]
+        if formula is None or item.asked.dimension != INERTIA or [path.quantity for path in paths] != ["inertia"]:
+            continue
+        shapes = (body.shape for body in search.scene.configuration.problem.bodies if body.name == paths[0].owner)
+        if not any(shape is not None and (shape.round or shape.slender) for shape in shapes):
             continue
         names = {given.dimension: given.name for given in search.givens.values() if given.name in formula.symbols()}
         if len(formula.symbols()) != TWO or not {MASS, LENGTH} <= names.keys():

@@ -78,7 +78,16 @@ def body_limits(body: Body) -> Iterator[Limit]:
         if radii[0] is not None and radii[1] is not None:
             names = f"the holes `{one.body.name}` and `{other.body.name}` of `{body.name}`"
             gap = far_out([a - b for a, b in zip(hole_centre(one), hole_centre(other), strict=True)])
-            yield Limit(gap - radii[0] - radii[1], f"{names} overlap")
+            if not (one.turned or other.turned):
+                yield Limit(gap - radii[0] - radii[1], f"{names} overlap")
+        if one.turned or other.turned:  # told apart by the balls around them alone
+            spots = zip(part_spot(one), part_spot(other), strict=True)
+            rooms = [ball_around(bored(hole, body.shape)) for hole in (one, other)]
+            gap = far_out([a - b for a, b in spots])
+            yield Limit(
+                gap - rooms[0] - rooms[1],
+                f"whether the holes of `{body.name}` overlap is not solved: they are turned and near",
+            )
     sizes = sizes_told(body) if body.holes else ()
     if sizes:
         left = total([sizes[0], *map(negate, sizes[1:])])
@@ -139,6 +148,14 @@ def depth_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:
         deep = 2 * (own.outer or ZERO)
     if deep is not None and deeper is not None:
         yield from (simplify((deeper - deep) / 2 - way) for way in dict.fromkeys((z, negate(z))))
+
+
+def ball_around(hole: Part) -> Formula:
+    """The radius of a ball that holds a hole."""
+    shape = hole.body.shape
+    sides = [] if shape is None else [*shape.box(), *([shape.depth()] if shape.depth() is not None else [])]
+    radius = round_rim(shape)
+    return far_out([*([radius] if radius is not None else []), *(side / 2 for side in sides if side is not None)])
 
 
 def cylinder_in_box(hole: Part, whole: Shape) -> bool:

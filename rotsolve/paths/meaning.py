@@ -107,7 +107,9 @@ def label_of(path: Path, term: Term | None) -> str:
 
 
 def spoken_about(ref: PointRef) -> str:
-    """A point about which something is asked, in words; a connection by its name."""
+    """A point about which something is asked, in words; a connection by its name, a place in space by its coordinates."""
+    if ref.place is not None:
+        return f"({', '.join(map(to_text, ref.place))})"
     return spoken_point(Path(ref.owner, "", ref.point, ref.argument)) if ref.point else ref.owner
 
 

@@ -10,6 +10,7 @@ from rotsolve.algebra.formula import ZERO
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes.material import amounts
 from rotsolve.language.problem import Body, Part
+from rotsolve.motion.limits import depth_margins
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Map, Node
@@ -44,10 +45,29 @@ class Outline(Struct, frozen=True):
         return any(reach > limit * (1 + TOLERANCE) for reach, limit in bounds)
 
     def overlaps(self, other: Outline) -> bool:
-        """Whether two round outlines share more than a point."""
-        if self.radius is None or other.radius is None or len(self.place) != len(other.place):
+        """Whether two outlines share more than their rims: not where a direction parts them, of their sides or between centres."""
+        if len(self.place) != len(other.place):
             return False
-        return math.dist(self.place, other.place) < (self.radius + other.radius) * (1 - TOLERANCE)
+        between = math.atan2(self.place[1] - other.place[1], self.place[0] - other.place[0])
+        angles = [between, *(one.angle + turn for one in (self, other) for turn in (0.0, math.pi / 2))]
+        angles += [
+            math.atan2(y - one.place[1], x - one.place[0])
+            for one, rim in ((self, other), (other, self))
+            if one.radius is not None and rim.radius is None
+            for x, y in rim.corners()
+        ]
+        return not any(self.parted(other, angle) for angle in angles)
+
+    def parted(self, other: Outline, angle: float) -> bool:
+        """Whether nothing of both is as far along a direction."""
+        (low, high), (lower, higher) = self.reach(angle), other.reach(angle)
+        return min(high, higher) - max(low, lower) <= TOLERANCE * max(high - low, higher - lower)
+
+    def reach(self, angle: float) -> tuple[float, float]:
+        """From where to where it goes along a direction."""
+        points = [self.place] if self.radius is not None else self.corners()
+        along = [x * math.cos(angle) + y * math.sin(angle) for x, y, *_ in points]
+        return min(along) - (self.radius or 0.0), max(along) + (self.radius or 0.0)
 
 
 def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
@@ -59,6 +79,12 @@ def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
     written = scope.entries(node, f"the parts of `{name}`") if isinstance(node, Map) else {}
     edge = outline(scope, Part(body, (ZERO, ZERO)))
     holes = [(hole.body.name, None if hole.turned else outline(scope, hole)) for hole in body.holes]
+    for part in body.holes:
+        gaps = [rough(gap, scope.numbers) for gap in depth_margins(part, body.shape)]
+        if any(gap is not None and gap < -TOLERANCE for gap in gaps):
+            place = written[part.body.name][1] if part.body.name in written else node
+            help = "check its length, and where it is along the axis: a hole that goes through needs no length"
+            scope.fault(place, f"the hole `{part.body.name}` sticks out of `{name}`", help, "limits")
     for index, (word, hole) in enumerate(holes):
         place = written[word][1] if word in written else node
         if hole is None:

@@ -43,8 +43,9 @@ def configured_in_space(problem: Problem) -> Configuration:
 def refuse_unseen_holes(problem: Problem) -> None:
     """Refuse a hole of which nothing tells that it lies within its body: it would take away mass that is not there."""
     for body in problem.bodies:
-        for hole in body.holes:
-            if not seen_to_fit(hole, body.shape):
-                message = f"whether the hole `{hole.body.name}` lies within `{body.name}` is not solved in space"
-                help = "solved are cylinders in boxes, holes along z in cylinders, and balls in balls"
-                raise Unsolvable(message, span=body.span, help=help)
+        for whole in (body, *(part.body for part in body.parts)):
+            for hole in whole.holes:
+                if not seen_to_fit(hole, whole.shape):
+                    message = f"whether the hole `{hole.body.name}` lies within `{whole.name}` is not solved in space"
+                    help = "solved are cylinders in boxes, holes along z in cylinders, and balls in balls"
+                    raise Unsolvable(message, span=body.span, help=help)

@@ -77,6 +77,46 @@ def test_a_hole_that_fits_is_cut_out(hole: str, volume: float, second: object) -
     assert [item.holds for item in answer.derivation.confirmed] == [True]
 
 
+def test_holes_that_may_cross_are_refused() -> None:
+    bore, across = (
+        "h: {shape: cylinder, radius: a/8}",
+        "k: {shape: cylinder, radius: a/8, length: a, turned: {about: y, by: 90 deg}}",
+    )
+    with pytest.raises((SceneError, Unsolvable), match="overlap is not solved"):
+        solve(HEAD + BOX.replace("h: {HOLE}", f"{bore}, {across}"))
+
+
+@pytest.mark.parametrize(
+    ("second", "apart"),
+    [
+        ("shape: rectangle, sides: [a/4, a/4], at: [0, 0]", False),
+        ("shape: rectangle, sides: [a/4, a/4], at: [-a/8, 0]", True),
+        ("shape: rectangle, sides: [a/4, a/4], at: [-a/8, 0], angle: 45 deg", False),
+        ("shape: disc, radius: a/8, at: [-a/8, 0]", True),
+        ("shape: disc, radius: a/8, at: [-a/16, 0]", False),
+        ("shape: disc, radius: a/8, at: [-0.11*a, -0.2*a]", True),
+    ],
+)
+def test_windows_of_a_plate_lie_beside_each_other(second: str, apart: bool) -> None:
+    plate = "{shape: rectangle, mass: M, sides: [a, a], holes: {h: {shape: rectangle, sides: [a/4, a/4], at: [a/8, 0]}, k: {HOLE}}}"
+    scene = (
+        "title: t\ngiven: {M: 3 kg, a: 0.2 m}\nbodies: {b: "
+        + plate.replace("HOLE", second)
+        + "}\nfind: {I: b.inertia}\n"
+    )
+    if apart:
+        assert [item.holds for item in solve(scene).derivation.confirmed] == [True]
+    else:
+        with pytest.raises(SceneError, match="overlap"):
+            solve(scene)
+
+
+def test_a_bore_in_the_plane_is_no_longer_than_its_cylinder() -> None:
+    scene = HEAD.replace("up: z\n", "") + ROUND.replace("inertia_tensor", "inertia")
+    with pytest.raises(SceneError, match="sticks out"):
+        solve(scene.replace("HOLE", "shape: cylinder, radius: R/4, length: 2*L"))
+
+
 def test_two_blows_in_one_instant_are_refused() -> None:
     bodies = "bodies: {b: {shape: cuboid, mass: M, sides: [a, a, a], points: {P: [a/2, 0, 0], Q: [-a/2, 0, 0]}}}\n"
     blows = "one: {impulse: J, on: b.P, direction: z, from: u, to: v}, two: {impulse: J, on: b.Q, direction: -z, from: u, to: v}"

@@ -351,6 +351,8 @@ class Inquiry:
     def at(self, term: Term, name: str | None) -> list[float]:
         if term.path.quantity == "freedoms":
             return [freedoms(self.rig, term.path)]
+        if name is None and len(self.problem.states) > 1 and self.of_mass(term):
+            return self.of_body(term)
         if term.path.quantity == "period" and name != ANY_TIME:
             return [self.period(name, term)]
         if name == ANY_TIME:
@@ -361,10 +363,18 @@ class Inquiry:
         except LeftOpen:
             found = distinct([told_by(way, term) for way in self.followed(name)])
         except Unfit:
-            if term.path.quantity not in OF_MASS or term.axes not in (None, "", "body"):
+            if not self.of_mass(term):
                 raise
-            found = distinct([told_by(way, term) for way in manners_of(self.rig, None, self.put)])
+            return self.of_body(term)
         return self.modified(found, term)
+
+    def of_mass(self, term: Term) -> bool:
+        """Whether a question is of what a body has however it moves."""
+        return term.path.quantity in OF_MASS and term.axes in (None, "", "body")
+
+    def of_body(self, term: Term) -> list[float]:
+        """What a body has however it moves."""
+        return self.modified(distinct([told_by(way, term) for way in manners_of(self.rig, None, self.put)]), term)
 
     def period(self, name: str | None, term: Term) -> float:
         """That of a steady rotation; of a free body the time from one zero of a component of ω in its own axes to the next but one."""

@@ -198,6 +198,8 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
             return tested(answer, parts, hearing, finds[0], numbers)
         return compared_in_space(finds, answer, parts, hearing, numbers)
     except Unfit as reason:
+        if finds[0].where is not None and hearing.letters:  # the others would have to change with it
+            return AnswerConfirmation(name, None, "a condition beside other unknown letters")
         part = asked_block(replace(hearing.problem, finds=tuple(finds)))
         if len(part.bodies) == len(hearing.problem.bodies):
             if hearing.problem.assume and letters_open(hearing.problem):  # numbers for which it was not meant
