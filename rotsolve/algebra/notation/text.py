@@ -37,6 +37,7 @@ BARE = ANGULAR | {"log", "asin", "acos", "atan"}
 
 LARGEST_FRACTION_PART = 20, 100  # numerator and denominator up to which 7/10 stays a fraction and is not 0.7
 MOST_DECIMALS = 6
+TURN = 360  # degrees up to which an angle is told by them
 LONG = 40  # digits from which on a number is written with its power of ten
 
 Piece = tuple[str, int]
@@ -273,7 +274,7 @@ def degrees_of(angle: Formula) -> Fraction | None:
             return None if degrees is None else -degrees
         case Product((Number(value), Constant())):
             return 180 * value
-        case Quotient(numerator, Number(value)):
+        case Quotient(numerator, Number(value)) if value:
             degrees = degrees_of(numerator)
             return None if degrees is None else degrees / value
     return None

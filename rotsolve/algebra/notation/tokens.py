@@ -97,7 +97,10 @@ class Lexer:
         return end
 
     def other(self, found: str, start: int, end: int) -> int:
-        """A character that is no mark."""
+        """A character that is no mark; degrees stand behind a number, sin 75°."""
+        if found == "°":
+            self.emit(found, found, start, end)
+            return end
         hint = ": a formula has no equals sign" if found == "=" else ""
         shown = found if found.isprintable() else f"U+{ord(found):04X}"
         raise FormulaError(f"unexpected character `{shown}`{hint}", start, end)
