@@ -257,11 +257,9 @@ def trails(formula: Formula) -> bool:
 def as_told(function: str, arguments: tuple[Formula, ...]) -> tuple[Formula, ...]:
     """The arguments of a function as they are written: the angle of a sine in degrees, sin 75°, where it is a short number of them."""
     degrees = degrees_of(arguments[0]) if function in ANGULAR and not isinstance(arguments[0], Constant) else None
-    return (
-        arguments
-        if degrees is None or 1000 % degrees.denominator
-        else (Decimal(f"{float(degrees):.9g}°".replace("-", "−")),)
-    )
+    if degrees is None or abs(degrees) > TURN or 1000 % degrees.denominator:
+        return arguments
+    return (Decimal(f"{float(degrees):.9g}°".replace("-", "−")),)
 
 
 def degrees_of(angle: Formula) -> Fraction | None:
