@@ -190,7 +190,7 @@ TABLE = [
     (Product((Power(call("cos", PI / 8), n(2)), m)), "cos²(22.5°) m", "cos(pi/8)^2*m"),
     (call("tan", PI / 7) * m, "tan(π/7) m", "tan(pi/7)*m"),
     (call("sin", 2 * PI), "sin 360°", "sin(2*pi)"),
-    (call("sin", n("12345678901/1000") * PI), "sin(12345678.901 π)", "sin(12345678901/1000*pi)"),
+    (call("sin", n("12345678901/1000") * PI), "sin(12345678.901 π)", "sin(12345678.901*pi)"),
     (
         -call("sqrt", 3 * g * (1 + call("sin", theta0)) / length),
         "−√(3 g (1 + sin θ₀)/L)",
