@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from rotsolve.algebra.formula import Formula, Symbol
@@ -204,6 +204,17 @@ def word_place(node: Text, word: Segment) -> Span:
     return node.part(word.start, word.start + len(word))
 
 
+def written_out(scope: Scope, quantity: str, said: Iterable[str] = ()) -> str:
+    """How a quantity is written: of what is said (`energy of the rod`), of the whole scene, or of one of the names."""
+    owner = next((word for word in said if scope.kinds.get(word.partition(".")[0]) in OWNERS), None)
+    if owner:
+        return f"write `{owner}.{quantity}`"
+    names = ", ".join(scope.names(*OWNERS))
+    if SYSTEM in QUANTITIES[quantity].owners:
+        return f"write `{quantity}` alone for the whole scene, or `name.{quantity}`; names: {names}"
+    return f"write `name.{quantity}`; names: {names}"
+
+
 def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | None:
     """A quantity of the whole scene."""
     entry = QUANTITIES.get(word)
@@ -211,7 +222,7 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
         return Path("", word, span=span)
     kind = scope.kinds.get(word)
     if entry is not None:
-        help = f"write `name.{word}`; names: {', '.join(scope.names(*OWNERS))}"
+        help = written_out(scope, word)
         if f"{word} of" in SWINGS:
             help = f"write `T: {word} of small swings`, and what is asked about it in a line of its own: `smallest T`"
         return scope.fault(span, f"`{word}` of what?", help, "path")

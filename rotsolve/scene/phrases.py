@@ -27,7 +27,7 @@ from rotsolve.language.words import quoted
 from rotsolve.scene.clauses import Clauses
 from rotsolve.scene.in_space import in_space_only
 from rotsolve.scene.literals import Lexeme, Want, dimension_in_words, lexemes, stand_in
-from rotsolve.scene.paths import read_path
+from rotsolve.scene.paths import read_path, written_out
 from rotsolve.scene.scope import Nothing, Scope
 from rotsolve.scene.tree import Node, Text
 from rotsolve.scene.values import expression
@@ -246,8 +246,8 @@ class PhraseReader:
                 return modifier, words[2:]
             else:
                 help = f"modifiers: {', '.join(MODIFIERS)}"
-                if first in QUANTITIES and len(words) > 2:
-                    help = f"write `{words[2].text}.{first}`"
+                if first in QUANTITIES:
+                    help = written_out(self.scope, first, [piece.text for piece in words[2:]])
                 self.scope.fault(place, f"unknown modifier `{first} of`", help, "unknown")
             return None, words
         if first in ALONE and len(words) > 1 and words[1].kind in ("name", "path", "mark", "quantity", "number"):
