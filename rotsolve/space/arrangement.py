@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from itertools import chain
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -211,23 +212,38 @@ class JointedBodies(Struct, frozen=True, dict=True):
         held = any(name in (joint.body.owner, joint.carrier.owner) for joint in self.joints)
         return self.problem.gravity is not None and not (pushed or held)
 
+    @remembered
     def pointlike(self, name: str) -> bool:
-        """Whether a body is a mere particle; what hangs on a hinge and carries others on theirs, as a gimbal does, is none."""
+        """Whether a body is a mere particle: what carries others, or is touched anywhere but at its centre, is turned by that."""
         body = self.bodies[name]
         whole = body.inertia is not None or body.gyration is not None or body.tensor is not None or bool(body.parts)
-        turned, carries = (
-            any(name == getattr(joint, side).owner and joint.turning for joint in self.joints)
-            for side in ("body", "carrier")
-        )
-        return not whole and shape_of(body).pointlike and not (turned and carries)
+        if whole or not shape_of(body).pointlike or any(joint.carrier.owner == name for joint in self.joints):
+            return False
+        touched = [joint.body for joint in self.joints if not (joint.rolls or joint.flat)]
+        touched += [ref for action in self.problem.actions for ref in action.touches()]
+        return all(self.spot(ref) == NOTHING for ref in touched if ref.owner == name)
 
     def axis(self, name: str) -> Triple | None:
-        """The direction in its own axes about which a body spins, as its `axis` tells, else that about which its inertia is symmetric."""
+        """The direction in its own axes about which a body spins, as its `axis` tells, else that about which its inertia is symmetric.
+
+        What has no inertia is symmetric about all of them: of that it is the axis of its shape, as a light rod's is along it.
+        """
         body = self.bodies[name]
         if body.axis:
             x, y, z = body.axis
             return (x, y, z)
-        return next((way for way in (Z, X, Y) if self.symmetric(name, way)), None)
+        shaped = (way for way in (Z, X, Y) if self.without_inertia(name) and self.shaped_about(name, way))
+        return next(chain(shaped, (way for way in (Z, X, Y) if self.symmetric(name, way))), None)
+
+    @remembered
+    def without_inertia(self, name: str) -> bool:
+        """Whether a body has no inertia about any axis."""
+        tensor = self.whole_tensor(name)
+        return tensor is not None and all(self.vanishes(tensor.entry(word)) for word in ("xx", "yy", "zz"))
+
+    def shaped_about(self, name: str, way: Triple) -> bool:
+        """Whether the shape of a body is symmetric about one of its own axes, whatever mass it has."""
+        return all(map(is_zero, beside_axis(shape_of(self.bodies[name]).tensor(ONE), way)))
 
     def symmetric(self, name: str, way: Triple) -> bool:
         """Whether the inertia of a body is the same about all directions across one of its own axes.
@@ -241,9 +257,8 @@ class JointedBodies(Struct, frozen=True, dict=True):
         tensor = self.whole_tensor(name)
         if tensor is None:
             return []
-        one, other = {X: ("yy", "zz"), Y: ("zz", "xx"), Z: ("xx", "yy")}[way]
         beside = [part for part, own in zip(self.centre(name), way, strict=True) if own == ZERO]
-        return [tensor.entry(one) - tensor.entry(other), tensor.xy, tensor.yz, tensor.zx, *beside]
+        return [*beside_axis(tensor, way), *beside]
 
     def turns_round(self, name: str, axis: Triple) -> bool:
         """Whether a body is symmetric about an axis through the point about which it turns, so that its inertia is the same as it spins."""
@@ -306,3 +321,9 @@ class JointedBodies(Struct, frozen=True, dict=True):
             x, y, z = vector_sum(piece.place(), minus(centre))
             result = piece.tensor.plus(displaced(piece.mass, (x, y, z)).plus(result))
         return result
+
+
+def beside_axis(tensor: InertiaTensor, way: Triple) -> list[Formula]:
+    """What is nothing where a tensor is symmetric about x, y or z."""
+    one, other = {X: ("yy", "zz"), Y: ("zz", "xx"), Z: ("xx", "yy")}[way]
+    return [tensor.entry(one) - tensor.entry(other), tensor.xy, tensor.yz, tensor.zx]

@@ -203,7 +203,22 @@ class SpaceMoment(TellingMoment):
         if self.before is not None:
             return self.before.nodding(name).angles[number]
         moved_on = self.later and not self.state.steady
+        if ANGLES[number] == "precession_angle" and not moved_on:
+            self.refuse_unplaced(name)
         return self.ask(ANGLES[number], name) if moved_on or ANGLES[number] == "tilt" else ZERO
+
+    def refuse_unplaced(self, name: str) -> None:
+        """Refuse a body that leans, and holds another one that leans or is held by one, where nothing tells to which side: how both move
+        hangs on that."""
+        linked = (one for one in self.held.order if name in (one, self.held.carrier(one)) or one == self.held.carrier(name))
+        leaning = [one for one in linked if self.nods(one) and self.told(one, "tilt") not in (ZERO, PI)]
+        joint = self.held.main(name)
+        if name not in leaning or len(leaning) < 2 or joint is None:
+            return
+        lower, upper = leaning[:2]
+        message = f"to which side `{name}` leans at {self.spoken_of()} nothing tells"
+        help = f"tell the `precession_angle` of both, as `{lower}.precession_angle: 180 deg` and `{upper}.precession_angle: 0 deg`"
+        raise Unsolvable(message, span=joint.body.span, help=help)
 
     def by_sides(self, angle: Formula) -> Formula:
         """arctan(y/x) as the heading of (x, y), of which cos = x/√(x² + y²), where x > 0."""
@@ -372,6 +387,9 @@ class SpaceMoment(TellingMoment):
         if faster is None:
             given = self.told(name, "angular_acceleration")
             faster = given if given is not None else self.rate_of(word, name)
+        if self.state.steady and not self.held.vanishes(faster):
+            message = f"`{name}` turns faster and faster by what is told of it, which is not `steady` at {self.spoken_of()}"
+            raise Unsolvable(message, span=joint.body.span, help=f"leave `steady: true` out, or its angular acceleration")
         return self.now(rate), self.now(faster)
 
     def stands_on_carrier(self, name: str, joint: Joint) -> bool:

@@ -43,7 +43,7 @@ from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import NODE
 from rotsolve.space.coincidences import coincidences
 from rotsolve.space.inertia import Tensors
-from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.laws import NODE_NAMES, SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import conserved, through
 from rotsolve.space.pushes import Pushes
@@ -432,6 +432,7 @@ class SpaceEquations(SceneEquations, dict=True):
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)
+            yield from turning_rules(dynamics)
             yield from self.told_beside(dynamics)
             if dynamics.moment.onward is not None:
                 yield from dynamics.moment.onward.equations()
@@ -464,8 +465,28 @@ def axial_rules(dynamics: SpaceLaws) -> Iterator[Equation]:
     """ω₃ = ψ̇ + φ̇ cos θ, where the state tells ω₃."""
     moment = dynamics.moment
     for name in moment.held.order:
-        if moment.nods(name) and moment.told(name, "spin") is None and moment.axes(name).name == NODE:
+        if not moment.nods(name) or moment.told(name, "spin") is not None:
+            continue
+        if moment.axes(name).name == NODE or moment.told(name, "axial_rate") is not None:
             turning = moment.nodding(name)
             along = turning.rates[2] + turning.rates[0] * heading(turning.angles[1]).cos()
             words = "ω₃ = ψ̇ + φ̇ cos θ"
             yield RULE.equation(moment.ask("axial_rate", name), along, moment.when, (name,), words=words)
+
+
+def turning_rules(dynamics: SpaceLaws) -> Iterator[Equation]:
+    """How a body turns that stands by its Euler angles, where the state tells the components of its angular velocity, or their rates."""
+    moment = dynamics.moment
+    for name in filter(moment.nods, moment.held.order):
+        if moment.nodding(name).angles[1] in (ZERO, PI):  # upright, the rates of its Euler angles do not tell any ω
+            continue
+        for word in ("angular_velocity", "angular_acceleration"):
+            told = moment.vector_told(name, word)
+            if told is None:
+                continue
+            attitude, (vector, named, _) = moment.attitude(name), told
+            own = attitude.omega if word == "angular_velocity" else attitude.alpha
+            parts = moment.named_axes(named, name).to(attitude.axes, vector)
+            for axis, turns, part in zip(AXES, own, parts, strict=True):
+                words = f"{spoken(word)} of {spoken(name)}, along {NODE_NAMES[axis] if attitude.axes.name == NODE else axis}"
+                yield RULE.equation(turns, part, moment.when, (name,), words=words)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
@@ -28,12 +28,14 @@ from rotsolve.confirm.space.masses import (
     about_point,
     axis_told,
     is_symmetric,
+    matrix,
     solid_of,
     spot_in_body,
     total_rows,
 )
 from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import Condition, Problem, State
 
@@ -107,7 +109,12 @@ class Rig:
         told = axis_told(body, self.value)
         if told is not None:
             return told
-        return next((ALONG[way] for way in (2, 0, 1) if self.symmetric(name, way)), None)
+        found = [way for way in (2, 0, 1) if self.symmetric(name, way)]
+        own = self.solid(name)
+        if own.whole and not any(map(any, own.tensor)):  # of what has no inertia it is the axis of its shape
+            form = matrix(shape_of(body).tensor(ONE), self.value)
+            found = [way for way in found if is_symmetric(form, STILL, way)] or found
+        return ALONG[found[0]] if found else None
 
     def symmetric(self, name: str, way: int) -> bool:
         own = self.solid(name)

@@ -66,18 +66,28 @@ class Equations:
         self.rows.append(row)
 
     def solve(self, right: Sequence[float], idle: Sequence[Tie] = ()) -> General:
-        """All solutions; of those that are left open the ones in which what is `idle` is nothing."""
+        """All solutions; of those that are left open the ones in which what is `idle` is nothing, as far as that can be."""
         found = solved_generally(self.rows, right, len(self.places))
         if not (found.free and idle):
             return found
+        right = list(right)
+        if not self.joined(idle, right):  # what is told may turn a massless body about some of its ways
+            for tie in idle:
+                self.joined([tie], right)
+        return solved_generally(self.rows, right, len(self.places))
+
+    def joined(self, ties: Sequence[Tie], right: list[float]) -> bool:
+        """Whether ties with nothing on their right side go with all that is there; else they are left out again."""
         told, places = list(self.rows), dict(self.places)
-        for tie in idle:
+        for tie in ties:
             self.add(tie)
-        again = solved_generally(self.rows, [*right, *(0.0 for _ in idle)], len(self.places))
-        if max(map(abs, again.left), default=0.0) <= RIGHT * again.size:
-            return again
-        self.rows, self.places = told, places
-        return found
+        found = solved_generally(self.rows, [*right, *(0.0 for _ in ties)], len(self.places))
+        fits = max(map(abs, found.left), default=0.0) <= RIGHT * found.size
+        if fits:
+            right += [0.0 for _ in ties]
+        else:
+            self.rows, self.places = told, places
+        return fits
 
     def named(self, values: Sequence[float]) -> Rates:
         return Rates({key: values[place] for key, place in self.places.items()})
