@@ -6,15 +6,17 @@ from collections.abc import Callable, Mapping
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.effort import Exhausted
 from rotsolve.core.derivation import Refusal
-from rotsolve.core.faults import Contradicted, Impossible, NeverReached, Unsolvable
+from rotsolve.core.faults import UNSOLVED, Contradicted, Fault, Impossible, NeverReached, Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.language.block import asked_block
 from rotsolve.language.problem import Find, Problem, before
-from rotsolve.search.answering import Unanswered, needed_for
-from rotsolve.solution import Solution
+from rotsolve.search.answering import Unanswered, needed_for, with_named
+from rotsolve.solution import Solution, with_refused
 
+TAKES_LONG, ALONE = "it takes too long to work out beside the other questions", "ask for it in a scene of its own"
+TRIES = 3  # each with the work that a scene may take
 SolveFor = Callable[[tuple[Find, ...]], Solution]  # solves for some of a problem's questions
 
 
@@ -26,9 +28,29 @@ def each_where_answered(problem: Problem, solve: SolveFor) -> Solution:
         if len(problem.finds) < 2 or (isinstance(error, Contradicted) and not isinstance(error, NeverReached)):
             raise
         solution, refused = solved_without(error, problem, solve)
-    told = tuple(Refusal(name, error.fault) for name, error in refused.items())
-    finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
-    return replace(solution, problem=problem, derivation=replace(solution.derivation, refused=told, finds=finds))
+    return with_refused([Refusal(name, error.fault) for name, error in refused.items()], problem, solution)
+
+
+def those_in_time(problem: Problem, solve: Callable[[Problem], Solution], tries: int = TRIES) -> Solution:
+    """The solution for the questions that can be answered with the work that a scene may take: without the one that takes it all, else
+    those that had been answered with half of it."""
+    try:
+        return solve(problem)
+    except Exhausted as error:
+        kept = with_named({*error.done}, problem) or left_without(error.stuck, problem)
+        if tries == 1 or not kept or len(kept) == len(problem.finds):
+            raise
+    solution = those_in_time(replace(problem, finds=kept), solve, tries - 1)
+    left = {find.group: find for find in problem.finds if find not in kept}
+    refused = [Refusal(name, Fault(TAKES_LONG, find.span, ALONE, UNSOLVED)) for name, find in left.items()]
+    return with_refused(refused, problem, solution)
+
+
+def left_without(name: str, problem: Problem) -> tuple[Find, ...]:
+    """The questions of a problem without one, and those that hang on it."""
+    return tuple(
+        find for find in problem.finds if name and all(one.name != name for one in with_named({find.name}, problem))
+    )
 
 
 def solved_without(error: Unsolvable, problem: Problem, solve: SolveFor) -> tuple[Solution, Mapping[str, Unsolvable]]:

@@ -16,7 +16,7 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.units.dimension import base_unit_text
-from rotsolve.apart import each_where_answered
+from rotsolve.apart import each_where_answered, those_in_time
 from rotsolve.core.derivation import Check, Derivation
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import (
@@ -97,8 +97,7 @@ def as_confirmed(derivation: Derivation, problem: Problem) -> Derivation:
 def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
     """The solution; what is refused as incomplete or contradictory is so to an assembly of all bodies' equations too."""
     try:
-        with at_most(STEPS):
-            solution = solved_in_parts(problem, law, digits, at)
+        solution = those_in_time(problem, lambda own: solved_with_effort(own, law, digits, at))
     except Exhausted:
         raise too_long(problem) from None
     except Unsolvable as error:
@@ -111,6 +110,12 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
         replace(item, fault=fair_refusal(item.fault, problem, [item.name], law)) for item in solution.derivation.refused
     ]
     return replace(solution, derivation=replace(solution.derivation, refused=tuple(refused)))
+
+
+def solved_with_effort(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
+    """The solution with no more work than a scene may take."""
+    with at_most(STEPS):
+        return solved_in_parts(problem, law, digits, at)
 
 
 def refused_with_others(error: Unsolvable, problem: Problem, law: str | None) -> Unsolvable:

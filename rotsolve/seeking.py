@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import Refusal
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.motion.complete import configured
@@ -119,9 +118,9 @@ def without_seeking(left: list[Find], letters: list[str], problem: Problem, solu
     refused = [
         Refusal(find.group, Fault(words, find.span, "ask for it in a scene of its own", "unsolvable")) for find in left
     ]
-    finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
-    derivation = replace(solution.derivation, refused=(*solution.derivation.refused, *refused), finds=finds)
-    return replace(solution, problem=problem, derivation=derivation)
+    from rotsolve.solution import with_refused
+
+    return with_refused(refused, problem, solution)
 
 
 def letters_sought(find: Find) -> set[str]:

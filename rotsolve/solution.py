@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import builtins
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Section
+from rotsolve.algebra.formula import Symbol
+from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.page.depth import DETAILS, FULL, NORMAL, NUMBERS, STEPS
@@ -346,3 +347,10 @@ class Solution(Struct, frozen=True, dict=True):
 
     def _repr_latex_(self) -> str:
         return self.body("latex", pictures=False)
+
+
+def with_refused(refused: Iterable[Refusal], problem: Problem, solution: Solution) -> Solution:
+    """The solution for some questions of a problem, and why it has no answer to the others."""
+    finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
+    told = (*solution.derivation.refused, *refused)
+    return replace(solution, problem=problem, derivation=replace(solution.derivation, refused=told, finds=finds))

@@ -10,7 +10,13 @@ from contextlib import contextmanager
 
 
 class Exhausted(Exception):
-    """The work that was allowed has been done, and there is no answer yet."""
+    """The work that was allowed has been done, and there is no answer yet.
+
+    `done` are the names of the questions that were answered with half of it, `stuck` is the one that was looked at then.
+    """
+
+    done: tuple[str, ...] = ()
+    stuck: str = ""
 
 
 class Purse:

@@ -104,6 +104,11 @@ def spoken(name: str) -> str:
     return name.replace("_", " ").strip()
 
 
+def spoken_point(point: str) -> str:
+    """A point of a body as words, behind the name of that; `at` is the place of a joint on it, `rod.at(x)`."""
+    return {"cm": "its centre of mass", "at": "the point that is held"}.get(point, f"its {spoken(point)}")
+
+
 def in_direction(words: str, component: str, in_space: bool) -> str:
     """A component in words: "horizontal velocity of ball", in space "velocity of ball along x"."""
     if in_space:

@@ -72,6 +72,7 @@ def answer_row(answer: Answer, digits: int) -> AnswerRow:
     if answer.rows:
         entries = [(part.symbol, part.formula) for part in answer.components if part.formula is not None]
         shown = tuple(AnswerRow(symbol, (formula,)) for symbol, formula in entries if formula != ZERO)
+        notes = (*notes, *_unsure(answer, digits))
         return AnswerRow(answer.symbol, _matrices(answer, digits), asides, notes, shown, matrix=True)
     formula = _exact_form(answer)
     forms = (*((formula,) if formula is not None else ()), *((Amount(number, answer.unit),) if number else ()))
@@ -92,17 +93,32 @@ def holding_if(answer: Answer) -> Phrase:
 
 
 def _matrices(answer: Answer, digits: int) -> tuple[Matrix, ...]:
-    """The exact entries of a matrix, unless they are mere numbers, and its numbers; neither where one of them is missing."""
+    """The exact entries of a matrix, unless they are mere numbers or one is missing, and its numbers, unless none has one."""
     exact = [[part.formula for part in row if part.formula is not None] for row in answer.rows]
-    numbers = [[text for part in row if (text := certified_digits(part.value, digits)[0])] for row in answer.rows]
     parts = [part for row in answer.rows for part in row]
     symbolic = any(part.formula is not None and part.formula.symbols() for part in parts)
     boxes: list[tuple[tuple[Formula | Amount, ...], ...]] = []
     if symbolic and sum(map(len, exact)) == len(parts):
         boxes.append(tuple(map(tuple, exact)))
-    if sum(map(len, numbers)) == len(parts):
-        boxes.append(tuple(tuple(map(Amount, row)) for row in numbers))
+    if any(part.value is not None for part in parts) or not boxes:
+        boxes.append(tuple(tuple(_entry(part, digits) for part in row) for row in answer.rows))
     return tuple(Matrix(rows, answer.unit if rows is boxes[-1] else None) for rows in boxes)
+
+
+def _entry(part: Answer, digits: int) -> Formula | Amount:
+    """An entry of a matrix as a number: as far as it is known where no digit is certain, else its exact form."""
+    number, note = certified_digits(part.value, digits)
+    if not number and part.formula is not None and part.value is None:
+        return part.formula
+    return Amount(number or note.partition(",")[0] or "?")
+
+
+def _unsure(answer: Answer, digits: int) -> Iterator[Phrase]:
+    """What is not certain of the entries of a matrix."""
+    for part in (part for row in answer.rows for part in row):
+        note = certified_digits(part.value, digits)[1]
+        if note:
+            yield (part.symbol, " ", note)
 
 
 def _pointing(answer: Answer, number: str, digits: int) -> str:
@@ -139,7 +155,7 @@ def certified_digits(value: Certified | None, digits: int) -> tuple[str, str]:
         return "", f"no number: {reason}"
     if not sure:
         within = "nothing tells it from 0" if value.sign is None else "its bounds are too wide at the highest precision"
-        return "", f"≈ {text}, not certified: {within}"
+        return "", f"≈ {text if value.sign is not None else 0}, not certified: {within}"
     return text, "" if sure == digits else f"only {sure} {'digit' if sure == 1 else 'digits'} can be certified"
 
 

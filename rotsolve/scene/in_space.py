@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.vectors.tensor import ROWS, InertiaTensor
 from rotsolve.language.bodies import Turn
@@ -137,7 +138,7 @@ def read_tensor(scope: Scope, node: Node, owner: str) -> InertiaTensor | None:
             found = read_scalar(scope, item, Want("tensor", "moment of inertia", "I", f"{owner}_{name}"))
             if found is None:
                 return None
-            if name in entries and scope.side(entries[name] - found) != 0:
+            if name in entries and scope.side(simplify(entries[name] - found)) != 0:
                 message = f"an inertia tensor is symmetric, but this has two values for I_{name}"
                 return scope.fault(item, message, kind="limits")
             entries.setdefault(name, found)

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.effort import Exhausted, Purse
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Unsolvable
@@ -127,14 +128,18 @@ def with_named(names: set[str], problem: Problem) -> tuple[Find, ...]:
 
 def answer_all(search: Search, finds: Sequence[Find]) -> Refused:
     """Answer all questions; one that has to wait for another (an asked letter that a later line settles) is tried again."""
-    pending = list(finds)
+    pending, early, half = list(finds), list[str](), (Purse.left or 0) / 2
     while pending:
         waiting: Refused = []
         for find in pending:
             try:
                 answer(search, find)
+                early += [find.name] if (Purse.left or 0) >= half else []
             except Unsolvable as error:
                 waiting.append((find, error))
+            except Exhausted as error:
+                error.done, error.stuck = tuple(early), find.name
+                raise
         if len(waiting) == len(pending):
             return waiting
         pending = [find for find, _ in waiting]

@@ -16,6 +16,7 @@ from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Sum, Symbol, call
+from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.equation import FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
@@ -120,6 +121,23 @@ def negative_size(search: Search, numbers: KnownBalls) -> bool:
     asked = search.scene.configuration.problem.sought
     limits = (limit for limit in limits_of_scene(search.scene.configuration) if limit.gap.symbols() & asked)
     return any(size is not None and size < 0 for size in (numbers.size(limit.gap) for limit in limits))
+
+
+def with_sizes(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
+    """The roots for an angle that is sought with which no size sought beside it, as that of a force, is negative; all where none is."""
+    asked = {given.name: given.dimension for given in search.givens.values() if given.asked}
+    sizes = [letter for letter, kind in asked.items() if kind is not None and not kind.matches(ANGLE)]
+    if name not in asked or not sizes or not search.may_be_angle(name):
+        return list(range(len(roots)))
+    left = []
+    with Precision(BITS):
+        numbers = KnownBalls.known(search)
+        for number, root in enumerate(roots):
+            size = numbers.size(search.solver.with_found(root))
+            trial = numbers if size is None else replace(numbers, found={**numbers.found, name: size})
+            first_broken(search, trial)  # what the equations then tell of the sizes
+            left += [] if any(one in trial.found and trial.found[one] < 0 for one in sizes) else [number]
+    return left or list(range(len(roots)))
 
 
 def on_the_way(name: str, search: Search, numbers: KnownBalls) -> dict[str, Ball]:

@@ -176,12 +176,11 @@ class Search(Struct, dict=True):
         if self.ground is not None:
             self.ground.chose = True
         choice = RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula)
-        if not self.careful or period is not None:
-            return choice.choose(name, roots, period)
-        from rotsolve.search.consistency import agreeing
+        from rotsolve.search.consistency import agreeing, with_sizes
 
-        fitting = agreeing(name, roots, self)
-        if len(fitting) == 1 < len(roots):
+        plain = not self.careful or period is not None
+        fitting = (with_sizes if plain else agreeing)(name, roots, self)
+        if not plain and len(fitting) == 1 < len(roots):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
         picked = choice.choose(name, [roots[number] for number in fitting], period)
         return None if picked is None else replace(picked, root=fitting[picked.root])

@@ -130,6 +130,12 @@ class JointedBodies(Struct, frozen=True, dict=True):
         lines = (line for state in self.problem.states for line in state.conditions)
         return frozenset(line.path.owner for line in lines if line.path is not None and line.path.quantity in NODAL)
 
+    def named_point(self, name: str, point: str) -> PointRef:
+        """A point of a body by its name, that at which it is held with its place: `at` of `rod.at(x)`."""
+        joint = self.main(name)
+        held = joint is not None and (joint.body.point or "center") == point
+        return joint.body if joint is not None and held else PointRef(name, point)
+
     # places in a body's own axes, from its centre
 
     def spot(self, ref: PointRef) -> Triple:

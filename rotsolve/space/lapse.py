@@ -215,13 +215,14 @@ class Lapse:
 
     @remembered
     def acceleration(self, name: str) -> Formula | None:
-        """α of a body on a hinge of the ground, where it is constant: nothing that acts on it has a torque that changes; None of others."""
+        """α of a body on a hinge where it is constant: as it is driven, or, on the ground, where nothing that acts on it has a torque that
+        changes; None of others."""
         joint, moment = self.held.main(name), self.before.moment
-        if joint is None or not joint.turning or joint.sliding or not self.before.fixed(name) or self.passed() is None:
+        if joint is None or not joint.turning or joint.sliding or self.passed() is None:
             return None
         if joint.drive:
             return self.driven(joint)
-        if not (self.intact and left_alone(self.before, name, pushed=True)) or self.weight_turns(name, joint):
+        if not self.before.fixed(name) or not (self.intact and left_alone(self.before, name, pushed=True)) or self.weight_turns(name, joint):
             return None
         couples = [push for push in self.before.pushes.on(name) if push.owner in self.acting]
         if any(
@@ -236,10 +237,11 @@ class Lapse:
         return frozenset(action.name for action in self.before.pushes.actions)
 
     def driven(self, joint: Joint) -> Formula | None:
-        """0 of a hinge that is driven with a constant angular velocity; None of others."""
-        drive = dict(joint.drive)
-        steady = drive.keys() == {"angular_velocity"} and not goes_by_time(list(drive.values()))
-        return ZERO if steady else None
+        """0 of a hinge that is driven with a constant angular velocity, α of one with a constant angular acceleration; None of others."""
+        if len(joint.drive) != 1 or goes_by_time([value for _, value in joint.drive]):
+            return None
+        ((word, value),) = joint.drive
+        return {"angular_velocity": ZERO, "angular_acceleration": value}.get(word)
 
     def weight_turns(self, name: str, joint: Joint) -> bool:
         """Whether the weight has a torque about a hinge: not of an upright axis, nor of one through the centre of mass."""
@@ -259,7 +261,7 @@ class Lapse:
         rate = first.driven(name, joint, "angular_velocity")[0]
         steady = "turns steadily" if faster == ZERO else "constant angular acceleration"
         later = self.later.driven(name, joint, "angular_velocity")[0]
-        if not joint.drive:
+        if "angular_velocity" not in dict(joint.drive):
             right = add(rate, multiply(faster, time))
             yield IN_TIME.equation(later, right, when, (name,), words=f"{steady}, ω = ω₀ + α t")
         angle = first.stood(name, "angle")

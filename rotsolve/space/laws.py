@@ -25,7 +25,7 @@ from rotsolve.core.symbols import is_key, key_of, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, scaled_by, vector_sum
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import spoken, spoken_point
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.arrangement import RATES
 from rotsolve.space.attitude import AXIAL, NODE, Attitude, Axes
@@ -127,10 +127,10 @@ class SpaceLaws:
         """The tensor of a body about one of its points, in the axes of its attitude."""
         held, own = self.moment.held, self.moment.attitude(name)
         if self.moment.seen_from_space(name):
-            about_any = self.own_tensor(PointRef(name, point)).xx
+            about_any = self.own_tensor(held.named_point(name, point)).xx
             return InertiaTensor(about_any, about_any, about_any)
         axis = held.axis(name) if own.about is not None else None
-        return in_axes(self.own_tensor(PointRef(name, point)), own.own, own.about, axis)
+        return in_axes(self.own_tensor(held.named_point(name, point)), own.own, own.about, axis)
 
     def carried_round(self, name: str, vector: Triple) -> Triple:
         """Ω × v: how a vector changes in space that stays the same in the axes of a body, because these turn."""
@@ -186,7 +186,7 @@ class SpaceLaws:
             torque = vector_sum(torque, push.torque(place))
         felt = scaled_by(negate(self.moment.held.mass(name)), led)
         torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
-        where = f" about its {'centre of mass' if point == CM else spoken(point)}{'' if led == NOTHING else ', which is led along'}"
+        where = f" about {spoken_point(point)}{'' if led == NOTHING else ', which is led along'}"
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
             if (left, change, across) == (ZERO, ZERO, ZERO) or self.goes_on(name):
                 continue
@@ -198,7 +198,8 @@ class SpaceLaws:
             if axis == "x" and own.axes.name == NODE:
                 left, right, remark = self.without_sine(name, left, right)
             if self.fast and own.axes.name == NODE:
-                right, remark, relation = *self.of_fast_spin(name, right), "≈"
+                right, small = self.of_fast_spin(name, right)
+                remark, relation = small or remark, "≈" if small else relation
             along = self.along(name, axis)
             yield RATE_IN_AXES.equation(
                 left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
@@ -221,6 +222,11 @@ class SpaceLaws:
         still, slope = (self.moment.tidy(part.substitute(none)) for part in (right, differentiate(right, rate.name)))
         return add(still, multiply(slope, rate)), ("the spin is fast: ", rate**2, " left out")
 
+    def small_in(self, name: str, value: Formula, own: Attitude) -> bool:
+        """Whether a fast spin leaves out what comes of a component of L beside another: the precession stands in it."""
+        rate = self.moment.ask("precession", name) if self.fast and own.axes.name == NODE else ZERO
+        return bool(rate.symbols() & value.symbols())
+
     def without_sine(self, name: str, left: Formula, right: Formula) -> tuple[Formula, Formula, Words]:
         """Both sides divided by sin θ, where each is a multiple of it and θ is not 0."""
         tilt = self.moment.nodding(name).angles[1]
@@ -236,11 +242,10 @@ class SpaceLaws:
     def letters_of(self, name: str, tensor: InertiaTensor, own: Attitude, point: str) -> tuple[Triple, list[Equation]]:
         """The components of L as letters with what defines them; one that is a mere multiple of a given stays as it is."""
         found, defined = [], []
-        where = f" about its {'centre of mass' if point == CM else spoken(point)}"
+        where = f" about {spoken_point(point)}"
         for axis, value in zip(AXES, product(tensor, own.omega), strict=True):
-            if (
-                value == ZERO or self.sought(value) or self.moment.held.bodies[name].moved
-            ):  # of what is led no law is written
+            plain = self.moment.held.bodies[name].moved  # of what is led no law is written
+            if value == ZERO or plain or self.sought(value) or self.small_in(name, value, own):
                 found.append(value)
                 continue
             index = {"x": "1", "y": "2", "z": "3"}[axis] if own.axes.name == NODE else axis

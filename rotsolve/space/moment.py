@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
@@ -38,9 +38,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
-from rotsolve.language.problem import EXTREMES
 from rotsolve.paths.meaning import NotYet
-from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import (
     BODY,
     IN_SPACE,
@@ -48,24 +46,20 @@ from rotsolve.space.attitude import (
     Attitude,
     Axes,
     HingeTurn,
-    Nodding,
     as_drawn,
     at_rest_in,
     hinged_on,
-    in_euler_angles,
     in_own_axes,
-    nodding,
     node_axes,
     on_axle,
-    permutation,
 )
 from rotsolve.space.frames import Relative, frame_of
+from rotsolve.space.leaning import LeaningMoment
 from rotsolve.space.rolling import Rolling
 from rotsolve.space.sliding import slid
-from rotsolve.space.telling import TellingMoment
 
 
-class SpaceMoment(TellingMoment):
+class SpaceMoment(LeaningMoment):
     """One state of a scene in space."""
 
     before: SpaceMoment | None
@@ -103,11 +97,6 @@ class SpaceMoment(TellingMoment):
         """How a body is turned from how it is drawn, as the scene says."""
         return in_turn(((item.about, item.by) for item in self.held.bodies[name].turned), self.positive)
 
-    def nods(self, name: str) -> bool:
-        """Whether the scene speaks of a body's tilt, precession or spin."""
-        joint = self.held.main(name)
-        return name in self.held.nodding and (joint is None or joint.free or self.held.carrier(name) == "")
-
     def _led(self, name: str, led: Sequence[tuple[str, str, Formula]]) -> Attitude:
         """A body whose angular velocity is prescribed, in space axes, with its rate; what is only led along does not turn."""
         parts = {(word, axis): value for word, axis, value in led}
@@ -125,112 +114,6 @@ class SpaceMoment(TellingMoment):
         back = transposed(rows)
         omega, alpha = (triple([self.now(part) for part in vector]) for vector in (omega, alpha))
         return as_drawn(rows, rotated(back, omega), rotated(back, alpha))
-
-    def _nods(self, name: str) -> Attitude:
-        """A body by its Euler angles; with ω₃ for ψ̇ + φ̇ cos θ where the state does not tell the spin."""
-        lines = self.line(name, "spin"), self.line(name, "axial_rate")
-        if lines[0] is not None and lines[1] is not None:
-            help = "`spin` is ψ̇, relative to the line of nodes; `axial_rate` is ω₃ = ψ̇ + φ̇ cos θ: give one of them"
-            raise Unsolvable(f"`{name}` has both a `spin` and an `axial_rate`", span=lines[1].span, help=help)
-        axis = self.held.axis(name)
-        if axis is None:
-            raise Unsolvable(f"`{name}` has no axis: its tilt and spin have no meaning", help="give it `axis: z`")
-        if self.state.steady:
-            self.refuse_shaken(name)
-        turning, symmetric = self.nodding(name), self.held.turns_round(name, axis)
-        if not symmetric and self.state.steady:
-            self.refuse_unsteady(name, axis)
-        found = (nodding if symmetric else in_euler_angles)(turning, permutation(axis))
-        if not symmetric or self.told(name, "spin") is not None or self.rests(name):
-            return found
-        axial, faster = self.ask("axial_rate", name), self.rate_of("axial_rate", name)
-        omega, rates = (found.omega[0], found.omega[1], axial), (found.rates[0], found.rates[1], faster)
-        return Attitude(found.axes, found.own, omega, rates, found.about)
-
-    def refuse_shaken(self, name: str) -> None:
-        """Refuse a steady precession about the vertical of what is held at a point that is accelerated sideways."""
-        carrier, rate = self.held.bodies.get(self.held.carrier(name)), self.told(name, "precession")
-        if rate is not None and self.held.vanishes(rate):
-            return  # it leans, and stays so
-        led = [(axis, value) for word, axis, value in (carrier.moved if carrier else ()) if word == "acceleration"]
-        upright = self.nodding(name).angles[1] in (ZERO, PI)
-        if carrier is None or upright or all(axis == "z" or self.held.vanishes(value) for axis, value in led):
-            return
-        joint = self.held.main(name)
-        message = (
-            f"`{name}` does not precess steadily about the vertical: `{carrier.name}` accelerates its point sideways"
-        )
-        help = "it does so about the weight that is felt there: draw z along g − a, and give `gravity` its size"
-        raise Unsolvable(message, span=None if joint is None else joint.body.span, help=help)
-
-    def refuse_unsteady(self, name: str, axis: Triple) -> None:
-        """Refuse a steady precession of a body that spins and is not symmetric, or of which letters do not tell whether it is."""
-        told = next((line for word in ("spin", "axial_rate") if (line := self.line(name, word)) is not None), None)
-        if told is None or told.value is None or self.held.vanishes(told.value):
-            return
-        if self.nodding(name).angles[1] in (ZERO, PI):
-            return
-        letters = self.held.open_letters(name, axis)
-        message = f"`{name}` spins, and is not the same all round its axis through the point that is held: it does not precess steadily"
-        help = "leave out `steady: true`, and tell its rates"
-        if letters:
-            message, help = (
-                f"whether `{name}` is symmetric, so that it may precess steadily, hangs on {letters}",
-                "give them numbers",
-            )
-        raise Unsolvable(message, span=told.span, help=help)
-
-    @remembered
-    def nodding(self, name: str) -> Nodding:
-        """The Euler angles of a body and their rates: what the state tells, see `angle_of`; where φ = 0, e₁ lies along x."""
-        angles = triple([self.angle_of(name, number) for number in range(len(ANGLES))])
-        rests, steady = self.rests(name), self.state.steady or self.extreme_tilt(name)
-        still = {
-            "precession": rests,
-            "nutation": rests or steady,
-            "spin": rests,
-        }  # what is nothing unless the state tells it
-        rates = triple(
-            [ZERO if still[word] and self.told(name, word) is None else self.ask(word, name) for word in RATES]
-        )
-        return Nodding(angles, rates, triple([self.rate_of(word, name) for word in RATES]))
-
-    def angle_of(self, name: str, number: int) -> Formula:
-        """An Euler angle: as told, through an event as before; φ = ψ = 0 where nothing tells them at first or in a steady state."""
-        told = self.told(name, ANGLES[number])
-        if told is not None:
-            return told.transform(self.by_sides, "atan")
-        if self.before is not None:
-            return self.before.nodding(name).angles[number]
-        moved_on = self.later and not self.state.steady
-        if ANGLES[number] == "precession_angle" and not moved_on:
-            self.refuse_unplaced(name)
-        return self.ask(ANGLES[number], name) if moved_on or ANGLES[number] == "tilt" else ZERO
-
-    def refuse_unplaced(self, name: str) -> None:
-        """Refuse a body that leans, and holds another one that leans or is held by one, where nothing tells to which side: how both move
-        hangs on that."""
-        linked = (one for one in self.held.order if name in (one, self.held.carrier(one)) or one == self.held.carrier(name))
-        leaning = [one for one in linked if self.nods(one) and self.told(one, "tilt") not in (ZERO, PI)]
-        joint = self.held.main(name)
-        if name not in leaning or len(leaning) < 2 or joint is None:
-            return
-        lower, upper = leaning[:2]
-        message = f"to which side `{name}` leans at {self.spoken_of()} nothing tells"
-        help = f"tell the `precession_angle` of both, as `{lower}.precession_angle: 180 deg` and `{upper}.precession_angle: 0 deg`"
-        raise Unsolvable(message, span=joint.body.span, help=help)
-
-    def by_sides(self, angle: Formula) -> Formula:
-        """arctan(y/x) as the heading of (x, y), of which cos = x/√(x² + y²), where x > 0."""
-        slope = angle.arguments[0] if isinstance(angle, Call) and angle.function == "atan" else None
-        if not isinstance(slope, Quotient) or self.held.signs.decide(slope.denominator) != 1:
-            return angle
-        return Call("atan2", (slope.numerator, slope.denominator))
-
-    def extreme_tilt(self, name: str) -> bool:
-        """Whether the state says that the tilt of a body is largest or smallest there, so that it nods no more."""
-        line = self.line(name, "tilt")
-        return line is not None and line.word in EXTREMES
 
     def _anyhow(self, name: str) -> Attitude:
         """A body that may turn about any axis, in its own axes."""
@@ -280,6 +163,10 @@ class SpaceMoment(TellingMoment):
 
     def _about_axis(self, name: str, joint: Joint, base: Attitude, on_body: bool) -> Attitude:
         """A body on a hinge or an axle."""
+        told = self.line(name, "angular_velocity", "x")
+        if told is not None:
+            message = f"`{name}` is on a `{'axle' if joint.aligned else 'hinge'}`: its angular velocity is one number, about the axis"
+            raise Unsolvable(message, span=told.span, help=f"write `{name}.angular_velocity: 3 rad/s`")
         direction = self.direction(name, joint)
         axis = self.held.axis(name) if self.held.wheel(name) else None
         word = "spin" if on_body and joint.aligned else "angular_velocity"
@@ -358,10 +245,6 @@ class SpaceMoment(TellingMoment):
             return f"how `{name}` stands at {self.spoken_of()} {said}"
         return f"how `{name}` stands at {self.spoken_of()} nothing tells" if self.later else ""
 
-    def spoken_of(self) -> str:
-        """When this moment is, in words."""
-        return f"`{self.when}`" if self.at == self.when else "any time"
-
     def axle_spin(self, name: str) -> Formula | None:
         """How fast a body spins on the axle on which another one carries it; None of others."""
         joint = self.held.main(name)
@@ -388,8 +271,12 @@ class SpaceMoment(TellingMoment):
             given = self.told(name, "angular_acceleration")
             faster = given if given is not None else self.rate_of(word, name)
         if self.state.steady and not self.held.vanishes(faster):
-            message = f"`{name}` turns faster and faster by what is told of it, which is not `steady` at {self.spoken_of()}"
-            raise Unsolvable(message, span=joint.body.span, help=f"leave `steady: true` out, or its angular acceleration")
+            message = (
+                f"`{name}` turns faster and faster by what is told of it, which is not `steady` at {self.spoken_of()}"
+            )
+            raise Unsolvable(
+                message, span=joint.body.span, help="leave `steady: true` out, or its angular acceleration"
+            )
         return self.now(rate), self.now(faster)
 
     def stands_on_carrier(self, name: str, joint: Joint) -> bool:

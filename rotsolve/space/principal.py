@@ -2,7 +2,7 @@
 which the moment is a root without roots of det (I − λ 1) = 0, as symmetry makes one.
 
 An axis on which no product of inertia stands is a principal one, and leaves a quadratic for the others:
-λ = (I_a + I_b)/2 ± √(((I_a − I_b)/2)² + I_ab²). Else the cubic is taken into factors.
+λ = (I_a + I_b)/2 ± √(((I_a − I_b)/2)² + I_ab²). Else the cubic is taken into factors; where it has none, see `principal_cubic`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from itertools import combinations
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import Fractions, coefficients, degree, is_zero, simplify
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, negate, sqrt
 from rotsolve.core.facts import square
 from rotsolve.core.vectors.tensor import InertiaTensor
@@ -39,11 +40,15 @@ BESIDE = {"x": ("yy", "zz", "yz"), "y": ("zz", "xx", "zx"), "z": ("xx", "yy", "x
 WAYS = {"x": X, "y": Y, "z": Z}
 ROWS = (("xx", "xy", "zx"), ("xy", "yy", "yz"), ("zx", "yz", "zz"))
 MOMENT = "#moment"  # λ, as no scene calls it
+FACTORED = (
+    300  # nodes of a tensor, whose cubic is taken into factors: beyond it takes seconds, and longer ones have had none
+)
 PRODUCTS = {"x": ("xy", "zx"), "y": ("xy", "yz"), "z": ("zx", "yz")}
 
 
-def principal(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> list[Found]:
-    """The three moments with their axes, of a tensor whose letters are spelled out to see what vanishes or is alike."""
+def principal(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> list[Found]:
+    """The three moments with their axes, of a tensor whose letters are spelled out to see what vanishes or is alike; none where no axis
+    shows."""
 
     def nothing(value: Formula) -> bool:
         return value == ZERO or vanishes(spelled(value))
@@ -59,14 +64,7 @@ def principal(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Not
         lone = simplify(add(tensor.xx, 2 * tensor.xy))
         other = simplify(add(tensor.xx, negate(tensor.xy)))
         return [(lone, (third, third, third)), (other, None), (other, None)]
-    found = by_factors(tensor, spelled)
-    if found:
-        return found
-    raise NotYet(
-        f"`{path_text(path)}` has no closed form that shows: no axis of the body is a principal one",
-        path.span,
-        "ask for `inertia_tensor`; principal moments by a cubic are not solved yet",
-    )
+    return by_factors(tensor, spelled)
 
 
 def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
@@ -87,6 +85,8 @@ def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
 def by_factors(tensor: InertiaTensor, spelled: Spelled) -> list[Found]:
     """The three moments by the factors of det (I − λ 1), a linear one first, with its axis where it is alone; none where there is none."""
     rows = [triple([spelled(tensor.entry(word)) for word in words]) for words in ROWS]
+    if sum(length(part) for row in rows for part in row) > FACTORED:
+        return []
     moment = Symbol(MOMENT)
     shifted = [triple([part - moment if i == j else part for j, part in enumerate(row)]) for i, row in enumerate(rows)]
     problem = Fractions([dot_product(shifted[0], cross_product(shifted[1], shifted[2]))], extra=(MOMENT,))
@@ -127,10 +127,10 @@ def lone_way(rows: list[Triple], moment: Formula, spelled: Spelled) -> Triple | 
 
 
 def principal_moment(
-    tensor: InertiaTensor, spelled: Spelled, number: str, path: Path, vanishes: Nothing, side: Side
-) -> Formula:
-    """The first, second or third of them, from the smallest on; `side` tells the sign of a difference."""
-    found = principal(tensor, spelled, path, vanishes)
+    tensor: InertiaTensor, spelled: Spelled, number: int, path: Path, vanishes: Nothing, side: Side
+) -> Formula | None:
+    """The first, second or third of them, from the smallest on, None where no axis shows; `side` tells the sign of a difference."""
+    found = principal(tensor, spelled, vanishes)
     moments = [moment for moment, _ in found]
     ordered: list[int] = []
     for one in range(len(moments)):
@@ -147,7 +147,7 @@ def principal_moment(
                 break
             place += 1
         ordered.insert(place, one)
-    return moments[ordered[int(number) - 1]]
+    return moments[ordered[number - 1]] if found else None
 
 
 def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> int | None:
@@ -172,7 +172,7 @@ def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Not
     def nothing(value: Formula) -> bool:
         return vanishes(spelled(value))
 
-    found = principal(tensor, spelled, path, vanishes)
+    found = principal(tensor, spelled, vanishes)
     for number, (moment, way) in enumerate(found):
         others = [item for place, (item, _) in enumerate(found) if place != number]
         alone = way is not None and not any(nothing(moment - other) for other in others)

@@ -187,6 +187,10 @@ class Pushes:
         name, axis = joint.body.owner, self.direction(joint)
         assert axis is not None
         held = self.moment.arm(joint.body)
+        first, last = joint.bearings
+        if self.moment.held.vanishes(first - last):
+            message = f"both bearings of `{joint.owner}` are at one place: they don't keep the axis of `{name}` in its direction"
+            raise Unsolvable(message, span=joint.body.span, help="give two places, or leave `bearings` out")
         for number, place in enumerate(joint.bearings, 1):
             force = self.letters("force", joint, f"_{number}")
             if number == 2:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, sqrt, total
-from rotsolve.algebra.units.dimension import ANGLE
-from rotsolve.core.equation import KINETIC_ENERGY
+from rotsolve.algebra.units.dimension import ANGLE, Dimension
+from rotsolve.core.equation import KINETIC_ENERGY, PART_OF_ROOTS, Equation
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
+from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.triple import (
     AXES,
@@ -282,17 +284,41 @@ class SpaceReader(VectorReader):
 
     def principal_moments(self, path: Path, term: Term) -> Meaning:
         from rotsolve.space.principal import principal_moment
+        from rotsolve.space.principal_cubic import nearly_alike, principal_by_cubic
 
-        tensor, number = self.tensor_about(path, term), (path.component or "1").split()[-1]
+        tensor, number = self.tensor_about(path, term), int((path.component or "1").split()[-1])
         spelled, signs = self.dynamics.tensors.spelled, self.moment.signs
 
         def side(gap: Formula) -> int | None:
             sign = signs.decide(gap)
             return signs.whatever_way(gap) if sign is None else sign
 
-        found = principal_moment(tensor, spelled, number, path, self.held.vanishes, side)
-        steps = tuple(self.dynamics.tensors.steps)
+        found, parts = principal_moment(tensor, spelled, number, path, self.held.vanishes, side), list[Equation]()
+        if found is None:
+            if nearly_alike(
+                tensor, lambda value: None if (size := signs.number(spelled(value))) is None else size.float
+            ):
+                message = f"two principal moments of `{path.owner}` are equal, and no axis shows by its letters"
+                raise NotYet(message, path.span, "ask for `inertia_tensor`, or draw it along its axes")
+            found = principal_by_cubic(tensor, number, partial(self.part_of_cubic, path.owner, term, parts))
+        steps = (*self.dynamics.tensors.steps, *parts)
         return Meaning(found, QUANTITIES["inertia"].dimension, label=PRINCIPAL, laws=steps)
+
+    def part_of_cubic(
+        self,
+        name: str,
+        term: Term,
+        parts: list[Equation],
+        words: str,
+        letter: str,
+        value: Formula,
+        dimension: Dimension,
+    ) -> Formula:
+        """A letter for a part of the roots of a cubic, about a point."""
+        where = "" if term.about is None else f"{term.about.owner}.{term.about.point}"
+        symbol = self.moment.registry.ask(SceneQuantity(words, name, "", where, letter, dimension))
+        parts.append(PART_OF_ROOTS.equation(symbol, value, self.moment.when, (name,), words=words))
+        return symbol
 
     def rotation_angle(self, path: Path, term: Term) -> Meaning:
         """cos = (trace R − 1)/2."""

@@ -24,7 +24,7 @@ from rotsolve.core.vectors.triple import (
     way_between,
 )
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Joint
 from rotsolve.space.attitude import IN_SPACE, NODE, MovingBodies
 from rotsolve.space.frames import Relative
 
@@ -52,7 +52,7 @@ def out_of_surface(joint: Joint, moment: MovingBodies) -> Triple:
 def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     """Where a body touches the surface, from its reference, in its axes: of a thin wheel its lowest point, however it leans."""
     name, radius = joint.body.owner, rolling_radius(joint, moment)
-    own, hub = moment.attitude(name), moment.arm(PointRef(name, joint.body.point or "center"))
+    own, hub = moment.attitude(name), moment.arm(joint.body)
     out = out_of_surface(joint, moment)
     if moment.held.ball(name):
         return vector_sum(hub, IN_SPACE.to(own.axes, scaled_by(negate(radius), out)))

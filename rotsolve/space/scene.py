@@ -419,12 +419,39 @@ class SpaceEquations(SceneEquations, dict=True):
             told = TOLD_OF_BODIES if path is not None and path.owner in bodies else PUSHING
             if path is None or value is None or path.quantity not in told:
                 continue
-            term = Term(path, axes=line.axes or None)
-            meaning = SpaceReader(dynamics, self.dynamics, self.configuration.problem).meaning(path, term)
-            moment.used.add(number)
-            yield from meaning.laws
-            words = in_direction(label_of(plainly_named(path), term), path.component or "", in_space=True)
-            yield CONDITION.equation(meaning.formula, value, moment.when, words=f", {words}")
+            yield from self.told_as_equation(number, dynamics)
+
+    def told_otherwise(self, dynamics: SpaceLaws) -> Iterator[Equation]:
+        """What a state tells that no law has read, as how a point moves just after a blow, where it can be asked for as well."""
+        moment = dynamics.moment
+        for number, line in enumerate(moment.state.conditions):
+            if number in moment.used or line.path is None or line.value is None or not line.path.owner:
+                continue
+            try:
+                *laws, told = self.told_as_equation(number, dynamics)
+            except (Unsolvable, NotYet, Unclear):  # it stays unread, and is refused as such
+                continue
+            if self.tells(told):
+                yield from (*laws, told)
+            else:  # it is told already
+                moment.used.discard(number)
+
+    def tells(self, equation: Equation) -> bool:
+        """Whether an equation tells something that is not given."""
+        asked = {given.name for given in self.configuration.problem.givens if given.asked}
+        return any(is_key(letter) or letter in asked for letter in equation.symbols())
+
+    def told_as_equation(self, number: int, dynamics: SpaceLaws) -> Iterator[Equation]:
+        """A line of a state as an equation for what it is about, with the laws that tell that."""
+        moment, line = dynamics.moment, dynamics.moment.state.conditions[number]
+        path, value = line.path, line.value
+        assert path is not None and value is not None
+        term = Term(path, axes=line.axes or None, relative=line.relative or None)
+        meaning = SpaceReader(dynamics, self.dynamics, self.configuration.problem).meaning(path, term)
+        yield from meaning.laws
+        words = in_direction(label_of(plainly_named(path), term), path.component or "", in_space=True)
+        moment.used.add(number)
+        yield CONDITION.equation(meaning.formula, value, moment.when, words=f", {words}")
 
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state."""
@@ -442,6 +469,8 @@ class SpaceEquations(SceneEquations, dict=True):
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
             laws = through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
             yield from (self.put_in_order(one) for one in laws)
+        for dynamics in self.dynamics.values():
+            yield from self.told_otherwise(dynamics)
         yield from self.tensors.steps
 
 

@@ -9,7 +9,16 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, add, multiply
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.triple import Triple, cross_product, dot_product, is_axis, scaled_by, unit_along, vector_sum
+from rotsolve.core.vectors.triple import (
+    Triple,
+    cross_product,
+    dot_product,
+    is_axis,
+    scaled_by,
+    unit_along,
+    vector_sum,
+    way_between,
+)
 from rotsolve.language.bodies import Joint
 from rotsolve.space.attitude import IN_SPACE, Axes, MovingBodies
 
@@ -61,9 +70,24 @@ def part_on_slide(joint: Joint, moment: MovingBodies, word: str, told: tuple[Tri
     return dot_product(way, vector)
 
 
+def refuse_elsewhere(joint: Joint, moment: MovingBodies) -> None:
+    """Refuse a place that a state tells of a body on a slide and that is not the point of the carrier at which the slide has it."""
+    name, carrier = joint.body.owner, joint.carrier.owner
+    told = moment.vector_told(name, "position")
+    if told is None or carrier not in moment.held.bodies:
+        return
+    there = moment.arm(joint.carrier)
+    if told[2] != carrier or not all(map(moment.held.vanishes, way_between(there, told[0]))):
+        line = moment.line(name, "position", "x")
+        message = f"where `{name}` is on `{carrier}` is told by `{joint.owner}`, not by a state"
+        help = f"give `{carrier}` a point there, `points: {{P: [x, y, z]}}`, and write `{joint.owner}: {{slide: [{carrier}.P, {name}]}}`"
+        raise Unsolvable(message, span=None if line is None else line.span, help=help)
+
+
 def slid(joint: Joint, moment: MovingBodies, word: str) -> Triple:
     """What sliding adds to the velocity or acceleration of the point of the carrier that is there, in the axes of the body."""
     name, carrier = joint.body.owner, joint.carrier.owner
+    refuse_elsewhere(joint, moment)
     way, rate = sliding_way(joint, moment), sliding_rate(joint, moment, "velocity")
     if word == "velocity":
         return scaled_by(rate, way)

@@ -31,6 +31,7 @@ def growth(laws: SpaceLaws, path: Path) -> Meaning:
     """λ² of a free body that turns about one of its principal axes; of one that rolls or is held that of its own steady motion."""
     name, held = path.owner, laws.moment.held
     own = laws.moment.attitude(name)
+    refuse_pushed(laws, name)
     if rolls_upright(laws, name):
         return of_rolling(laws, name)
     if held.of_body(name):
@@ -52,6 +53,16 @@ def growth(laws: SpaceLaws, path: Path) -> Meaning:
     a, b = AXES[i], AXES[j]
     words = f"small ω_{a}, ω_{b} ∝ exp(λ t): I_{a} λ ω_{a} = (I_{b} − I_{axis}) ω ω_{b}, I_{b} λ ω_{b} = (I_{axis} − I_{a}) ω ω_{a}"
     return Meaning(formula, QUANTITIES["stability"].dimension, label=words)
+
+
+def refuse_pushed(laws: SpaceLaws, name: str) -> None:
+    """Refuse what a small disturbance does to a body on which more acts than its weight, or which carries another one."""
+    held = laws.moment.held
+    pushing = [action.name for action in laws.pushes.actions if any(ref.owner == name for ref in action.touches())]
+    carrying = [joint.owner for joint in held.joints if joint.carrier.owner == name]
+    for other in (*pushing, *carrying):
+        message = f"what a small disturbance does to `{name}` is not solved: `{other}` acts on it beside its weight"
+        raise NotYet(message, laws.moment.state.span)
 
 
 def rolls_upright(dynamics: SpaceLaws, name: str) -> bool:
@@ -85,6 +96,7 @@ def of_rolling(dynamics: SpaceLaws, name: str) -> Meaning:
 def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     """Where the motion of a body at a state is just stable: an upright top, on the point at which it begins to sway; a rolling wheel."""
     moment, held = dynamics.moment, dynamics.moment.held
+    refuse_pushed(dynamics, name)
     if rolls_upright(dynamics, name):
         lean = of_rolling(dynamics, name)
         return STABILITY.equation(ZERO, lean.formula, moment.when, (name,), (f"{lean.label}; λ² = 0",))

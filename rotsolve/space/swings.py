@@ -169,7 +169,7 @@ def of_hinge(laws: SpaceLaws, path: Path, *, told: bool) -> Meaning:
     if moment.held.wheel(name):
         return Meaning(ZERO, dimension, label="its weight acts at its axle")
     way, arm = moment.direction(name, joint), moment.held.arm(PointRef(name, CM))
-    inertia = moment_along(laws.own_tensor(PointRef(name, joint.body.point or "center")), way)
+    inertia = moment_along(laws.own_tensor(joint.body), way)
     weight = multiply(moment.held.mass(name), laws.pushes.gravity or ZERO)
     if not told:
         lean = length_of(cross_product(way, rotated(transposed(moment.turned(name)), Z)))

@@ -1,4 +1,5 @@
-"""Principal moments where no axis of the body is one, but det (I − λ 1) has a factor: an axis by symmetry, as of two plates at an edge.
+"""Principal moments where no axis of the body is one: where det (I − λ 1) has a factor, by an axis of symmetry, as of two plates at an
+edge, and where it has none.
 
 Trace, sum of principal minors and determinant tell whether three numbers are the moments of a tensor; all answers by the assembly too,
 which turns tensors in numbers (Jacobi).
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+import numpy
 import pytest
 
 from rotsolve import Solution, Unsolvable, solve
@@ -69,7 +71,32 @@ def test_letters_of_several_kinds() -> None:
     assert confirmed(solution(parts, given=f"{LETTERS}, h: m"))
 
 
-def test_a_cubic_without_a_factor_is_refused_by_name() -> None:
-    parts = of_points(("m", "[a, h, 0]"), ("3*m", "[0, a, h]"), ("2*m", "[a, 0, 2*h]"))
-    with pytest.raises(Unsolvable, match="no closed form that shows"):
-        solution(parts, given=f"{LETTERS}, h: m")
+PLACES = (("m", (1, 1, 0)), ("3*m", (0, 2, 1)), ("2*m", (2, 0, 3)), ("m", (0, -1, 4)))  # in a/2
+
+
+def of_places() -> str:
+    return of_points(*((mass, "[" + ", ".join(f"{part}*a/2" for part in place) + "]") for mass, place in PLACES))
+
+
+@pytest.mark.parametrize("point", ["", " about b.O"])
+def test_a_cubic_without_a_factor_by_its_angle(point: str) -> None:
+    """Against the eigenvalues of the tensor that the masses have (NumPy); the same in letters."""
+    parts = of_places()
+    masses = numpy.array([2.0 * float(mass[:-2] or 1) if "*" in mass else 2.0 for mass, _ in PLACES])
+    places = numpy.array([place for _, place in PLACES]) * 0.15
+    places = places if point else places - masses @ places / sum(masses)
+    tensor = sum(m * (r @ r * numpy.eye(3) - numpy.outer(r, r)) for m, r in zip(masses, places, strict=True))
+    find = f"P: b.principal_moments{point}"
+    found = solution(parts, find, NUMBERS)
+    moments = [part.float for part in found.answers["P"].components.values()]
+    assert moments == pytest.approx(list(numpy.linalg.eigvalsh(tensor)), rel=1e-12)
+    assert confirmed(found) and confirmed(solution(parts, find))
+
+
+def test_equal_moments_that_no_letter_shows_are_refused_by_name() -> None:
+    """A cylinder and a sphere as one body, turned askew: the cubic has a double root, of which no digit of the angle is certain."""
+    turned = "turned: [{about: [1, 2, 3], by: 77 deg}, {about: x, by: 11 deg}]"
+    parts = f"c: {{shape: cylinder, mass: m, radius: a, length: 3*a, at: [0, 0, 0], {turned}}}"
+    parts += ", s: {shape: sphere, mass: m, radius: a, at: [0, 0, 0]}"
+    with pytest.raises(Unsolvable, match="two principal moments of `b` are equal"):
+        solution(parts, "P: b.principal_moments", NUMBERS)

@@ -16,7 +16,7 @@ from msgspec import Struct
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined, Values, with_values
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, context
-from rotsolve.algebra.formula import Formula, Integral, Number, formula
+from rotsolve.algebra.formula import Formula, Integral, Number, Symbol, formula
 from rotsolve.profile import of_kind
 
 
@@ -282,6 +282,12 @@ def evaluate(
         lambda more: _enclose(f, known, more, max_precision, found),
         lambda value: is_zero(with_values(f, known) - value),
     )
+
+
+def times(number: Certified, factor: Formula) -> Certified:
+    """A certified number times a factor without letters, as closely as the number is known."""
+    letter = Symbol("#number")
+    return evaluate(letter * factor, {}, roots={letter.name: number})
 
 
 def _zero(f: Formula, values: Values) -> bool:

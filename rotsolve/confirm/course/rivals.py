@@ -200,8 +200,8 @@ class SoughtLetter(Struct, frozen=True):
 
     @property
     def sized(self) -> bool:
-        """Whether it is a size, of a kind that has a sense, as said: one that is positive, or none."""
-        return self.given.dimension not in (None, ANGLE) and self.said >= 0.0 and not self.signed
+        """Whether it is a size, of a kind that has a sense, as said: one that is positive, or none; an angle to one side, as a size is."""
+        return self.given.dimension is not None and self.said >= 0.0 and not self.signed
 
     def said_beside(self, value: float) -> str:
         """What is said where another value does as well."""
@@ -223,8 +223,8 @@ class SoughtLetter(Struct, frozen=True):
         apart = abs(math.remainder(value - said, math.tau) if angle else value - said)
         if not math.isfinite(value) or apart <= SAME * max(abs(value), abs(said)):
             return False
-        if angle and not (0.0 < value < math.pi / 2 if 0.0 < said < math.pi / 2 else abs(value) <= math.pi):
-            return False
+        if angle and (abs(value) > math.pi or (sized and said > 0.0 and abs(value + said) <= SAME * said)):
+            return False  # an angle to one side is that to the other, seen in a mirror
         inside = {"largest": value < said, "smallest": value > said}.get(self.find.modifier, False)
         return (angle or value >= 0.0 or said < 0.0 or not sized or self.signed) and not inside
 

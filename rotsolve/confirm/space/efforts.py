@@ -148,12 +148,13 @@ class Efforts:
             return self.rig.arrow(size)
         if isinstance(way, tuple):
             return scaled(self.rig.value(size), way_along(self.rig, way))
-        axis = self.rig.axis(ref.owner)
-        if not action.twists() or way is not None or axis is None:
+        axis, joint = self.rig.axis(ref.owner), self.rig.main(ref.owner)
+        hinged = joint is not None and joint.turning
+        if not action.twists() or way is not None or not (hinged or axis):
             raise NotConfirmed(f"in which direction `{action.name}` acts")
-        joint = self.rig.main(ref.owner)
         if joint is not None and joint.turning:
             return scaled(self.rig.value(size), self.stance.way(joint))
+        assert axis is not None
         return scaled(self.rig.value(size), times_arrow(self.stance.turned(ref.owner), axis))
 
     # laws

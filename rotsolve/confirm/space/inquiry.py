@@ -422,10 +422,8 @@ class Inquiry:
     def left_over(self) -> list[float]:
         """What is left of all equations of all states: nothing where the answers that are put in are right."""
         left: list[float] = []
-        if self.problem.events:
-            raise NotConfirmed("what is asked for beside events in space")
         for state in self.problem.states or (None,):
-            standing = Moving(Stance(self.rig, Lines(self.rig, state, self.put)))
+            standing = self.moving_at(state)
             if standing.stance.open:
                 raise NotConfirmed(OPEN)
             if standing.hangs_on_rates():
@@ -434,8 +432,20 @@ class Inquiry:
             left += standing.over([0.0] * len(standing.moving.free))
             left += self.off_lines(standing, state)
         for before, state in pairwise(self.problem.states):
-            left += self.off_arrival(before, state)
+            left += self.off_arrival(before, state) if self.event_to(state.name) is None else ()
         return left
+
+    def moving_at(self, state: State | None) -> Moving:
+        """How all can move at a state: as it tells, or as a blow leaves it."""
+        from rotsolve.confirm.space.passing import moving_after
+
+        event = None if state is None else self.event_to(state.name)
+        if event is None:
+            return Moving(Stance(self.rig, Lines(self.rig, state, self.put)))
+        worlds = [world for way in self.ways(event.from_) for world in way.worlds]
+        if any(world.now is not worlds[0].now for world in worlds):
+            raise NotConfirmed(OPEN)
+        return moving_after(self.rig, event, worlds[0], state, self.put)
 
     def off_arrival(self, before: State, state: State) -> Iterator[float]:
         """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it, and by

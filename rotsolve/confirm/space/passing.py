@@ -24,13 +24,18 @@ def after_blow(rig: Rig, event: Event, before: Manner, state: State | None, put:
     worlds: list[World] = []
     clash = before.clash
     for world in before.worlds:
-        stance = stance_kept(rig, world.stance, Lines(rig, state, put))
-        moving = Moving(stance, struck_bodies(Efforts(stance), event, world.now))
+        moving = moving_after(rig, event, world, state, put)
         count = len(moving.moving.free)
         found = moving.way([anyhow(count, number) for number in range(3 if count else 1)])
         worlds += found.worlds
         clash = max(clash, found.clash)
     return Manner(tuple(worlds), clash)
+
+
+def moving_after(rig: Rig, event: Event, before: World, state: State | None, put: Told) -> Moving:
+    """How all can move just after a blow."""
+    stance = stance_kept(rig, before.stance, Lines(rig, state, put))
+    return Moving(stance, struck_bodies(Efforts(stance), event, before.now))
 
 
 def stance_kept(rig: Rig, before: Stance, lines: Lines) -> Stance:

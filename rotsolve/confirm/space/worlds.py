@@ -71,12 +71,12 @@ class Equations:
         if not (found.free and idle):
             return found
         right = list(right)
-        if not self.joined(idle, right):  # what is told may turn a massless body about some of its ways
+        if not self.take(idle, right):  # what is told may turn a massless body about some of its ways
             for tie in idle:
-                self.joined([tie], right)
+                self.take([tie], right)
         return solved_generally(self.rows, right, len(self.places))
 
-    def joined(self, ties: Sequence[Tie], right: list[float]) -> bool:
+    def take(self, ties: Sequence[Tie], right: list[float]) -> bool:
         """Whether ties with nothing on their right side go with all that is there; else they are left out again."""
         told, places = list(self.rows), dict(self.places)
         for tie in ties:

@@ -102,6 +102,20 @@ def wheel_on_a_string(n: Numbers) -> Answers:
     return {"tau": SIZE(weight), "L": own, "Omega": rate, "Omega_2": other, "T": 2 * pi / rate}
 
 
+def gyroscope_on_a_string(n: Numbers) -> Answers:
+    """The string pulls along itself with M g upwards and M Ω² r inwards, r = l + L sin β; its pull at the end of the axle turns L."""
+    wheel = with_moments(n.M, n.I1, n.I1, n.I0)
+
+    def missing(rate: float) -> float:
+        momentum = steady(wheel, pi / 2, n.w, rate).angular_momentum()
+        return float(np.cross(rate * Z, momentum)[0] - n.l * n.M * n.g)
+
+    rate = root(missing, 0.0, 100.0)
+    lean = root(lambda angle: n.g * sin(angle) - rate**2 * (n.l + n.L * sin(angle)) * cos(angle), 0.0, 1.0)
+    pull = n.M * np.array([rate**2 * (n.l + n.L * sin(lean)), n.g])
+    return {"W": rate, "beta": lean * 180 / pi, "T": SIZE(pull)}
+
+
 def wheel_let_go(n: Numbers) -> Answers:
     body = with_moments(n.M, n.I1, n.I1, n.I3).moved(n.d * Z).turned(turn(X, pi / 2))
     weight = body.masses @ np.cross(body.places, -n.g * Z)
@@ -285,4 +299,5 @@ CALCULATIONS = {
     "top-that-trembles": top_that_trembles,
     "wheel-let-go": wheel_let_go,
     "wheel-on-a-string": wheel_on_a_string,
+    "gyroscope-on-a-string": gyroscope_on_a_string,
 }
