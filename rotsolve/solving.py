@@ -247,7 +247,8 @@ def composed(
         composer = DerivationComposer(search, first, moment)
     with stage("verify", whole=True):
         held = checks(search, composer.letters, balls, moment)
-        idle = idle_words(search.scene)  # what is read from here on is none of the solution
+        used = [search.planner.pool[index] for answered in search.answered for index in answered.used]
+        idle = idle_words(search.scene, used)  # what is read from here on is none of the solution
     with stage("compose", whole=True):
         trials = () if decision is None else decision.trials
         derivation = with_missing_told(composer.derivation(held, slipped, trials), composer.problem)

@@ -85,6 +85,10 @@ class SceneEquations(Struct, dict=True):
         """What acts on each body of a scene in space, in words; nothing in the plane, whose facts say it."""
         return iter(())
 
+    def idle_assumptions(self, used: Collection[Equation]) -> Iterator[str]:
+        """The assumptions of a scene that leave nothing out of the equations that are used: none in the plane, where there are none."""
+        return iter(())
+
     def unread_lines(self) -> Iterator[Condition]:
         """The lines of states of which nothing has asked what they fix."""
         return (line for key, line in self.told if key not in self.registry.spoken_of)

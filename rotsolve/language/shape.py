@@ -75,6 +75,12 @@ class Shape(Element, frozen=True):
         """The coordinates in which its density may vary, as they are spoken of."""
         return self.coordinates
 
+    def left_out(self) -> tuple[str, ...]:
+        """The sizes that get letters, since the scene leaves them out: a length, and a radius of what has no `radii`."""
+        sizes = (name for name, declared in self.declared.items() if declared.kind == "quantity")
+        open_ = (name for name in sizes if name in ("radius", "length") and getattr(self, name) is None)
+        return tuple(name for name in open_ if name != "radius" or not getattr(self, "radii", None))
+
     def reach(self) -> Formula | None:
         """Length of what is slender, where it is told."""
         return None

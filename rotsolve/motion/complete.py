@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from msgspec.structs import replace
@@ -148,6 +149,9 @@ def _part(part: Part, letters: MadeLetters) -> Part:
 def _hole(hole: Part, shape: Shape | None, letters: MadeLetters) -> Part:
     from rotsolve.elements.shapes.material import bored
 
+    own = hole.body.shape
+    if own is not None:  # how deep it is nobody has to say
+        hole = replace(hole, body=replace(hole.body, shape=_shape(own, hole.body, letters, ("radius",))))
     return _spanned(bored(hole, shape), letters)
 
 
@@ -160,13 +164,11 @@ def _spanned(part: Part, letters: MadeLetters) -> Part:
     return replace(part, body=replace(part.body, shape=replace(shape, **size)))
 
 
-def _shape(shape: Shape, body: Body, letters: MadeLetters) -> Shape:
+def _shape(shape: Shape, body: Body, letters: MadeLetters, words: Collection[str] = ("radius", "length")) -> Shape:
     changes: dict[str, Any] = {}
-    for name, declared in shape.declared.items():
-        if name not in ("radius", "length") or getattr(shape, name) is not None or declared.kind != "quantity":
-            continue
-        if name != "radius" or not getattr(shape, "radii", None):
-            changes[name] = letters.make(declared.letter or name[0], body.name, declared.dimension or "length")
+    for name in (name for name in shape.left_out() if name in words):
+        declared = shape.declared[name]
+        changes[name] = letters.make(declared.letter or name[0], body.name, declared.dimension or "length")
     return replace(shape, **changes) if changes else shape
 
 

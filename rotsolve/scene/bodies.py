@@ -13,7 +13,7 @@ from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.language.grammar import BODY, PART
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.problem import Body, Part
-from rotsolve.language.words import hint, quoted
+from rotsolve.language.words import an, hint, quoted
 from rotsolve.scene.elements import read_keys, read_value
 from rotsolve.scene.in_space import in_plane_only, in_space_only, read_axis, read_principal, read_rotations, read_tensor
 from rotsolve.scene.literals import Want
@@ -88,7 +88,7 @@ def build_body(
         fields["shape"] = shape(**read_keys(scope, shape, name, entries))
         for word, declared in keys_of(shape):
             if declared.required and word not in entries:
-                scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
+                scope.fault(key, f"`{name}` needs `{word}`", f"{an(shape.word)} has {declared.help}", "missing")
         check_flat(scope, name, entries, fields["shape"])
     for word, (place, node) in entries.items():
         if word in own or word not in BODY or word in skip or word == "shape":
@@ -120,6 +120,14 @@ def build_body(
     if body.tensor is not None and body.shape is not None:
         help = "a body whose inertia is given needs no `shape`"
         scope.fault(entries["inertia"][0], f"`{name}` has both a shape and an inertia tensor", help, "form")
+    if body.tensor is not None and body.parts:
+        help = "leave out the parts, or give the tensor to a body that is clamped to this one"
+        scope.fault(
+            entries["parts"][0],
+            f"`{name}` has parts beside an inertia tensor, which is that of all of it",
+            help,
+            "form",
+        )
     if body.holes:
         from rotsolve.scene.cutouts import check_holes
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from msgspec import Struct
 
@@ -13,7 +14,7 @@ from rotsolve.language.problem import Body, Part
 from rotsolve.motion.limits import depth_margins
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import Scope
-from rotsolve.scene.tree import Map, Node
+from rotsolve.scene.tree import Map, Node, Text
 
 TOLERANCE = 1e-9
 
@@ -72,11 +73,13 @@ class Outline(Struct, frozen=True):
 
 def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
     """Holes lie within a body, beside each other, and take away less than all of it."""
+    written = scope.entries(node, f"the parts of `{name}`") if isinstance(node, Map) else {}
+    if not all(check_hole(scope, body, hole, written) for hole in body.holes):
+        return
     whole, *cut = rough_sizes(scope, body) or (None,)
     if whole is not None and sum(size or 0.0 for size in cut) >= whole:
         scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
         return
-    written = scope.entries(node, f"the parts of `{name}`") if isinstance(node, Map) else {}
     edge = outline(scope, Part(body, (ZERO, ZERO)))
     holes = [(hole.body.name, None if hole.turned else outline(scope, hole)) for hole in body.holes]
     for part in body.holes:
@@ -96,6 +99,29 @@ def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
             if other is not None and hole.overlaps(other):
                 help = "holes lie beside each other; check their sizes and places"
                 scope.fault(place, f"the holes `{before}` and `{word}` of `{name}` overlap", help, "limits")
+
+
+def check_hole(scope: Scope, body: Body, hole: Part, written: Mapping[str, tuple[Text, Node]]) -> bool:
+    """Whether a hole has a shape that is cut out of one, and no inertia of its own."""
+    own, (key, node) = hole.body, written[hole.body.name]
+    if body.shape is None or body.shape.pointlike:
+        scope.fault(
+            key, f"`{body.name}` has no shape out of which `{own.name}` could be cut", "tell its `shape`", "form"
+        )
+    elif own.shape is None or own.shape.pointlike:
+        scope.fault(
+            node, f"the hole `{own.name}` has no `shape` that has a size", "write `shape: disc` or the like", "missing"
+        )
+    elif own.inertia is not None or own.gyration is not None or own.tensor is not None:
+        scope.fault(
+            node,
+            f"the hole `{own.name}` has an inertia of its own",
+            "its shape and place tell what it takes away",
+            "form",
+        )
+    else:
+        return True
+    return False
 
 
 def outline(scope: Scope, part: Part) -> Outline | None:
@@ -120,7 +146,10 @@ def outline(scope: Scope, part: Part) -> Outline | None:
 
 def rough_sizes(scope: Scope, body: Body) -> list[float | None]:
     """The length, area or volume of a body and of its holes as rough numbers; none where a size is left out."""
+    shapes = [item.shape for item in (body, *(hole.body for hole in body.holes)) if item.shape is not None]
+    if len(shapes) <= len(body.holes) or any("radius" in shape.left_out() for shape in shapes):
+        return []
     try:
-        return [rough(size, scope.numbers) for size in amounts(body)] if body.shape is not None else []
+        return [rough(size, scope.numbers) for size in amounts(body)]
     except (NotImplementedError, TypeError, IndexError, Unsolvable):
         return []  # what can't be is refused when the scene is whole

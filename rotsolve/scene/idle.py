@@ -6,11 +6,12 @@ asked for it. What stands beside the asked part of a scene has been checked, and
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import suppress
 
 from msgspec.structs import force_setattr, replace
 
+from rotsolve.core.equation import Equation
 from rotsolve.core.faults import Fault
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import Body
@@ -55,12 +56,13 @@ def noted_body(body: Body) -> Body:
     return twin
 
 
-def idle_words(scene: SceneEquations) -> tuple[Fault, ...]:
-    """What the scene says and nothing has read, each with its place; from here on nobody notes anything."""
+def idle_words(scene: SceneEquations, used: Collection[Equation]) -> tuple[Fault, ...]:
+    """What the scene says and nothing has read, each with its place, what no equation that is `used` goes by; from here on nobody notes
+    anything."""
     problem = scene.configuration.problem
     if any(True for _ in idle_keys(problem)):
         look_at_bodies(scene)
-    faults = (*key_faults(problem), *line_faults(scene))
+    faults = (*key_faults(problem), *line_faults(scene), *assumption_faults(scene, used))
     for section in SECTIONS:
         for item in getattr(problem, section):
             for record in records(item):
@@ -118,3 +120,13 @@ def line_faults(scene: SceneEquations) -> Iterator[Fault]:
         if line.path is not None:
             message = f"what the state says of `{path_text(line.path)}` says nothing here"
             yield Fault(message, line.span, "nothing that is solved here depends on it: leave it out", "idle")
+
+
+def assumption_faults(scene: SceneEquations, used: Collection[Equation]) -> Iterator[Fault]:
+    """A fault for each assumption that leaves nothing out of what is solved."""
+    problem = scene.configuration.problem
+    for word in scene.idle_assumptions(used):
+        root: Node | None = compose("\n".join(problem.lines), problem.file)[0]
+        node = root.get("assume") if isinstance(root, Map) else None
+        help = "nothing that is solved here leaves anything out by it: take it out"
+        yield Fault(f"`assume: {word}` says nothing here", node.span if node is not None else None, help, "idle")

@@ -44,13 +44,13 @@ from rotsolve.space.passing import left_alone
 
 
 class Lapse:
-    """What happens from the moment of `before` up to a later one, with no event between; `intact`: what holds bodies does so on the way.
+    """What happens from the moment of `before` up to a later one, with no event between.
 
     `laws` are what defines the letters of all that has been asked so far. `whole` is the time that passes by way of states between.
     """
 
-    def __init__(self, before: SpaceLaws, later: SpaceMoment, *, intact: bool, whole: Formula | None = None) -> None:
-        self.before, self.later, self.held, self.intact, self.whole = before, later, later.held, intact, whole
+    def __init__(self, before: SpaceLaws, later: SpaceMoment, *, whole: Formula | None = None) -> None:
+        self.before, self.later, self.held, self.whole = before, later, later.held, whole
         self.laws: dict[Equation, None] = {}
 
     def passed(self) -> Formula | None:
@@ -80,12 +80,12 @@ class Lapse:
 
     def alone(self, name: str) -> bool:
         """Whether nothing acts on a body but its weight and an ideal joint, for a time that is told."""
-        return self.intact and left_alone(self.before, name) and self.passed() is not None
+        return left_alone(self.before, name) and self.passed() is not None
 
     @remembered
     def turns_freely(self, name: str) -> bool:
         """Whether the angular momentum of a body stays, for a time that is told."""
-        return self.intact and self.passed() is not None and turns_freely(self.before, name)
+        return self.passed() is not None and turns_freely(self.before, name)
 
     @remembered
     def keeps_vertical(self, name: str) -> bool:
@@ -143,7 +143,7 @@ class Lapse:
         """From the same moment on, through what comes after it."""
         first, then = self.passed(), further.passed()
         assert first is not None and then is not None
-        return Lapse(self.before, further.later, intact=self.intact, whole=simplify(add(first, then)))
+        return Lapse(self.before, further.later, whole=simplify(add(first, then)))
 
     def momentum(self, name: str) -> Triple:
         """L at the earlier moment, in the axes of the body, as letters."""
@@ -222,7 +222,8 @@ class Lapse:
             return None
         if joint.drive:
             return self.driven(joint)
-        if not self.before.fixed(name) or not (self.intact and left_alone(self.before, name, pushed=True)) or self.weight_turns(name, joint):
+        alone = self.before.fixed(name) and left_alone(self.before, name, pushed=True)
+        if not alone or self.weight_turns(name, joint):
             return None
         couples = [push for push in self.before.pushes.on(name) if push.owner in self.acting]
         if any(

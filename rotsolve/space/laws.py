@@ -44,6 +44,7 @@ class SpaceLaws:
     def __init__(self, moment: SpaceMoment, pushes: Pushes, tensors: Tensors, *, fast: bool = False) -> None:
         self.moment, self.pushes, self.tensors = moment, pushes, tensors
         self.fast = fast  # whether the scene takes spins to be much faster than the precession
+        self.fast_nutation = False  # whether that has told the nutation
         self.unwritten: dict[str, Unsolvable] = {}  # the bodies of which no law can be written, each with the reason
 
     def equations(self) -> Iterator[Equation]:

@@ -28,6 +28,10 @@ class LeaningMoment(TellingMoment):
         if lines[0] is not None and lines[1] is not None:
             help = "`spin` is ψ̇, relative to the line of nodes; `axial_rate` is ω₃ = ψ̇ + φ̇ cos θ: give one of them"
             raise Unsolvable(f"`{name}` has both a `spin` and an `axial_rate`", span=lines[1].span, help=help)
+        upright = self.line(name, "vertical", "x")
+        if upright is not None:
+            message = f"how `{name}` stands is told by its Euler angles and by its `vertical`"
+            raise Unsolvable(message, span=upright.span, help="leave one of them out")
         axis = self.held.axis(name)
         if axis is None:
             raise Unsolvable(f"`{name}` has no axis: its tilt and spin have no meaning", help="give it `axis: z`")

@@ -26,6 +26,7 @@ from rotsolve.core.vectors.triple import (
     cross_product,
     in_turn,
     is_axis,
+    minus,
     rotated,
     scaled_by,
     square_of,
@@ -39,6 +40,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.paths.meaning import NotYet
+from rotsolve.space.arrangement import NODAL
 from rotsolve.space.attitude import (
     BODY,
     IN_SPACE,
@@ -89,6 +91,10 @@ class SpaceMoment(LeaningMoment):
 
     def freely(self, name: str) -> Attitude:
         """A body that no axis holds and nothing turns as it is told."""
+        line = self.line(name, "angle")
+        if line is not None:
+            message = f"`{name}` is on no `hinge` and no `axle`: it has no `angle`"
+            raise Unsolvable(message, span=line.span, help="tell how it stands by `turned`, or by its Euler angles")
         if self.nods(name):
             return self._nods(name)
         return self._led(name, ()) if self.held.bodies[name].moved else self._anyhow(name)
@@ -127,6 +133,15 @@ class SpaceMoment(LeaningMoment):
                     help=help,
                 )
         rows, told = self.turned(name), self.vector_told(name, "angular_velocity")
+        askew = self.askew(name, rows)
+        for vector, word in (
+            (told, "angular_velocity"),
+            (self.vector_told(name, "angular_acceleration"), "angular_acceleration"),
+        ):
+            if askew and vector is not None and vector[1] not in (BODY, name):
+                line = self.line(name, word, "x")
+                help = f"tell `{name}.{word} in body axes`"
+                raise Unsolvable(askew, span=None if line is None else line.span, help=help)
         if self.rests(name):
             omega = NOTHING
         elif told is None:
@@ -142,7 +157,20 @@ class SpaceMoment(LeaningMoment):
             alpha = triple([self.ask("angular_acceleration", name, axis) for axis in AXES])
         if self.seen_from_space(name):
             return Attitude(IN_SPACE, rows, rotated(rows, omega), rotated(rows, alpha))
-        return as_drawn(rows, omega, alpha, lost=self.lost(name))
+        return as_drawn(rows, omega, alpha, lost=askew or self.lost(name))
+
+    def askew(self, name: str, rows: Rows) -> str:
+        """Why nothing tells how a body is turned about the vertical: its state tells the `vertical` in its own axes, another one than it is
+        drawn with; '' of what stands as it is drawn. Refused where the scene says that it is drawn `turned`."""
+        told = self.vector_kept(name, "vertical")
+        drawn = rotated(transposed(rows), Z)
+        if told is None or all(map(self.held.vanishes, vector_sum(self.up(name), minus(drawn)))):
+            return ""
+        if self.held.bodies[name].turned:
+            line = self.line(name, "vertical", "x")
+            message = f"`{name}` is drawn `turned`, and its `vertical` at {self.spoken_of()} is another one"
+            raise Unsolvable(message, span=None if line is None else line.span, help="leave one of them out")
+        return f"how `{name}` is turned about the vertical at {self.spoken_of()} its `vertical` does not tell"
 
     def seen_from_space(self, name: str) -> bool:
         """Whether the vectors of a body are written along the axes of space: of a ball that rolls, whose inertia is constant in them."""
@@ -163,6 +191,7 @@ class SpaceMoment(LeaningMoment):
 
     def _about_axis(self, name: str, joint: Joint, base: Attitude, on_body: bool) -> Attitude:
         """A body on a hinge or an axle."""
+        self.refuse_otherwise(name, "axle" if joint.aligned else "hinge", ("spin", "spin_angle") if on_body else ())
         told = self.line(name, "angular_velocity", "x")
         if told is not None:
             message = f"`{name}` is on a `{'axle' if joint.aligned else 'hinge'}`: its angular velocity is one number, about the axis"
@@ -191,6 +220,16 @@ class SpaceMoment(LeaningMoment):
         else:
             lost = self.lost(name)
         return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
+
+    def refuse_otherwise(self, name: str, word: str, taken: tuple[str, ...]) -> None:
+        """Refuse what a state tells, by Euler angles or the vertical, of how a body on a hinge stands or turns."""
+        words = [own for own in NODAL if own not in taken]
+        found = [line for own in words if (line := self.line(name, own)) is not None]
+        upright = self.line(name, "vertical", "x")
+        for line in found if upright is None else (*found, upright):
+            assert line.path is not None
+            message = f"`{name}` is on a `{word}`: a state tells its `angle` and its `angular_velocity`, not its `{line.path.quantity}`"
+            raise Unsolvable(message, span=line.span, help="leave it out")
 
     def hinge_angle(self, name: str, joint: Joint) -> Formula | None:
         """How far a body is turned about its hinge or axle: as it is driven, or told, or by the letter for what the time that has passed

@@ -281,7 +281,7 @@ def next_place(nutation: Nutation, place: Place, moment: SpaceMoment) -> Place:
 def chain_to(timeline: Timeline, end: str) -> list[str]:
     """The states that lead to one with no event between, that included."""
     chain = [end]
-    while (before := timeline.before(chain[-1])) is not None and before.event is None and not before.without:
+    while (before := timeline.before(chain[-1])) is not None and before.event is None:
         chain.append(before.start)
     return chain[::-1]
 

@@ -116,7 +116,8 @@ class Pushes:
         nods = axes.name == NODE or self.moment.nods(name)
         if joint.free and axes.name == NODE and nods and turns_untold(self.moment.nodding(name).angles[0]):
             return axes
-        return IN_SPACE if nods or joint.rolls or (axes.lost and self.gravity) else axes
+        hangs = bool(axes.lost) and self.gravity is not None and self.moment.vector_kept(name, "vertical") is None
+        return IN_SPACE if nods or joint.rolls or hangs else axes
 
     def letters(self, word: str, joint: Joint, mark: str = "") -> Triple:
         """Three letters for a force or couple of a joint."""

@@ -124,7 +124,7 @@ class SpaceEquations(SceneEquations, dict=True):
         if self.timed and interval.event is None:
             from rotsolve.space.lapse import Lapse
 
-            later.onward = Lapse(before, later, intact=not interval.without)
+            later.onward = Lapse(before, later)
 
     @cached_property
     def timed(self) -> bool:
@@ -195,6 +195,16 @@ class SpaceEquations(SceneEquations, dict=True):
                     ]
                 yield tuple(words)
 
+    def idle_assumptions(self, used: Collection[Equation]) -> Iterator[str]:
+        """The assumptions that leave nothing out: `fast spin` where no law of a body that precesses is used, nor its nutation."""
+        if "fast spin" not in self.configuration.problem.assume:
+            return
+        moments = {laws.moment.when: laws.moment for laws in self.dynamics.values()}
+        turning = (law for law in used if law.law in ROTATING and law.section in moments)
+        precessing = any(moments[law.section].nods(name) for law in turning for name in law.bodies)
+        if not precessing and not any(laws.fast_nutation for laws in self.dynamics.values()):
+            yield "fast spin"
+
     def unread_lines(self) -> Iterator[Condition]:
         """The lines of states that no moment has read; a time alone says of what moment is asked, though the answer may not hang on it."""
         for laws in self.dynamics.values():
@@ -208,11 +218,21 @@ class SpaceEquations(SceneEquations, dict=True):
                 told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
                 turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
                 yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
-            elif any(one.law == RATE_IN_AXES and one.bodies == (name,) for one in used):
+                continue
+            if any(self.turned_untold(laws.moment, name) for laws in self.dynamics.values()):
+                yield (f"ψ = 0 of {spoken(name)}, as nothing tells its spin angle",)
+            if any(one.law == RATE_IN_AXES and one.bodies == (name,) for one in used):
                 yield from self.turning_axes(name)
         for (name, _), gaps in self.held.askew.items():
             yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
         yield from coincidences(self.configuration.signs, self.configuration.problem.givens)
+
+    def turned_untold(self, moment: SpaceMoment, name: str) -> bool:
+        """Whether a body that is not the same all round stands by its Euler angles, of which nothing tells the one about its axis."""
+        if not moment.nods(name) or moment.told(name, "spin_angle") is not None:
+            return False
+        axis = self.held.axis(name)
+        return axis is not None and not self.held.turns_round(name, axis)
 
     def turning_axes(self, name: str) -> Iterator[Words]:
         """How the axes turn in which the law of rotation of a body is written, where they do so in one way that the scene tells."""
@@ -402,6 +422,14 @@ class SpaceEquations(SceneEquations, dict=True):
 
         return by_lagrange_in_space(self)
 
+    def refuse_without(self) -> None:
+        """Refuse a phase in which something that holds a body, or acts on one, does so no more: its laws are those of all phases."""
+        for phase in self.configuration.problem.phases:
+            if phase.without:
+                named = " and ".join(f"`{name}`" for name in phase.without)
+                message = f"a phase without {named} is not solved in space"
+                raise Unsolvable(message, span=phase.span, help="begin a scene of its own with what is left then")
+
     def refuse_varying(self) -> None:
         """Refuse actions that go by how a body stands or moves, which `simulate` follows alone."""
         for action in self.configuration.problem.actions:
@@ -456,6 +484,7 @@ class SpaceEquations(SceneEquations, dict=True):
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state."""
         self.refuse_varying()
+        self.refuse_without()
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)

@@ -132,6 +132,7 @@ def of_precession(laws: SpaceLaws, name: str) -> Meaning:
     rate, fast = turning.rates[0], multiply(axial, laws.moment.attitude(name).omega[2]) / across
     words = f"{SMALL} about the steady precession, δθ̈ = λ² δθ"
     if laws.fast:
+        laws.fast_nutation = True
         return Meaning(
             negate(square(fast)),
             QUANTITIES["stability"].dimension,

@@ -12,7 +12,7 @@ from rotsolve.core.symbols import TIME, of_kinds, phase_midst
 from rotsolve.core.vectors.triple import AXES, Triple
 from rotsolve.language.problem import Condition, State
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.space.arrangement import NODAL, JointedBodies
+from rotsolve.space.arrangement import ANGLES, NODAL, JointedBodies
 from rotsolve.space.attitude import Onward
 
 TURNED = (*NODAL, "vertical", "angular_velocity", "angular_acceleration")  # words that tell how a body stands or turns
@@ -126,12 +126,13 @@ class TellingMoment:
             return self.onward.told(owner, word)
         line = self.line(owner, word)
         value = None if line is None else line.value
-        return self.right_angle(value) if word == "tilt" and value is not None else value
+        return self.right_angle(value) if word in ANGLES and value is not None else value
 
     @remembered
     def right_angle(self, angle: Formula) -> Formula:
-        """An angle; one that is upright, level or upside down by the number of its letter as that, since then steady motions are others."""
-        exact = (ZERO, PI / 2, PI) if angle.symbols() else ()
+        """An angle; one that is upright, level or upside down by the number of its letter as that, since then steady motions are others, as
+        they are of two bodies that lean in one plane."""
+        exact = (ZERO, PI / 2, PI, -PI / 2) if angle.symbols() else ()
         return next((way for way in exact if self.held.vanishes(angle - way)), angle)
 
     def vector_told(self, owner: str, word: str, point: str | None = None) -> tuple[Triple, str, str] | None:

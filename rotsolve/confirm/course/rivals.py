@@ -112,7 +112,7 @@ class Rivals:
         try:
             for value in self.roots(sought, places, self.budget):
                 if self.does(sought, value, sized=False):
-                    self.against[name] = f" = {value:g} in SI units makes it so too{self.numbers_of(sought)}"
+                    self.against[name] = f"{sought.equal_to(value)}{self.numbers_of(sought)}"
                     break
         except OverBudget:
             self.against[name] = UNTOLD
@@ -206,9 +206,14 @@ class SoughtLetter(Struct, frozen=True):
     def said_beside(self, value: float) -> str:
         """What is said where another value does as well."""
         if self.turned_round:
-            return f"{self.given.name} = {value:g} in SI units makes it so too, within half a turn"
+            return f"{self.given.name}{self.equal_to(value)}, within half a turn"
         ask = ASK.get(self.find.modifier, ASK["where"] if self.find.where is not None else ": tell more of it")
-        return f"{self.given.name} = {value:g} in SI units makes it so too{ask}"
+        return f"{self.given.name}{self.equal_to(value)}{ask}"
+
+    def equal_to(self, value: float) -> str:
+        """That another value does as well, in degrees where it is known to be an angle."""
+        shown = f"{math.degrees(value):.6g}°".replace("-", "−") if self.given.dimension == ANGLE else f"{value:g} in SI units"
+        return f" = {shown} makes it so too"
 
     def numbers(self, value: float) -> Numbers:
         """The numbers of all letters, of this one another."""

@@ -84,10 +84,11 @@ def rotation_about(axis: Arrow, angle: float) -> Turned:
 
 
 def least_turn(start: Arrow, end: Arrow) -> Turned:
-    """The least rotation that takes one unit vector to another."""
+    """The least rotation that takes one unit vector to another; to the opposite one that about y of z, about z of x, about x of y."""
     axis, cosine = crossed(start, end), inner_product(start, end)
     if arrow_length(axis) < TINY:
-        return ALONG if cosine > 0 else rotation_about(square_to(start), math.pi)
+        along = next((ALONG[k - 1] for k in range(3) if abs(start[k]) > 1.0 - TINY), None)
+        return ALONG if cosine > 0 else rotation_about(along or square_to(start), math.pi)
     return rotation_about(axis, math.atan2(arrow_length(axis), cosine))
 
 

@@ -24,7 +24,7 @@ from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
 from rotsolve.language.elements import Event
 from rotsolve.language.grammar import ANGLE_OF
-from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Problem, State, Term
+from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Path, Problem, State, Term
 
 if TYPE_CHECKING:
     from rotsolve.confirm.space.flight import Flight
@@ -145,6 +145,15 @@ class Inquiry:
         if not held:
             raise Unfit(BROKEN)
         return held
+
+    def slowest(self, find: Find) -> int | None:
+        """Which of the ways at the state of a question is that of the slowest precession, which a fast spin has; None of others."""
+        at = next((term.at for term in find.terms), None) or next((state.name for state in self.problem.states), None)
+        ways = self.ways(at)
+        lines = ways[0].worlds[0].stance.lines
+        leaning = [Path(name, "precession") for name in self.rig.bodies if lines.nods(name)]
+        rates = [max((abs(told_by(way, Term(path))) for path in leaning), default=0.0) for way in ways]
+        return rates.index(min(rates)) if leaning else None
 
     def event_to(self, name: str) -> Event | None:
         """The event that leads to a state."""

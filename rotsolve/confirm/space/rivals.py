@@ -65,7 +65,7 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
         return ("" if beside is None else sought.said_beside(beside)), ""
     against = chain(sought.other_roots(), Scan(reach, own).roots([-place for place in places]))
     found = next((value for value in against if sought.may_be(value, sized=False) and fulfils(value)), None)
-    return "", "" if found is None else f" = {found:g} in SI units makes it so too"
+    return "", "" if found is None else sought.equal_to(found)
 
 
 def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool | None:

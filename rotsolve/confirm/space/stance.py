@@ -111,7 +111,10 @@ class Stance:
     def _on_axle(self, name: str, way: Arrow, drawn: Turned) -> Turned:
         """A body on an axle: as it is drawn, or with its axis put along the axle."""
         axis = self.rig.axis(name)
-        if axis is None or arrow_length(crossed(times_arrow(drawn, axis), way)) < ON_AXIS:
+        if axis is None:
+            return drawn
+        own = times_arrow(drawn, axis)
+        if arrow_length(crossed(own, way)) < ON_AXIS and inner_product(own, way) > 0.0:
             return drawn
         if drawn != ALONG:
             raise NotConfirmed(f"`{name}` is turned and put on an axle that is not along its axis")

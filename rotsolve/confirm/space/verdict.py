@@ -251,7 +251,8 @@ def compared_in_space(
     ]
     if fits and len(fits) < len(rows) and not hearing.problem.assume:
         return AnswerConfirmation(answer.name, None, SEVERAL, answered, fits[0])
-    nearest = min(rows, key=lambda row: math.dist(row, answered))
+    slow = hearing.inquiry.slowest(finds[0]) if hearing.problem.assume and len(rows) > 1 and not fits else None
+    nearest = min(rows, key=lambda row: math.dist(row, answered)) if slow is None or slow >= count else rows[slow]
     return verdict_of(answer.name, bool(fits), answered, (fits or [nearest])[0], hearing, numbers)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from functools import cached_property
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, call
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, call
 from rotsolve.core.derivation import Words
 from rotsolve.core.limits import Limit
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_axis
@@ -21,6 +22,9 @@ from rotsolve.language.shape import Place, Shape
 CARTESIAN, POLAR = ("x", "y"), ("r", "phi")
 UNSHAPED = Shape()
 Region = tuple[Range, ...]
+SHARES = [
+    Number(Fraction(part, 8)) for part in range(9)
+]  # of the way along a coordinate, where limits and densities are looked at
 
 
 class Integrated(Shape, frozen=True, dict=True):
@@ -169,11 +173,29 @@ class Lamina(Integrated, frozen=True):
 
 
 def enclosing(ranges: Sequence[Range]) -> Iterator[Limit]:
-    """What lies between two limits that do not hang on a coordinate is something."""
+    """What lies between two limits is something, wherever it is looked at along the other coordinate; an angle goes once round at most."""
     for one in ranges:
-        gap = one.upper - one.lower
-        if not any(map(is_coordinate, gap.symbols())):
-            yield Limit(gap, f"the limits of `{one.variable.name[1:]}` enclose nothing", strict=True)
+        gap, name = one.upper - one.lower, one.variable.name[1:]
+        fixed = not any(map(is_coordinate, gap.symbols()))
+        words = f"the limits of `{name}` {'enclose nothing' if fixed else 'cross'}"
+        yield from (Limit(value, words, strict=fixed) for value in looked_at(gap, ranges))
+        if one.variable == coordinate("phi"):
+            yield from (
+                Limit(2 * PI - value, f"`{name}` goes round more than once") for value in looked_at(gap, ranges)
+            )
+        if one.variable == coordinate("r"):
+            yield from (Limit(value, "a radius can't be negative") for value in looked_at(one.lower, ranges))
+
+
+def looked_at(value: Formula, ranges: Sequence[Range]) -> Iterator[Formula]:
+    """What a formula is at both ends of the coordinates in it, and at places between."""
+    one = next((item for item in ranges if item.variable.name in value.symbols()), None)
+    if one is None:
+        yield value
+        return
+    for share in SHARES:
+        place = one.lower + share * (one.upper - one.lower)
+        yield from looked_at(simplify(value.substitute({one.variable.name: place})), ranges)
 
 
 class Revolution(Integrated, frozen=True):
@@ -237,6 +259,13 @@ class Graded(Integrated, frozen=True):
     @property
     def spread(self) -> str:  # type: ignore[override]
         return self.shape.spread
+
+    def rooms(self) -> Iterator[Limit]:
+        """Those of the shape; its density is nowhere negative, wherever it is looked at."""
+        yield from self.shape.rooms()
+        cut = self.shape.layers(self.density)
+        for value in looked_at(self.density, () if cut is None else cut.ranges):
+            yield Limit(value, "its density would be negative somewhere")
 
     def slicing(self) -> Slicing:
         cut = self.shape.layers(self.density)

@@ -76,7 +76,7 @@ class Annulus(Shape, frozen=True):
     about = "flat disc with a round hole in its middle: `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     coordinates = ("r",)
-    radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
+    radii: Radii = key("radii", "inner and outer radius", required=True, choices=("inner", "outer"))
 
     def moment(self, mass: Formula) -> Formula:
         """½ M (r² + R²)."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, call
+from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
+from rotsolve.core.limits import Limit
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
@@ -96,6 +98,10 @@ class Arc(Shape, frozen=True):
     opening: Formula | None = amount(
         "angle that the arc spans", "angle", "theta", "positive", default=None, required=True
     )
+
+    def rooms(self) -> Iterator[Limit]:
+        if self.opening is not None:
+            yield Limit(2 * PI - self.opening, "an arc goes once round at most")
 
     def moment(self, mass: Formula) -> Formula:
         """M (R² − x²), x the centre of mass from the circle's centre: M R² about that centre, less M x²."""
