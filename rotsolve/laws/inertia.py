@@ -153,10 +153,12 @@ def share(spread: Spread, piece: RigidPiece, mass: Formula, entry: str) -> tuple
     distances, tabled = apart(spread, piece, entry), entry_of(positive, entry)
     if tabled == ZERO:
         return mass * sum_of_squares(distances) if distances else ZERO, []
-    letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.called(piece)} {spread.spot}")
+    own = spread.called(piece)
+    mark = f"part {own}" if own in AXES else own  # else it would be the letter of all of the body about that axis
+    letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {mark} {spread.spot}")
     square = sum_of_squares(distances)
     said: Words = (*distance_words(distances, square),) if distances else ()
-    what = f"moment of inertia, {spoken(spread.called(piece))}{'' if noun(piece) == spoken(piece.name) else f' ({noun(piece)})'}"
+    what = f"moment of inertia, {spoken(own)}{'' if noun(piece) == spoken(piece.name) else f' ({noun(piece)})'}"
     label = f"{what}, parallel axes" if distances else what
     whole, law = (add(tabled, size * square), PARALLEL_AXES) if distances else (tabled, INERTIA)
     equation = spread.define(letter, whole, label, said, law)

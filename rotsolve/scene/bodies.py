@@ -39,6 +39,13 @@ def read_body(scope: Scope, name: str, key: Text, node: Node) -> Body | None:
         shape = named_shape(scope, node)
         entries = scope.entries(node, f"body `{name}`", keys_allowed(shape, ()))
         body = build_body(scope, name, key, entries, shape)
+    if scope.space and name == "body" and len(scope.names("body")) > 1:
+        scope.fault(
+            key,
+            "`body` can't name one of several bodies: `in body axes` means those of each",
+            "choose another name",
+            "name",
+        )
     if body is not None:
         scope.bodies[name] = body
         scope.points[name] = point_names(body)
@@ -133,7 +140,20 @@ def build_body(
 
         check_holes(scope, name, entries["holes"][1], body)
     check_inertia_point(scope, name, entries, body)
+    check_points(scope, name, entries, body)
     return body
+
+
+def check_points(scope: Scope, name: str, entries: Entries, body: Body) -> None:
+    """Points and parts have names of their own, which no point of the shape has."""
+    own = {"cm", "center", *(body.shape.points if body.shape is not None else ())}
+    parts = {part.body.name for part in body.parts}
+    for section, words in (("parts", parts), ("points", {word for word, _ in body.points})):
+        for word in sorted(words):
+            if word in own or (section == "points" and word in parts):
+                what = "a part" if word in parts and section == "points" else "a point"
+                message = f"`{word}` names {what} of `{name}` already"
+                scope.fault(entries[section][0], message, "choose another name", "name")
 
 
 def check_inertia_point(scope: Scope, name: str, entries: Entries, body: Body) -> None:

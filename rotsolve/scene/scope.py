@@ -18,6 +18,7 @@ from rotsolve.scene.rough import remember
 from rotsolve.scene.tree import Map, Node, Text
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
+AXES_NAMED = ("node", "space")  # axes in space that have no body's name
 RESERVED = {
     **dict.fromkeys(RESERVED_WORDS, "a word of the language"),
     **dict.fromkeys(("all", "none", "any", "true", "false", "null"), "a word of the language"),
@@ -84,6 +85,11 @@ class Scope:
             return False
         if word in RESERVED:
             self.fault(name, f"`{word}` can't be a name: it is {RESERVED[word]}", "choose another name", "name")
+            return False
+        if self.space and word in AXES_NAMED:
+            self.fault(
+                name, f"`{word}` can't be a name in space: `in {word} axes` means others", "choose another name", "name"
+            )
             return False
         if word in self.kinds:
             before = self.places.get(word)

@@ -8,11 +8,13 @@ from itertools import chain
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate, total
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
+from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.tensor import InertiaTensor, displaced
 from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, cross_product, minus, tidied, vector_sum, way_between
 from rotsolve.elements.shapes import rims, shape_of
@@ -24,6 +26,12 @@ from rotsolve.motion.rigid import RigidPiece, part_spot, pieces
 ANGLES = ("precession_angle", "tilt", "spin_angle")
 RATES = ("precession", "nutation", "spin")
 NODAL = (*ANGLES, *RATES, "axial_rate")
+FASTER = {  # of what leads a body: what tells how fast it changes, and by how many derivatives by time
+    "position": (("velocity", 1), ("acceleration", 2)),
+    "velocity": (("acceleration", 1),),
+    "angle": (("angular_velocity", 1), ("angular_acceleration", 2)),
+    "angular_velocity": (("angular_acceleration", 1),),
+}
 ON_RIM = tuple(point for point in WHEEL if point != "center")  # places by the page, which a body turns under
 
 
@@ -69,6 +77,28 @@ class JointedBodies(Struct, frozen=True, dict=True):
             help = f"name what is led along first: `[{body.name}, {carrier.name}]`"
             message = f"`{body.name}` is led along, so that `{carrier.name}` can't carry it by `{joint.owner}`"
             raise Unsolvable(message, span=joint.body.span, help=help)
+
+    def refuse_led_twice(self) -> None:
+        """Refuse a motion told by a place and a rate which is not how that changes; a rate at one moment goes with any change of it."""
+        led = [
+            (body.name, body.span, [(word, axis, value) for word, axis, value in body.moved])
+            for body in self.problem.bodies
+        ]
+        led += [
+            (joint.owner, joint.body.span, [(word, "", value) for word, value in joint.drive]) for joint in self.joints
+        ]
+        for name, span, parts in led:
+            told = {(word, axis): value for word, axis, value in parts}
+            for (word, axis), value in told.items():
+                for faster, times in FASTER.get(word, ()):
+                    rate = told.get((faster, axis))
+                    changed = value
+                    for _ in range(times):
+                        changed = differentiate(changed, TIME)
+                    lasting = word in ("position", "angle") or TIME in value.symbols()
+                    if rate is not None and lasting and not is_zero(changed - rate):
+                        message = f"the `{word}` and the `{faster}` of `{name}` contradict each other"
+                        raise Unsolvable(message, span=span, help=f"tell its `{word}` alone")
 
     def joint(self, name: str) -> Joint | None:
         return next((joint for joint in self.joints if joint.owner == name), None)

@@ -26,6 +26,7 @@ def configured_in_space(problem: Problem) -> Configuration:
         configuration = Configuration(whole)
         held = JointedBodies(whole, configuration.signs)
         _ = held.order
+        held.refuse_led_twice()
         check_sequence(whole)
         refuse_rope(whole)
         refuse_unseen_holes(whole)

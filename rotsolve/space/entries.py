@@ -5,33 +5,49 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ONE, Formula, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Symbol, total
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.core.vectors.tensor import ENTRIES
 from rotsolve.core.vectors.triple import (
     AXES,
 )
 from rotsolve.language.problem import Find, Term
+from rotsolve.paths.meaning import NotYet
 
 
 def entries_in_space(find: Find) -> tuple[Find, ...]:
-    """A question for a vector or a tensor as questions for its entries; any other question alone."""
-    if len(find.terms) != 1 or find.modifier or not proportional(find.formula):
+    """A question for a vector or a tensor, or for a sum of some, as questions for its entries; any other question alone."""
+    names = {entries_of(term) for term in find.terms}
+    if len(names) != 1 or not linear(find):
         return (find,)
-    term = find.terms[0]
-    names = entries_of(term)
-    whole = term.path.component
     parts = []
-    for name in names:
-        path = replace(term.path, component=name if whole is None else f"{whole} {name}")
-        parts.append(replace(find, name=f"{find.name}_{name}", terms=(replace(term, path=path),), whole=find.name))
+    for name in names.pop() if not find.modifier else ():
+        terms = tuple(of_entry(term, name) for term in find.terms)
+        parts.append(replace(find, name=f"{find.name}_{name}", terms=terms, whole=find.name))
     return tuple(parts) or (find,)
 
 
-def proportional(formula: Formula) -> bool:
-    """Whether a formula is a multiple of its only quantity by givens, so that it may be a vector."""
-    rest = formula.substitute({"#0": ONE})
-    return "#0" in formula.symbols() and (formula == Symbol("#0") or is_zero(formula - rest * Symbol("#0")))
+def refuse_size_of_sum(find: Find) -> None:
+    """Refuse the size of a sum of vectors: in arithmetic with its size it would be the sum of their sizes."""
+    if find.modifier == "size of" and len(find.terms) > 1 and linear(find) and all(map(entries_of, find.terms)):
+        message, help = "the size of a sum of vectors is not solved", "ask for the sum, which is told by its components"
+        raise NotYet(message, find.span, help)
+
+
+def of_entry(term: Term, name: str) -> Term:
+    """A term for one entry of what it asks for."""
+    whole = term.path.component
+    return replace(term, path=replace(term.path, component=name if whole is None else f"{whole} {name}"))
+
+
+def linear(find: Find) -> bool:
+    """Whether a question is a sum of multiples of its quantities by givens, so that it may be a vector."""
+    marks = [f"#{number}" for number in range(len(find.terms))]
+    if find.formula == Symbol("#0"):
+        return True
+    none = dict.fromkeys(marks, ZERO)
+    told = total([find.formula.substitute({**none, mark: ONE}) * Symbol(mark) for mark in marks])
+    return bool(set(marks) & find.formula.symbols()) and is_zero(find.formula - told)
 
 
 def entries_of(term: Term) -> tuple[str, ...]:

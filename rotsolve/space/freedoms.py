@@ -21,6 +21,14 @@ def freedoms_of(held: JointedBodies, path: Path) -> Formula:
     if joint is None:
         touching = held.of_body(path.owner)
         joint = held.main(path.owner) or (touching[0] if touching else None)
+        carrier = "" if joint is None else joint.carrier.owner
+        if carrier in held.bodies and not held.bodies[carrier].moved and held.of_body(carrier):
+            help = f"ask for those that its joint leaves, `{joint.owner}.freedoms`" if joint is not None else ""
+            raise NotYet(f"`{path_text(path)}`: `{carrier}`, which carries it, moves as well", path.span, help)
+    if joint is not None and joint.rolls:
+        raise NotYet(f"`{path_text(path)}`: the freedoms of what rolls are not solved yet", path.span)
+    if joint is None and held.pointlike(path.owner):
+        return formula({"translations": 3, "rotations": 0, "": 3}[which])
     return formula(WHOLE[which] if joint is None else left_by(joint)[which])
 
 

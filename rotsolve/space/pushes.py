@@ -229,6 +229,15 @@ class Pushes:
         ref = action.touches()[0]
         own = self.moment.axes(ref.owner)
         strength, way = action.strength(), getattr(action, "direction", None)
+        if way is not None and isinstance(strength, (str, tuple)):
+            kind = "couple" if action.twists() else "force"
+            help = f"leave `direction` out, or give its size: `{kind}: F` with `F: unknown` under `given` where it is sought"
+            said = (
+                f"`{kind}: any` is one in whatever direction it takes"
+                if isinstance(strength, str)
+                else "its components tell that"
+            )
+            raise Unsolvable(f"`{action.name}` has a `direction`, and {said}", span=ref.span, help=help)
         vector: Triple | None
         if isinstance(strength, str):  # whatever it takes
             word = "torque" if action.twists() else "force"

@@ -430,6 +430,14 @@ class SpaceEquations(SceneEquations, dict=True):
                 message = f"a phase without {named} is not solved in space"
                 raise Unsolvable(message, span=phase.span, help="begin a scene of its own with what is left then")
 
+    def refuse_turned(self) -> None:
+        """Refuse a body that is drawn `turned` and of which a state tells Euler angles: they count from how it is drawn unturned."""
+        leaning = (name for name in self.held.order if any(laws.moment.nods(name) for laws in self.dynamics.values()))
+        for body in (self.held.bodies[name] for name in leaning):
+            if body.turned:
+                message = f"`{body.name}` is drawn `turned`, and a state tells how it stands by its Euler angles"
+                raise Unsolvable(message, span=body.span, help="leave `turned` out")
+
     def refuse_varying(self) -> None:
         """Refuse actions that go by how a body stands or moves, which `simulate` follows alone."""
         for action in self.configuration.problem.actions:
@@ -485,6 +493,7 @@ class SpaceEquations(SceneEquations, dict=True):
         """All that the laws say at each state."""
         self.refuse_varying()
         self.refuse_without()
+        self.refuse_turned()
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)

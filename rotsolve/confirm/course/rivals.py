@@ -212,7 +212,11 @@ class SoughtLetter(Struct, frozen=True):
 
     def equal_to(self, value: float) -> str:
         """That another value does as well, in degrees where it is known to be an angle."""
-        shown = f"{math.degrees(value):.6g}°".replace("-", "−") if self.given.dimension == ANGLE else f"{value:g} in SI units"
+        shown = (
+            f"{math.degrees(value):.6g}°".replace("-", "−")
+            if self.given.dimension == ANGLE
+            else f"{value:g} in SI units"
+        )
         return f" = {shown} makes it so too"
 
     def numbers(self, value: float) -> Numbers:

@@ -12,6 +12,7 @@ from rotsolve.confirm.linear import solved_generally
 from rotsolve.confirm.space.arrows import ALONG, STILL, Arrow, normed, scaled
 from rotsolve.confirm.space.rig import Rig
 from rotsolve.confirm.space.ties import ROUND
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Joint
 from rotsolve.language.problem import Path
 
@@ -29,15 +30,19 @@ def freedoms(rig: Rig, path: Path) -> float:
             return 0.0 if path.component == "translations" else 1.0
         if len(own) > 1 or any(joint.carrier.owner in rig.bodies for joint in own):
             raise NotConfirmed("the freedoms of what several joints hold, or another body carries")
-        twists = (
-            twists_of(rig, own[0])
-            if own
-            else [*(as_twist(way, STILL) for way in ALONG), *(as_twist(STILL, way) for way in ALONG)]
-        )
+        twists = twists_of(rig, own[0]) if own else [as_twist(way, STILL) for way in ALONG]
+        if not own and not point(rig, path.owner):
+            twists += [as_twist(STILL, way) for way in ALONG]
     else:
         raise NotConfirmed("the freedoms of the whole scene")
     half = {"translations": slice(0, 3), "rotations": slice(3, 6)}.get(path.component or "", slice(0, 6))
     return float(independent([one[half] for one in twists]))
+
+
+def point(rig: Rig, name: str) -> bool:
+    """Whether a body is a mere point, which does not turn."""
+    solid = rig.solid(name)
+    return shape_of(rig.bodies[name]).pointlike and solid.whole and not any(map(any, solid.tensor))
 
 
 def twists_of(rig: Rig, joint: Joint) -> list[Twist]:
