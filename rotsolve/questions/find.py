@@ -231,9 +231,9 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     """The formula of a `find` line, and the letter that stands for it."""
     refuse_modified_whole(find, scene)
     if scene.configuration.problem.space:
-        from rotsolve.space.entries import refuse_size_of_sum
+        from rotsolve.space.entries import refuse_sizes
 
-        refuse_size_of_sum(find)
+        refuse_sizes(find)
     meanings = with_named_energies(find, [meaning_of(term, scene, beside) for term in find.terms], scene)
     formula = find_formula(find, [meaning.formula for meaning, _ in meanings], earlier)
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it

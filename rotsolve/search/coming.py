@@ -84,7 +84,8 @@ def without_rates(
 
 
 def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:
-    """The bodies on hinges that would have to pass their highest place on the way, and have not the energy for it."""
+    """The bodies on hinges that would have to pass their highest place on the way, and have not the energy for it, or that turn the other
+    way, and have it."""
     from rotsolve.space.summit import summit_of
 
     numbers, configuration = search.numbers, search.scene.configuration
@@ -96,9 +97,12 @@ def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:
         ends = found.start, found.end
         backwards = numbers.side(ends[1] - ends[0]) == -1
         counts = [numbers.whole(-end if backwards else end) for end in ends]
-        left = search.apart().settled(found.left)
-        if None in counts or left is None or counts[0] == counts[1] or numbers.side(left) != -1:
+        left, span = search.apart().settled(found.left), configuration.timeline.state(interval.end).span
+        if left is None:
             continue
-        span = configuration.timeline.state(interval.end).span
-        why = f"`{body.name}` would have to pass its highest place on the way, and turns back before"
-        yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+        if numbers.side(found.rate) == (1 if backwards else -1) and numbers.side(left) in (0, 1):
+            why = f"`{body.name}` turns the other way, and has the energy to pass its highest place ever again"
+            yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+        elif None not in counts and counts[0] != counts[1] and numbers.side(left) == -1:
+            why = f"`{body.name}` would have to pass its highest place on the way, and turns back before"
+            yield unreachable(configuration.problem, interval.start, interval.end, span, why)

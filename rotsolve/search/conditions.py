@@ -98,8 +98,10 @@ def with_equation(search: Search, find: Find) -> None:
 
 
 def refuse_settled(search: Search, answered: Answered, limit: Equation, said: str, help: str) -> None:
-    """Refuse an answer for which the equation of its condition was not needed: it is settled without it, and need not fulfil it."""
-    if not any(search.planner.pool[index] is limit for index in answered.used):
+    """Refuse an answer for which the equation of its condition was not needed, nor for a letter that was worked out before it: it is
+    settled without it, and need not fulfil it."""
+    used = {index for item in search.answered if item is answered or item.aside for index in item.used}
+    if not any(search.planner.pool[index] is limit for index in used):
         search.take_back(answered)
         name = answered.find.name
         raise NotYet(f"`{name}` does not depend on `{said}`: it is settled without the condition", help=help)

@@ -135,6 +135,7 @@ def with_sizes(name: str, roots: Sequence[Formula], search: Search) -> list[int]
         for number, root in enumerate(roots):
             size = numbers.size(search.solver.with_found(root))
             trial = numbers if size is None else replace(numbers, found={**numbers.found, name: size})
+            trial.found.update(on_the_way(name, search, trial))
             first_broken(search, trial)  # what the equations then tell of the sizes
             left += [] if any(one in trial.found and trial.found[one] < 0 for one in sizes) else [number]
     return left or list(range(len(roots)))

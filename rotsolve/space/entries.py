@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
@@ -27,11 +29,17 @@ def entries_in_space(find: Find) -> tuple[Find, ...]:
     return tuple(parts) or (find,)
 
 
-def refuse_size_of_sum(find: Find) -> None:
-    """Refuse the size of a sum of vectors: in arithmetic with its size it would be the sum of their sizes."""
-    if find.modifier == "size of" and len(find.terms) > 1 and linear(find) and all(map(entries_of, find.terms)):
-        message, help = "the size of a sum of vectors is not solved", "ask for the sum, which is told by its components"
-        raise NotYet(message, find.span, help)
+def refuse_sizes(find: Find) -> None:
+    """Refuse the size of a sum of vectors, and a product of two: in arithmetic with their sizes both would be something else."""
+    vectors = [number for number, term in enumerate(find.terms) if entries_of(term)]
+    if find.modifier == "size of" and len(vectors) == len(find.terms) > 1 and linear(find):
+        help = "ask for the sum, which is told by its components"
+        raise NotYet("the size of a sum of vectors is not solved", find.span, help)
+    with suppress(ZeroDivisionError):
+        factors = [number for number in vectors if is_zero(find.formula.substitute({f"#{number}": ZERO}))]
+        if len(factors) > 1:
+            help = "multiply components, as `body.velocity.x`, one by one"
+            raise NotYet("the product of two vectors is not solved", find.span, help)
 
 
 def of_entry(term: Term, name: str) -> Term:

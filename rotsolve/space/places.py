@@ -13,9 +13,28 @@ from rotsolve.space.moment import SpaceMoment
 
 def way_to(moment: SpaceMoment, name: str, ref: PointRef) -> Triple:
     """From the reference of a body to a place in space or a point of another body, in the axes of the first: P − r."""
+    if ref.place is None:
+        refuse_apart(moment, name, ref.owner)
     place = triple(ref.place) if ref.place is not None else point_in_space(moment, ref)
     away = vector_sum(place, minus(reference_place(moment, name)))
     return IN_SPACE.to(moment.axes(name), away)
+
+
+def refuse_apart(moment: SpaceMoment, one: str, other: str) -> None:
+    """Refuse a way between bodies that different joints hold to the ground, where nothing tells how far these are apart."""
+    held = moment.held
+    joints = []
+    for name in (one, other):
+        while held.carrier(name):
+            name = held.carrier(name)
+        joints.append(held.main(name))
+    first, last = joints
+    if first is None or last is None or first.owner == last.owner:
+        return
+    if first.carrier.place is None or last.carrier.place is None:
+        message = f"how far `{first.owner}` and `{last.owner}` are apart nothing tells"
+        help = f"begin what holds them with their places: `[[x, y, z], {other}]`"
+        raise NotYet(message, help=help)
 
 
 def point_in_space(moment: SpaceMoment, ref: PointRef) -> Triple:

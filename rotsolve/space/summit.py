@@ -13,7 +13,7 @@ from msgspec import Struct
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ONE, PI, ZERO, Formula, Number, add, call, multiply, negate, sqrt
 from rotsolve.core.facts import square
-from rotsolve.core.vectors.triple import cross_product, dot_product
+from rotsolve.core.vectors.triple import NOTHING, cross_product, dot_product
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.energies import kinetic_energies
 from rotsolve.space.inertia import CM
@@ -24,18 +24,26 @@ Side = Callable[[Formula], "int | None"]
 
 
 class Summit(Struct, frozen=True):
-    """How many turns a body is from its highest place at both ends of its way, and the kinetic energy that it would have there."""
+    """How many turns a body is from its highest place at both ends of its way, the kinetic energy that it would have there, and the rate
+    at which it sets out."""
 
     start: Formula
     end: Formula
     left: Formula
+    rate: Formula
 
 
 def summit_of(name: str, before: SpaceLaws, after: SpaceLaws, side: Side) -> Summit | None:
     """The highest place of a body that swings on a hinge of the ground, with what tells signs; None where it is not told how it stands."""
     moment, gravity = before.moment, before.pushes.gravity
     joint = moment.held.main(name)
-    if joint is None or not joint.turning or gravity is None or not (before.fixed(name) and left_alone(before, name)):
+    if (
+        joint is None
+        or not joint.turning
+        or gravity is None
+        or not before.fixed(name)
+        or not swings_alone(name, before)
+    ):
         return None
     angles = [laws.moment.stood(name, "angle") for laws in (before, after)]
     if angles[0] is None or angles[1] is None:
@@ -50,7 +58,20 @@ def summit_of(name: str, before: SpaceLaws, after: SpaceLaws, side: Side) -> Sum
     last = first + (angles[1] - angles[0]) / (2 * PI)
     weight = multiply(moment.held.mass(name), gravity)
     left = add(add(*kinetic_energies(before, name)), multiply(weight, add(height, negate(most))))
-    return Summit(first, last, left)
+    return Summit(first, last, left, moment.driven(name, joint, "angular_velocity")[0])
+
+
+def swings_alone(name: str, before: SpaceLaws) -> bool:
+    """Whether nothing but its weight turns a body about its hinge: couples across its axis do not."""
+    moment, joint = before.moment, before.moment.held.main(name)
+    if joint is None or not left_alone(before, name, pushed=True):
+        return False
+    way, acting = moment.direction(name, joint), {action.name for action in before.pushes.actions}
+    own = [push for push in before.pushes.on(name) if push.owner in acting]
+    couples = (push.axes.to(push.own, push.couple) for push in own)
+    return all(push.force == NOTHING for push in own) and all(
+        moment.held.vanishes(dot_product(way, one)) for one in couples
+    )
 
 
 def stays_put(name: str, before: SpaceLaws, side: Side) -> bool:

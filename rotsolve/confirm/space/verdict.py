@@ -38,6 +38,8 @@ SAME = 2e-6  # of the size of what is compared
 FAR = 0.5  # of its size, as far as an approximation may be from what it stands for
 ROUGHLY = "the scene asks for an approximation"
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
+SQUARED = 1e-8  # of the square of that size, for the square of a rate at which a motion that is followed turns back
+RATES = ("angular_velocity", "velocity", "speed", "precession", "nutation", "spin")
 ROUNDED = 1e-14  # of the same, for a float that should be nothing
 COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
 EITHER_WAY = ("principal_axis",)  # directions that have no sense
@@ -247,7 +249,11 @@ def compared_in_space(
     natural = hearing.natural(answer)
     loose = bool(finds[0].terms) and finds[0].terms[0].path.quantity in EITHER_WAY
     fits = [
-        row for row in rows if close(answered, row, natural) or (loose and close(answered, turned_round(row), natural))
+        row
+        for row in rows
+        if close(answered, row, natural)
+        or (loose and close(answered, turned_round(row), natural))
+        or (at_turning(finds[0], hearing) and by_squares(answered, row, natural))
     ]
     if fits and len(fits) < len(rows) and not hearing.problem.assume:
         return AnswerConfirmation(answer.name, None, SEVERAL, answered, fits[0])
@@ -261,6 +267,18 @@ def close(answered: Sequence[float], own: Sequence[float], natural: float) -> bo
     size = max(map(abs, (*answered, *own)), default=0.0)
     room = max(SAME * size, (ROUNDED if any(answered) else NOTHING) * natural)
     return all(abs(a - b) <= room for a, b in zip(answered, own, strict=True))
+
+
+def at_turning(find: Find, hearing: Hearing) -> bool:
+    """Whether a rate is asked where the motion leads, which is known there by its square alone, as far as it is followed."""
+    first = hearing.problem.states[0].name if hearing.problem.states else None
+    rated = (term for term in find.terms if term.path.quantity in RATES)
+    return len(find.terms) == 1 and any(term.at not in (None, first) for term in rated)
+
+
+def by_squares(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
+    """Whether the squares of small numbers are the same beside that of the size of such quantities in the scene."""
+    return all(abs(a * a - b * b) <= SQUARED * natural**2 for a, b in zip(answered, own, strict=True))
 
 
 def turned_to(angle: float, answered: float) -> float:
