@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
@@ -11,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import DOT, INDEXED, PRIME
 from rotsolve.core.derivation import Words
-from rotsolve.core.symbols import DOTTED, TIME, is_key, key_of
+from rotsolve.core.symbols import DOTTED, MARKED, SECOND, TIME, is_key, key_of
 from rotsolve.derivation.drafts import Diagrams, Draft
 from rotsolve.language.problem import Body, Find
 from rotsolve.search.search import Search
@@ -166,9 +165,6 @@ class Letters:
         return found
 
 
-RATE_WORD = re.compile(r"([A-Za-z]+?)dot((?:_?\w+)?)")  # omegadot, omegadot_gate
-
-
 def names_with_dots(used: Collection[str], names: Mapping[str, str]) -> dict[str, str]:
     """The names of rates of coordinates, and of the rates of these: those of the coordinates with a dot or two."""
     found = {}
@@ -177,8 +173,8 @@ def names_with_dots(used: Collection[str], names: Mapping[str, str]) -> dict[str
         own = replace(key, kind=key.kind.removeprefix(DOTTED).removeprefix(DOTTED))
         if own != key and own.name in names:
             found[name] = names[own.name] + DOT * key.kind.count(DOTTED)
-    words = {name: match for name in used if (match := RATE_WORD.fullmatch(names.get(name, ""))) is not None}
-    found |= {name: match[1] + match[2] + DOT for name, match in words.items()}  # ω̇ of the laws in space
+        if key.kind.startswith(SECOND) and name in names:  # ω̇ of the laws in space, whose letter is omegadot
+            found[name] = names[name].replace(MARKED, "", 1) + DOT
     return found
 
 

@@ -198,7 +198,7 @@ def read_amounts(scope: Scope, key: Key, node: Node, label: str, owner: str) -> 
     if scope.space and isinstance(node, Text) and node.value.strip() == ANY:
         return ANY
     if isinstance(node, List) and scope.space:
-        return in_space.read_three(scope, node, Want(label, key.dimension, key.letter, owner))
+        return in_space.read_three(scope, node, Want(label, key.dimension, key.letter, owner, varies=key.varies))
     return read_quantity(scope, key, node, label, owner)
 
 

@@ -61,7 +61,7 @@ class Tensors(Struct):
             try:
                 told = inertia.moment(spread, word)
             except Unknown as error:
-                help = "a hole that is flat tells it no depth: give it a shape that has one"
+                help = "give each part a shape in place of its inertia, and each hole one that has a depth"
                 raise Unsolvable(f"{error}: its tensor in space nothing tells", span=body.span, help=help) from None
             except NotSliced as error:
                 help = "give that shape to a body of its own, clamped to this one"

@@ -226,9 +226,17 @@ class Lapse:
         if not alone or self.weight_turns(name, joint):
             return None
         couples = [push for push in self.before.pushes.on(name) if push.owner in self.acting]
+        if any(push.force != NOTHING or any(map(has_quantities, push.couple)) for push in couples):
+            return None
+        strengths = [
+            action.strength()
+            for action in self.before.pushes.actions
+            if action.name in {push.owner for push in couples}
+        ]
         if any(
-            push.force != NOTHING or goes_by_time(push.couple) or any(map(has_quantities, push.couple))
-            for push in couples
+            goes_by_time([*value] if isinstance(value, tuple) else [value])
+            for value in strengths
+            if not isinstance(value, str)
         ):
             return None
         return moment.driven(name, joint, "angular_velocity")[1] if couples else ZERO

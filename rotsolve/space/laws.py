@@ -24,7 +24,16 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key, key_of, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, cross_product, scaled_by, vector_sum
+from rotsolve.core.vectors.triple import (
+    AXES,
+    NOTHING,
+    Triple,
+    cross_product,
+    dot_product,
+    is_axis,
+    scaled_by,
+    vector_sum,
+)
 from rotsolve.core.writing import spoken, spoken_point
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.arrangement import RATES
@@ -95,6 +104,7 @@ class SpaceLaws:
         yield from self.second_law(name, pushes)
         if not self.moment.held.pointlike(name):
             yield from self.rotation(name, pushes)
+            yield from self.about_line(name, pushes)
 
     # points and words
 
@@ -205,6 +215,25 @@ class SpaceLaws:
             yield RATE_IN_AXES.equation(
                 left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
             )
+
+    def about_line(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
+        """n · dL/dt = n · Στ of a body on two balls, n along the oblique line through both, about which their forces have no torque."""
+        held, moment = self.moment.held, self.moment
+        joint, balls = held.main(name), {item.owner for item in held.supports(name)}
+        if joint is None or len(balls) < 2:
+            return
+        way, own = moment.direction(name, joint), moment.attitude(name)
+        if is_axis(way) or self.goes_on(name):
+            return
+        place, point, _ = self.pivot(name)
+        tensor = self.tensor(name, point)
+        changed = vector_sum(product(tensor, own.rates), cross_product(own.axes.rate, self.momentum(name, point)))
+        torque = vector_sum(NOTHING, *(push.torque(place) for push in pushes if push.owner not in balls))
+        left, right = (moment.tidy(dot_product(way, vector)) for vector in (torque, changed))
+        where = f" about {spoken_point(point)}"
+        yield RATE_IN_AXES.equation(
+            left, right, moment.when, (name,), rate="dL/dt", about=where, axis="the line through both balls"
+        )
 
     def goes_on(self, name: str) -> bool:
         """Whether a fast top precesses as at a state before, where the law has been written: what was left out there was made of the spin,

@@ -35,6 +35,8 @@ class LeaningMoment(TellingMoment):
         axis = self.held.axis(name)
         if axis is None:
             raise Unsolvable(f"`{name}` has no axis: its tilt and spin have no meaning", help="give it `axis: z`")
+        if self.rests(name):
+            self.refuse_turning(name)
         if self.state.steady:
             self.refuse_shaken(name)
         turning, symmetric = self.nodding(name), self.held.turns_round(name, axis)
@@ -46,6 +48,14 @@ class LeaningMoment(TellingMoment):
         axial, faster = self.ask("axial_rate", name), self.rate_of("axial_rate", name)
         omega, rates = (found.omega[0], found.omega[1], axial), (found.rates[0], found.rates[1], faster)
         return Attitude(found.axes, found.own, omega, rates, found.about)
+
+    def refuse_turning(self, name: str) -> None:
+        """Refuse a rate that a state tells of a body which it says to be at rest."""
+        for word in (*RATES, "axial_rate"):
+            line = self.line(name, word)
+            if line is not None and line.value is not None and not self.held.vanishes(line.value):
+                message = f"`{name}` is at rest at {self.spoken_of()}, and its `{word}` is told"
+                raise Unsolvable(message, span=line.span, help="leave one of them out")
 
     def refuse_shaken(self, name: str) -> None:
         """Refuse a steady precession about the vertical of what is held at a point that is accelerated sideways."""

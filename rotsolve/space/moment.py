@@ -97,6 +97,8 @@ class SpaceMoment(LeaningMoment):
             raise Unsolvable(message, span=line.span, help="tell how it stands by `turned`, or by its Euler angles")
         if self.nods(name):
             return self._nods(name)
+        if self.later and self.held.pointlike(name) and not self.held.bodies[name].moved:
+            return Attitude(IN_SPACE, AS_DRAWN, NOTHING, NOTHING)  # a point has no axes that turn away
         return self._led(name, ()) if self.held.bodies[name].moved else self._anyhow(name)
 
     def turned(self, name: str) -> Rows:

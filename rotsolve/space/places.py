@@ -58,11 +58,22 @@ def reference_place(moment: SpaceMoment, name: str) -> Triple:
         return triple([moment.now(led.get(axis, ZERO)) for axis in AXES])
     told = moment.vector_kept(name, "position")
     if told is None:
-        raise nowhere(moment, name)
+        return flown_from_told(moment, name)
     place, _, frame = told
     if not frame:
         return place
     return vector_sum(reference_place(moment, frame), moment.own_axes(frame).to(IN_SPACE, place))
+
+
+def flown_from_told(moment: SpaceMoment, name: str) -> Triple:
+    """Where the centre of mass of a free body is, by its flight from a place that a state before tells."""
+    if moment.before is not None:
+        return reference_place(moment.before, name)
+    gone = moment.onward.centre_way(name) if moment.onward is not None else None
+    if gone is None or moment.onward is None:
+        raise nowhere(moment, name)
+    moment.hangs_on_time()
+    return vector_sum(reference_place(moment.onward.before.moment, name), gone)
 
 
 def point_from_start(moment: SpaceMoment, ref: PointRef) -> Triple:

@@ -8,7 +8,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME, of_kinds, phase_midst
+from rotsolve.core.symbols import MARKED, SECOND, TIME, of_kinds, phase_midst
 from rotsolve.core.vectors.triple import AXES, Triple
 from rotsolve.language.problem import Condition, State
 from rotsolve.motion.arrangement import Arrangement
@@ -16,7 +16,6 @@ from rotsolve.space.arrangement import ANGLES, NODAL, JointedBodies
 from rotsolve.space.attitude import Onward
 
 TURNED = (*NODAL, "vertical", "angular_velocity", "angular_acceleration")  # words that tell how a body stands or turns
-SECOND = "rate of "  # in front of the word of a rate: how fast that changes
 
 
 def turns_untold(value: Formula) -> list[str]:
@@ -178,7 +177,7 @@ class TellingMoment:
             return ZERO
         entry = QUANTITIES["angular_acceleration"]
         kind = SECOND + word
-        quantity = SceneQuantity(kind, owner, self.at, "", f"{QUANTITIES[word].letter}dot", entry.dimension)
+        quantity = SceneQuantity(kind, owner, self.at, "", f"{QUANTITIES[word].letter}{MARKED}", entry.dimension)
         return self.registry.ask(quantity)
 
     def refuse_told_anyhow(self, name: str) -> None:

@@ -17,7 +17,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.tape import BITS, ZERO, Exact, Unwritable
 from rotsolve.core.drive import TRAVELLING
 from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import ACCELERATIONS, TIME, is_key, key_of, paths_in
+from rotsolve.core.symbols import ACCELERATIONS, SECOND, TIME, is_key, key_of, paths_in
 from rotsolve.language.noted import read_all
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet, path_text
@@ -32,7 +32,6 @@ from rotsolve.simulation.tape import SeriesTape, vanishes
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.scene import SpaceEquations
-from rotsolve.space.telling import SECOND
 
 
 class SpaceSystem(System, frozen=True):

@@ -1,0 +1,207 @@
+"""Every word of a scene in space takes part, or is refused by name: words that contradict each other, that mean nothing where they
+stand, or that tell once more what is told already.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve import SceneError, Unsolvable, solve
+
+HEAD = "title: t\nup: z\n"
+TOP = "top: {mass: 0.2 kg, inertia: {about: tip, principal: [A, A, C]}, axis: z, points: {tip: [0, 0, -l]}}"
+GIVEN = "given: {l: 5 cm, A: 6e-4 kg m^2, C: 8e-5 kg m^2, w: 400 rad/s, th: 20 deg}\n"
+ROD = "bodies: {rod: {shape: rod, mass: 2 kg, length: 1 m, points: {P: [0.3 m, 0, 0]}}}\n"
+HINGE = "connections: {pin: {hinge: rod.start, along: y}}\n"
+BOX = "bodies: {box: {shape: cuboid, mass: 2 kg, sides: [0.6 m, 0.4 m, 0.2 m], points: {P: [0.3 m, 0.2 m, 0.1 m]}}}\n"
+RATE = "box.angular_velocity: [1 rad/s, 2 rad/s, 3 rad/s]"
+
+
+def top(state: str, find: str, *, body: str = TOP, more: str = "", given: str = GIVEN) -> str:
+    held = "connections: {floor: {ball: top.tip}}\n"
+    return f"{HEAD}{more}{given}bodies: {{{body}}}\n{held}states: {{now: {{{state}}}}}\nfind: {find}\n"
+
+
+def rod(state: str, find: str = "{al: rod.angular_acceleration}", more: str = "") -> str:
+    return f"{HEAD}{ROD}{HINGE}{more}states: {{now: {{{state}}}}}\nfind: {find}\n"
+
+
+def box(state: str, find: str = "{L: box.angular_momentum}", more: str = "", body: str = BOX) -> str:
+    return f"{HEAD}gravity: none\n{body}{more}states: {{now: {{{state}}}}}\nfind: {find}\n"
+
+
+STOOD = "rod.angle: 20 deg, rod.angular_velocity: 3 rad/s"
+FAST = "assume: [fast spin]\n"
+WHEEL = (
+    "bodies: {wheel: {shape: disc, mass: 2 kg, radius: 0.2 m}, fork: {mass: 0, angular_velocity: [0, 0, 2 rad/s]}}\n"
+)
+AXLE = "connections: {ax: {axle: [fork, wheel], along: x, angular_velocity: 5 rad/s}}\n"
+HOLE = "bodies: {b: {shape: sphere, mass: 2 kg, radius: 0.3 m, holes: {a: {HOLE}}}}\nfind: {I: b.inertia_tensor}\n"
+SHAPE = "bodies: {b: {SHAPE}}\nfind: {I: b.inertia_tensor}\n"
+DRIVEN = "connections: {pin: {hinge: rod.start, along: y, angle: 2 rad/s*time, angular_velocity: 3 rad/s}}\n"
+
+REFUSED = {
+    "a tilt on a hinge": (rod(f"{STOOD}, rod.tilt: 30 deg"), "on a `hinge`: .* not its `tilt`"),
+    "a spin on a hinge of the ground": (rod(f"{STOOD}, rod.spin: 2 rad/s"), "not its `spin`"),
+    "a vertical on a hinge": (rod(f"{STOOD}, rod.vertical: [0, 0, 1]"), "not its `vertical`"),
+    "a tilt on a carried axle": (
+        f"{HEAD}{WHEEL}{AXLE}states: {{now: {{wheel.angle: 0 deg, wheel.tilt: 20 deg}}}}\nfind: {{F: ax.force}}\n",
+        "on an? `axle`: .* not its `tilt`",
+    ),
+    "three components on a hinge": (rod("rod.angle: 0 deg, rod.angular_velocity: [0, 1 rad/s, 0]"), "one number"),
+    "an angle of a free body": (box(f"{RATE}, box.angle: 20 deg"), "on no `hinge` and no `axle`"),
+    "a stand told twice": (
+        top("top.tilt: th, top.vertical: [0, 0, 1], top.axial_rate: w, steady: true", "{W: smallest top.precession}"),
+        "by its Euler angles and by its `vertical`",
+    ),
+    "a rate of what is at rest": (
+        top("top.tilt: th, top.axial_rate: w, at rest: top", "{al: top.angular_acceleration}"),
+        "is at rest at `now`, and its `axial_rate` is told",
+    ),
+    "drawn turned, and Euler angles": (
+        top("top.tilt: th, top.axial_rate: w", "{K: top.energy}", body=TOP[:-1] + ", turned: {about: x, by: 40 deg}}"),
+        "is drawn `turned`, and a state tells how it stands by its Euler angles",
+    ),
+    "drawn turned, and another vertical": (
+        box(
+            '"box.angular_velocity in body axes": [1 rad/s, 2 rad/s, 3 rad/s], box.vertical: [0.36, 0.48, 0.8]',
+            more="connections: {k: {ball: box.P}}\n",
+            body=BOX.replace("sides", "turned: {about: x, by: 30 deg}, sides"),
+        ),
+        "is drawn `turned`, and its `vertical` at `now` is another one",
+    ),
+    "fast spin without a top": (
+        box(RATE).replace("up: z\n", f"up: z\n{FAST}"),
+        "`assume: fast spin` says nothing here",
+    ),
+    "fast spin where nothing precesses steadily": (
+        f"{HEAD}{FAST}{GIVEN}bodies: {{{TOP}}}\nconnections: {{floor: {{ball: top.tip}}}}\nstates:\n"
+        "  start: {top.tilt: th, top.axial_rate: w, top.precession: 0 rad/s, top.nutation: 0 rad/s}\n"
+        "  low: {top.tilt: largest}\nfind: {th1: top.tilt at low}\n",
+        "`assume: fast spin` says nothing here",
+    ),
+    "a phase without a joint": (
+        f"{HEAD}{ROD}{HINGE}states: {{a: {{{STOOD}}}, e: {{rod.angle: 60 deg}}}}\n"
+        "phases: {fall: {from: a, to: e, without: pin}}\nfind: {w: rod.angular_velocity at e}\n",
+        "a phase without `pin` is not solved in space",
+    ),
+    "a direction beside any": (
+        box("at rest: box", more="actions: {f: {force: any, on: box.P, direction: y}}\n", find="{F: f.force}"),
+        "has a `direction`, and `force: any`",
+    ),
+    "a direction beside components": (
+        box("at rest: box", more="actions: {f: {couple: [1 N m, 0, 0], on: box, direction: y}}\n"),
+        "has a `direction`, and its components",
+    ),
+    "a place and another velocity": (
+        box(
+            "",
+            "{v: box.velocity}",
+            body=BOX.replace("sides", "position: [time*1 m/s, 0, 0], velocity: [0, 2 m/s, 0], sides"),
+        ).replace("states: {now: {}}\n", ""),
+        "the `position` and the `velocity` of `box` contradict",
+    ),
+    "a drive told twice": (
+        f"{HEAD}{ROD}{DRIVEN}find: {{w: rod.angular_velocity}}\n",
+        "the `angle` and the `angular_velocity`",
+    ),
+    "a hole without a shape": (
+        HEAD + HOLE.replace("HOLE", "mass: 0.5 kg, at: [0.1 m, 0, 0]"),
+        "has no `shape` that has a size",
+    ),
+    "a hole with an inertia": (
+        HEAD + HOLE.replace("HOLE", "shape: sphere, radius: 1 cm, inertia: 1 kg m^2"),
+        "inertia of its own",
+    ),
+    "a hole in what has no shape": (
+        HEAD + SHAPE.replace("SHAPE", "inertia: 1 kg m^2, mass: 1 kg, holes: {a: {shape: sphere, radius: 1 cm}}"),
+        "has no shape out of which",
+    ),
+    "parts beside a tensor": (
+        HEAD
+        + SHAPE.replace(
+            "SHAPE", "mass: 1 kg, inertia: {principal: [1 kg m^2, 1 kg m^2, 1 kg m^2]}, parts: {q: {mass: 1 kg}}"
+        ),
+        "has parts beside an inertia tensor",
+    ),
+    "an annulus without radii": (HEAD + SHAPE.replace("SHAPE", "shape: annulus, mass: 2 kg"), "needs `radii`"),
+    "a rope": (
+        HEAD + SHAPE.replace("SHAPE", "shape: rope, mass: 2 kg, length: 1 m"),
+        "is a rope, which is not solved in space",
+    ),
+    "limits that cross": (
+        HEAD + SHAPE.replace("SHAPE", "shape: lamina, mass: 2 kg, region: {x: [0, 1 m], y: [x, 0.6 m]}"),
+        "limits of `y` cross",
+    ),
+    "a profile that crosses": (
+        HEAD + SHAPE.replace("SHAPE", "shape: solid of revolution, mass: 2 kg, profile: {z: [0, 1 m], r: [0.5 m, z]}"),
+        "limits of `r` cross",
+    ),
+    "a density below nothing": (
+        HEAD + SHAPE.replace("SHAPE", "shape: rod, length: 1 m, density: 3 kg/m^2*(x - 0.3 m)"),
+        "density would be negative",
+    ),
+    "more than once round": (
+        HEAD + SHAPE.replace("SHAPE", "shape: lamina, mass: 2 kg, region: {r: [0, 1 m], phi: [0, 5*pi]}"),
+        "more than once",
+    ),
+    "an arc beyond a circle": (
+        HEAD + SHAPE.replace("SHAPE", "shape: arc, mass: 1 kg, radius: 1 m, opening: 400 deg"),
+        "once round",
+    ),
+    "bearings at one place": (
+        f"{HEAD}{ROD}connections: {{pin: {{hinge: rod.center, along: z, bearings: [0.1 m, 0.1 m]}}}}\n"
+        "states: {now: {rod.angular_velocity: 3 rad/s}}\nfind: {F: pin.bearing1.force}\n",
+        "both bearings of `pin` are at one place",
+    ),
+    "a point with the name of another": (
+        HEAD
+        + SHAPE.replace("SHAPE", "shape: cone, mass: 1 kg, radius: 0.2 m, length: 0.4 m, points: {tip: [0, 0, 0.1 m]}"),
+        "`tip` names a point of `b` already",
+    ),
+    "a body with the name of axes": (box(RATE).replace("box", "node"), "`node` can't be a name in space"),
+    "a stable top that is pushed": (
+        top(
+            "top.tilt: 0 deg, top.axial_rate: s, steady: true",
+            "{s: smallest s where now is stable}",
+            given=GIVEN.replace("th: 20 deg", "s: unknown"),
+            more="actions: {f: {force: [0, 0, -1 N], on: top.cm}}\n",
+        ),
+        "`f` acts on it beside its weight",
+    ),
+    "separate hinges": (
+        f"{HEAD}bodies: {{one: {{shape: rod, mass: 1 kg, length: 1 m}}, two: {{shape: rod, mass: 1 kg, length: 1 m}}}}\n"
+        "connections: {p: {hinge: one.start, along: y}, q: {hinge: two.end, along: z}}\n"
+        "states: {now: {one.angle: 0 deg, one.angular_velocity: 3 rad/s, two.angle: 0 deg, two.angular_velocity: 0 rad/s}}\n"
+        "find: {L: one.angular_momentum about two.cm}\n",
+        "how far `p` and `q` are apart nothing tells",
+    ),
+    "a place beside a slide": (
+        f"{HEAD}bodies: {{arm: {{mass: 0, points: {{P: [1 m, 0, 0]}}}}, bead: {{shape: particle, mass: 1 kg}}}}\n"
+        "connections: {hub: {hinge: arm, along: z, angular_velocity: 2 rad/s}, guide: {slide: [arm.P, bead], along: x}}\n"
+        'states: {now: {"bead.position relative to arm": [0.3 m, 0, 0], "bead.velocity relative to arm": [1 m/s, 0, 0]}}\n'
+        "find: {N: guide.force}\n",
+        "where `bead` is on `arm` is told by `guide`",
+    ),
+    "the size of a sum of vectors": (
+        box(RATE, "{d: size of (box.P.velocity - box.velocity)}"),
+        "the size of a sum of vectors",
+    ),
+    "a product of vectors": (box(RATE, "{d: box.angular_momentum*box.angular_velocity}"), "the product of two vectors"),
+    "an answer that a swing never comes to": (
+        f"{HEAD}{ROD}{HINGE}states: {{a: {{rod.angle: -90 deg, rod.angular_velocity: 0.5 rad/s}}, e: {{rod.angle: -120 deg}}}}\n"
+        "find: {w: rod.angular_velocity at e}\n",
+        "`e` is never reached from `a`",
+    ),
+    "one moment alone": (
+        HEAD + SHAPE.replace("SHAPE", "inertia: 2 kg m^2, mass: 1 kg"),
+        "only the moment of inertia of `b`",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_means_nothing_or_contradicts_is_refused_by_name(case: str) -> None:
+    scene, match = REFUSED[case]
+    with pytest.raises((Unsolvable, SceneError), match=match):
+        solve(scene)
