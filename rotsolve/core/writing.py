@@ -104,7 +104,7 @@ def spoken(name: str) -> str:
     return name.replace("_", " ").strip()
 
 
-def spoken_point(point: str) -> str:
+def point_in_words(point: str) -> str:
     """A point of a body as words, behind the name of that; `at` is the place of a joint on it, `rod.at(x)`."""
     return {"cm": "its centre of mass", "at": "the point that is held"}.get(point, f"its {spoken(point)}")
 

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import DOT, INDEXED, PRIME
 from rotsolve.core.derivation import Words
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import DOTTED, MARKED, SECOND, TIME, is_key, key_of
 from rotsolve.derivation.drafts import Diagrams, Draft
 from rotsolve.language.problem import Body, Find
@@ -173,8 +174,10 @@ def names_with_dots(used: Collection[str], names: Mapping[str, str]) -> dict[str
         own = replace(key, kind=key.kind.removeprefix(DOTTED).removeprefix(DOTTED))
         if own != key and own.name in names:
             found[name] = names[own.name] + DOT * key.kind.count(DOTTED)
-        if key.kind.startswith(SECOND) and name in names:  # ω̇ of the laws in space, whose letter is omegadot
-            found[name] = names[name].replace(MARKED, "", 1) + DOT
+        word = key.kind.removeprefix(SECOND)
+        letter = QUANTITIES[word].letter if word != key.kind and name in names else ""
+        if letter and names[name].startswith(letter + MARKED):  # ω̇ of the laws in space, unless a question calls it α
+            found[name] = letter + names[name].removeprefix(letter + MARKED) + DOT
     return found
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, times
+from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Symbol
@@ -302,7 +302,7 @@ class Results(Struct, frozen=True):
         number = found.number
         if number is None or factor == ONE:
             return number
-        return times(number, ONE / factor)
+        return multiple_of(number, ONE / factor)
 
     def value(self, formula: Formula) -> Certified | None:
         values = {**self.search.values, **({} if self.at is None else {TIME: self.at.value})}

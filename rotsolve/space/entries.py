@@ -20,7 +20,7 @@ from rotsolve.paths.meaning import NotYet
 def entries_in_space(find: Find) -> tuple[Find, ...]:
     """A question for a vector or a tensor, or for a sum of some, as questions for its entries; any other question alone."""
     names = {entries_of(term) for term in find.terms}
-    if len(names) != 1 or not linear(find):
+    if len(names) != 1 or not is_linear(find):
         return (find,)
     parts = []
     for name in names.pop() if not find.modifier else ():
@@ -32,7 +32,7 @@ def entries_in_space(find: Find) -> tuple[Find, ...]:
 def refuse_sizes(find: Find) -> None:
     """Refuse the size of a sum of vectors, and a product of two: in arithmetic with their sizes both would be something else."""
     vectors = [number for number, term in enumerate(find.terms) if entries_of(term)]
-    if find.modifier == "size of" and len(vectors) == len(find.terms) > 1 and linear(find):
+    if find.modifier == "size of" and len(vectors) == len(find.terms) > 1 and is_linear(find):
         help = "ask for the sum, which is told by its components"
         raise NotYet("the size of a sum of vectors is not solved", find.span, help)
     with suppress(ZeroDivisionError):
@@ -48,7 +48,7 @@ def of_entry(term: Term, name: str) -> Term:
     return replace(term, path=replace(term.path, component=name if whole is None else f"{whole} {name}"))
 
 
-def linear(find: Find) -> bool:
+def is_linear(find: Find) -> bool:
     """Whether a question is a sum of multiples of its quantities by givens, so that it may be a vector."""
     marks = [f"#{number}" for number in range(len(find.terms))]
     if find.formula == Symbol("#0"):

@@ -34,7 +34,7 @@ from rotsolve.core.vectors.triple import (
     scaled_by,
     vector_sum,
 )
-from rotsolve.core.writing import spoken, spoken_point
+from rotsolve.core.writing import point_in_words, spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.arrangement import RATES
 from rotsolve.space.attitude import AXIAL, NODE, Attitude, Axes
@@ -197,7 +197,7 @@ class SpaceLaws:
             torque = vector_sum(torque, push.torque(place))
         felt = scaled_by(negate(self.moment.held.mass(name)), led)
         torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
-        where = f" about {spoken_point(point)}{'' if led == NOTHING else ', which is led along'}"
+        where = f" about {point_in_words(point)}{'' if led == NOTHING else ', which is led along'}"
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
             if (left, change, across) == (ZERO, ZERO, ZERO) or self.goes_on(name):
                 continue
@@ -230,7 +230,7 @@ class SpaceLaws:
         changed = vector_sum(product(tensor, own.rates), cross_product(own.axes.rate, self.momentum(name, point)))
         torque = vector_sum(NOTHING, *(push.torque(place) for push in pushes if push.owner not in balls))
         left, right = (moment.tidy(dot_product(way, vector)) for vector in (torque, changed))
-        where = f" about {spoken_point(point)}"
+        where = f" about {point_in_words(point)}"
         yield RATE_IN_AXES.equation(
             left, right, moment.when, (name,), rate="dL/dt", about=where, axis="the line through both balls"
         )
@@ -272,7 +272,7 @@ class SpaceLaws:
     def letters_of(self, name: str, tensor: InertiaTensor, own: Attitude, point: str) -> tuple[Triple, list[Equation]]:
         """The components of L as letters with what defines them; one that is a mere multiple of a given stays as it is."""
         found, defined = [], []
-        where = f" about {spoken_point(point)}"
+        where = f" about {point_in_words(point)}"
         for axis, value in zip(AXES, product(tensor, own.omega), strict=True):
             plain = self.moment.held.bodies[name].moved  # of what is led no law is written
             if value == ZERO or plain or self.sought(value) or self.small_in(name, value, own):

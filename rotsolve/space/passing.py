@@ -32,7 +32,7 @@ from rotsolve.core.vectors.triple import (
     vector_sum,
     way_between,
 )
-from rotsolve.core.writing import spoken, spoken_point
+from rotsolve.core.writing import point_in_words, spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE, NODE
@@ -202,7 +202,7 @@ def laws_of_blow(
     turning = vector_sum(
         *(vector_sum(cross_product(way_between(place, item.arm), item.push), item.twist) for item in shocks)
     )
-    where = f" about {spoken_point(point)}"
+    where = f" about {point_in_words(point)}"
     for way, left, right in zip(ways, turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
         if left != right:
             yield TWISTS.equation(left, right, interval.name, (name,), about=where + way)

@@ -236,7 +236,8 @@ class VectorReader:
         point = point if joint is None else joint.body
         if point.owner != path.owner or (ref is not None and joint is None and ref.owner != path.owner):
             raise NotYet(f"`{path.quantity}` of `{path.owner}` is told about its own points", path.span)
-        if self.held.whole_tensor(path.owner) is None and self.held.bodies[path.owner].parts == ():
+        body = self.held.bodies[path.owner]
+        if body.tensor is None and (body.inertia is not None or body.gyration is not None) and not body.parts:
             message = f"only the moment of inertia of `{path.owner}` about its axis is known"
             raise NotYet(message, path.span, "tell `inertia: {principal: [I1, I2, I3]}`, or a shape")
         return self.dynamics.own_tensor(point)

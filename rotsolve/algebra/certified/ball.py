@@ -284,7 +284,7 @@ def evaluate(
     )
 
 
-def times(number: Certified, factor: Formula) -> Certified:
+def multiple_of(number: Certified, factor: Formula) -> Certified:
     """A certified number times a factor without letters, as closely as the number is known."""
     letter = Symbol("#number")
     return evaluate(letter * factor, {}, roots={letter.name: number})

@@ -8,7 +8,7 @@ from math import floor, log10
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, rounded, times
+from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, rounded
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.quantities import unit_for
@@ -72,7 +72,7 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
             return self.value
         if self.closed is not None and self.closed.symbols() <= self.values.keys():
             return evaluate(self.closed / unit.factor, self.values)
-        return times(self.value, self.unit.factor / unit.factor)
+        return multiple_of(self.value, self.unit.factor / unit.factor)
 
 
 def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
