@@ -29,7 +29,6 @@ from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way, along
-from rotsolve.confirm.routing import legs
 from rotsolve.confirm.signs import carrier_of, carriers, grounded, line, sense
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.strings import String
@@ -148,6 +147,8 @@ class Model:
         return self._senses[name]
 
     def legs(self, item: String) -> list[StringPart]:
+        from rotsolve.confirm.routing import legs
+
         if item.name not in self._legs:
             self._legs[item.name] = legs(item, self)
         return self._legs[item.name]

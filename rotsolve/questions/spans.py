@@ -16,7 +16,6 @@ from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import potential
 from rotsolve.laws.momentum import over_time
-from rotsolve.motion.encounters import participants
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.places import ends_of
 from rotsolve.motion.rigid import rim_ways, tidy
@@ -90,6 +89,8 @@ def meeting_of_last(owner: str, interval: str, scene: SceneEquations) -> Meeting
 
 def last_named(owner: str, interval: str, scene: SceneEquations) -> str:
     """The body that an event or connection names last."""
+    from rotsolve.motion.encounters import participants
+
     found = scene.configuration.timeline.interval(interval)
     assert found is not None and found.event is not None
     instant = scene.instant(found.start)

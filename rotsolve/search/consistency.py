@@ -20,7 +20,6 @@ from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.equation import FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
-from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 from rotsolve.search.within import seeks
@@ -118,6 +117,8 @@ def agreeing(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
 
 def negative_size(search: Search, numbers: KnownBalls) -> bool:
     """Whether an unknown of the scene would be what it can not be, such as a negative mass."""
+    from rotsolve.motion.limits import limits_of_scene
+
     asked = search.scene.configuration.problem.sought
     limits = (limit for limit in limits_of_scene(search.scene.configuration) if limit.gap.symbols() & asked)
     return any(size is not None and size < 0 for size in (numbers.size(limit.gap) for limit in limits))

@@ -25,7 +25,6 @@ from rotsolve.motion.positive import limits_of
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, against_most, rubs, rubs_at
 from rotsolve.plan import PATIENCE
 from rotsolve.search.answers import Answered, unsolvable
-from rotsolve.search.explain import unreachable
 from rotsolve.search.gripping import greatest_friction, own_needs, smooth, sticking
 from rotsolve.search.openings import tell_ends
 from rotsolve.search.planning import families_for
@@ -412,6 +411,8 @@ def without_asked(group: Sequence[Rub], problem: Problem) -> Problem | None:
 
 def check_goes_on(configuration: Configuration) -> None:
     """NeverReached where what the last state says to stick or to roll would slip on from there: its slip only turns round."""
+    from rotsolve.search.explain import unreachable
+
     *_, before, last = configuration.problem.states
     whole = Configuration(with_hereafter(configuration.problem), configuration.alteration)
     try:

@@ -19,7 +19,6 @@ from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Find, Given
-from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.expected import Expected
 from rotsolve.search.first_reached import FirstReached
@@ -270,6 +269,8 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
 
     A size is positive; a rate in space has its sign, but for the least with which a motion is stable or steady.
     """
+    from rotsolve.motion.limits import limits_of_scene
+
     numbers, given, word = search.numbers, search.givens[name], asked.modifier
     told = [limit for limit in limits_of_scene(search.scene.configuration) if name in limit.gap.symbols()]
     limits, strict = [limit.gap for limit in told], {limit.gap for limit in told if limit.strict}

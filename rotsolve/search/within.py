@@ -14,7 +14,6 @@ from rotsolve.core.faults import Impossible
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.language.problem import Given
-from rotsolve.motion.limits import limits_of_scene
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.search import Search, asked_letter
 from rotsolve.solver.steps import Found
@@ -46,6 +45,8 @@ def bounds_of_asked(search: Search) -> Iterator[Bound]:
     """Where the letters that questions settle have to lie."""
     limits: list[Limit] | None = None
     for sought in seeks(search):
+        from rotsolve.motion.limits import limits_of_scene
+
         limits = list(limits_of_scene(search.scene.configuration)) if limits is None and sought else limits
         for limit in limits or ():
             names = sorted(limit.gap.symbols() & sought.keys())

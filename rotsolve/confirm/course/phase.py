@@ -18,7 +18,6 @@ from rotsolve.confirm.course.astray import TOUCHING, LetsGo, MeetAgain, spaces
 from rotsolve.confirm.course.crossings import FAR, crossings, dips, first_zero, sign_change, touched
 from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
 from rotsolve.confirm.course.laps import FollowedPhase, Lap
-from rotsolve.confirm.course.meeting import beside_rod, gap_of
 from rotsolve.confirm.course.node import Astray, Node, unpushed
 from rotsolve.confirm.course.steps import PLACES, Law, TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Met, Placed, gathered, moment, slip_speed
@@ -234,6 +233,7 @@ class NextState:
     def hits(self, lap: Lap) -> Iterator[tuple[float, tuple[str, str]]]:
         """The parts of a step at which what has bounced off a rod comes through it, between its ends."""
         for met in (met for met in self.first.placed.met if met.rod is not None):
+            from rotsolve.confirm.course.meeting import beside_rod, gap_of
 
             def ahead(at: Node, met: Met = met) -> float:
                 return gap_of(met, at.pose)[0] - met.apart + TOUCHING
