@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import partial
@@ -43,6 +43,7 @@ from rotsolve.solving import solved
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.core.derivation import AnswerConfirmation
+    from rotsolve.core.limits import Limit
 
 DIGITS, MOST_DIGITS = 4, 1000
 FEW_LETTERS = 4  # that a message names
@@ -224,13 +225,20 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
 
     def confirmation() -> tuple[AnswerConfirmation, ...]:
         from rotsolve.confirm.verdicts import confirmations
-        from rotsolve.motion.limits import limits_of_scene
 
         trace, admitted = solution.trace, partial(may_be, problem, whole)
-        limits = partial(limits_of_scene, whole)
-        return confirmations(solution.derivation.answers, whole.problem, trace.letter, admitted, trace.points, limits)
+        return confirmations(
+            solution.derivation.answers, whole.problem, trace.letter, admitted, trace.points, partial(limits_of, whole)
+        )
 
     return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
+
+
+def limits_of(configuration: Configuration) -> Iterator[Limit]:
+    """What a scene asks of its letters; what tells it is loaded when it is asked for."""
+    from rotsolve.motion.limits import limits_of_scene
+
+    return limits_of_scene(configuration)
 
 
 def made_ready(problem: Problem) -> tuple[Configuration, Configuration]:
@@ -351,11 +359,9 @@ def fairly_refused(
 
 def may_be(problem: Problem, configuration: Configuration, numbers: Mapping[str, float]) -> bool:
     """Whether the scene as written may have such numbers, in SI units, for its letters: what is cut out of a body lies within it."""
-    from rotsolve.motion.limits import limits_of_scene
-
     known = {name: Number(Fraction(size)) for name, size in numbers.items()}
     signs = SignOracle({**problem.values, **known})
-    told = ((signs.by_numbers(limit.gap), limit.strict) for limit in limits_of_scene(configuration))
+    told = ((signs.by_numbers(limit.gap), limit.strict) for limit in limits_of(configuration))
     if any(sign == -1 or (sign == 0 and strict) for sign, strict in told):
         return False
     open_ = [given for given in problem.givens if given.value is None and not (given.asked or given.automatic)]

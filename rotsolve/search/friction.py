@@ -411,8 +411,6 @@ def without_asked(group: Sequence[Rub], problem: Problem) -> Problem | None:
 
 def check_goes_on(configuration: Configuration) -> None:
     """NeverReached where what the last state says to stick or to roll would slip on from there: its slip only turns round."""
-    from rotsolve.search.explain import unreachable
-
     *_, before, last = configuration.problem.states
     whole = Configuration(with_hereafter(configuration.problem), configuration.alteration)
     try:
@@ -420,6 +418,8 @@ def check_goes_on(configuration: Configuration) -> None:
     except Unsolvable:
         return  # nothing tells what comes then
     for clash in said_otherwise(whole, modes):
+        from rotsolve.search.explain import unreachable
+
         raise unreachable(whole.problem, before.name, last.name, clash.fault.span, clash.fault.message)
 
 

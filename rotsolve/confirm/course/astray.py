@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from rotsolve.confirm.course.meeting import clearance
 from rotsolve.confirm.course.node import Astray, Node
 
 TOUCHING = 1e-9  # metres: at the blow itself they are not yet through each other
@@ -43,6 +42,8 @@ def spaces(at: Node, *, rods: bool = False) -> dict[tuple[str, str], tuple[float
     for met in at.placed.met:
         if met.rod is not None and not rods:
             continue
+        from rotsolve.confirm.course.meeting import clearance
+
         gap = clearance(met, at.pose)
         found[met.pair] = (gap + TOUCHING, abs(gap + met.apart) + abs(met.apart) + TOUCHING)
     return found
