@@ -36,6 +36,7 @@ LONGEST_TOLD = 40  # nodes of an equation that is told among the checks
 SETS = 4  # of numbers for letters that have none
 CLOSE = 1e-9  # up to which share of their size two numbers agree
 NOTHING = arb(0)
+Row = dict[int, Ball]  # of a matrix: what is not nothing, by columns
 
 
 def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> Iterator[Check]:
@@ -160,22 +161,21 @@ class PuttingIn(Struct, frozen=True):
         rows = self.rows(laws, (*names, letter))
         if rows is None or any(runs(law, other) for law in laws):
             return True
-        return any(surely(row[-1]) for row in eliminated(rows, len(names)))
+        return any(surely(row.get(len(names), NOTHING)) for row in eliminated(rows, len(names)))
 
-    def rows(self, laws: Sequence[Equation], names: Sequence[str]) -> list[list[Ball]] | None:
+    def rows(self, laws: Sequence[Equation], names: Sequence[str]) -> list[Row] | None:
         """The derivatives of equations' gaps by some letters, at the answers; None where one is no number."""
-        found = []
+        places, found = {name: place for place, name in enumerate(names)}, list[Row]()
         for law in laws:
-            row = [self.slope(law, name) for name in names]
-            if None in row:
+            row = {places[name]: self.slope(law, name) for name in law.symbols() & places.keys()}
+            told = {place: value for place, value in row.items() if value is not None}
+            if len(told) < len(row):
                 return None
-            found.append(row)
+            found.append(told)
         return found
 
     def slope(self, equation: Equation, name: str) -> Ball | None:
         """The derivative of an equation's gap by a letter, at the answers."""
-        if name not in equation.symbols():
-            return NOTHING
         key = (id(equation), name)
         if key not in self.slopes:
             self.slopes[key] = self.balls.size(differentiate(equation.left - equation.right, name))
@@ -187,32 +187,38 @@ def surely(value: Ball) -> bool:
     return bool(abs(value) > 0)
 
 
-def dependent(rows: list[list[Ball]]) -> int | None:
+def dependent(rows: Sequence[Row]) -> int | None:
     """Which row of a square matrix is no more than a sum of those before it, as far as numbers tell; None where it has an inverse."""
-    done: list[tuple[int, list[Ball]]] = []
+    done: list[tuple[int, Row]] = []
     for place, row in enumerate(rows):
         for column, other in done:
-            row = [one - two * row[column] / other[column] for one, two in zip(row, other, strict=True)]
-        column = max(range(len(row)), key=lambda k: float(abs(row[k]).lower()))
-        if not surely(row[column]):
+            row = without(column, row, other)
+        column = max(row, key=lambda k: float(abs(row[k]).lower()), default=0)
+        if not surely(row.get(column, NOTHING)):
             return place
         done.append((column, row))
     return None
 
 
-def eliminated(rows: list[list[Ball]], columns: int) -> list[list[Ball]]:
+def eliminated(rows: list[Row], columns: int) -> list[Row]:
     """The rows that are left when the first columns have been eliminated."""
     for column in range(columns):
-        pivot = next((row for row in rows if surely(row[column])), None)
+        pivot = next((row for row in rows if surely(row.get(column, NOTHING))), None)
         if pivot is not None:
-            rows = [
-                row
-                if row[column] is NOTHING
-                else [one - two * row[column] / pivot[column] for one, two in zip(row, pivot, strict=True)]
-                for row in rows
-                if row is not pivot
-            ]
+            rows = [without(column, row, pivot) for row in rows if row is not pivot]
     return rows
+
+
+def without(column: int, row: Row, pivot: Row) -> Row:
+    """A row less the multiple of another one with which nothing of a column is left."""
+    if column not in row:
+        return row
+    share = row[column] / pivot[column]
+    left = {place: value for place, value in row.items() if place != column}
+    for place, value in pivot.items():
+        if place != column:
+            left[place] = left.get(place, NOTHING) - share * value
+    return left
 
 
 def over_a_phase(other: Search) -> bool:
