@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import wraps
 from typing import Any, TypeVar, cast
 
@@ -24,3 +25,15 @@ def remembered(method: Method) -> Method:
         return known[asked]
 
     return cast(Method, answer)
+
+
+@contextmanager
+def forgetting(*objects: object) -> Iterator[None]:
+    """What objects are asked inside leaves no answers with them: whoever asks again has it worked out, and noted, anew."""
+    kept = [{name: dict(known) for name, known in vars(one).items() if name.endswith("_answers")} for one in objects]
+    try:
+        yield
+    finally:
+        for one, answers in zip(objects, kept, strict=True):
+            for name in [name for name in vars(one) if name.endswith("_answers")]:
+                vars(one)[name] = answers.get(name, {})

@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import FAMILIES, Equation
 from rotsolve.core.facts import Facts, Rule
-from rotsolve.core.faults import Span
+from rotsolve.core.faults import Fault, Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
@@ -88,6 +88,10 @@ class SceneEquations(Struct, dict=True):
     def idle_assumptions(self, used: Collection[Equation]) -> Iterator[str]:
         """The assumptions of a scene that leave nothing out of the equations that are used: none in the plane, where there are none."""
         return iter(())
+
+    def unwritten_law(self) -> Fault | None:
+        """Why a law of a body of a scene in space could not be written; None in the plane, where all are."""
+        return None
 
     def unread_lines(self) -> Iterator[Condition]:
         """The lines of states of which nothing has asked what they fix."""

@@ -116,8 +116,12 @@ def spatial_lines(scope: Scope, state: str, line: Text, node: Node) -> list[Cond
         return []
     axes, relative = match["axes"] or "", match["relative"] or ""
     word = node.value.strip() if isinstance(node, Text) else ""
-    if word in EXTREMES and path.quantity in EXTREME:
-        return [Condition(path, word=word, span=line.span)]
+    if word in EXTREMES:
+        if path.quantity in EXTREME:
+            return [Condition(path, word=word, span=line.span)]
+        message = f"where `{text}` is {word} is no line of a state in space"
+        scope.fault(node, message, "tell what holds there: what turns back has the rate 0", "form")
+        return []
     if not isinstance(node, List) or path.component or path.quantity not in DIRECTED:
         found = value_condition(scope, state, path, line, node)
         return [replace(item, axes=axes, relative=relative) for item in found]

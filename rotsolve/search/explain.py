@@ -94,6 +94,8 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
         return unsolvable(problem, message, find.span, other)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
+    if (fault := search.scene.unwritten_law()) is not None:
+        return unsolvable(problem, fault.message, fault.span or find.span, fault.help)
     if error.shortage is None or not missing:
         help = suggestion((), search, find)
         message = f"too little is known to find `{find.name}`{alone}"

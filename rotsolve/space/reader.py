@@ -127,7 +127,7 @@ class SpaceReader(VectorReader):
         if name not in self.bodies or path.quantity in ("axial_rate", "energy") or not moment.tells_time_alone():
             return
         if moment.nods(name) and not moment.keeps_momentum(name) and not moment.goes_on(name):
-            message = f"how `{name}`, which nods, stands and turns when time has passed is not solved"
+            message = f"how `{name}`, which leans, stands and turns when time has passed is not solved"
             raise NotYet(message, path.span, "`rotsolve simulate` follows it")
 
     def refuse_untold_turn(self, path: Path, formula: Formula) -> None:

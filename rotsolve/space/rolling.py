@@ -68,8 +68,8 @@ def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     if not level:
         help = (
             f"tell `{name}.tilt` in the state"
-            if thin
-            else "solved are thin wheels, balls, and wheels whose axis is level"
+            if thin and not moment.nods(name)
+            else "solved are thin wheels that are symmetric, balls, and wheels whose axis is level"
         )
         raise Unsolvable(f"where `{name}` touches the floor nothing tells", span=joint.body.span, help=help)
     return vector_sum(hub, scaled_by(negate(radius), up))
@@ -106,7 +106,10 @@ class Rolling:
         height = self.moment.held.reference(frame.frame)[2] + self.touched(frame)[2]
         if line is not None and not self.moment.held.vanishes(height - face):
             message = f"`{self.name}` does not touch `{frame.frame}` at that place"
-            help = f"its z is that of the face and the radius of `{self.name}` together; places count from where `{frame.frame}` is held"
+            help = (
+                f"its z is that of the face and how high the centre of `{self.name}` stands above it, of what leans R sin θ, as a formula"
+                f" and not rounded; places count from where `{frame.frame}` is held"
+            )
             raise Unsolvable(message, span=line.span, help=help)
 
     def velocity_told(self) -> Triple | None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, sqrt
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
 from rotsolve.core.symbols import key_of
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 SMALL = 1e-12
 TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with how far the body is turned by it
+SIGNED = ("angular_velocity", "velocity", "nutation", "spin", "axial_rate")  # rates that tell by their signs which way
 COMES_BACK = {"largest": -1, "smallest": 1}  # the sense in which a body turns from where it has turned farthest
 SEVERAL = "two steady motions are possible, and nothing tells which is meant"
 HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `{}.precession: smallest`"
@@ -45,7 +47,11 @@ def chosen(
     if key.kind == "tilt":
         return tilted(name, roots, scene, numbers)
     if key.kind in TURNED and not key.component and len(roots) > 1:
-        return first_there(name, roots, scene, numbers)
+        there = first_there(name, roots, scene, numbers)
+        if there is not None:
+            return there
+    if key.kind in SIGNED and len(roots) > 1:
+        refuse_either_sense(name, roots, scene, numbers)
     if key.kind != "precession":
         return None
     real = [index for index, root in enumerate(roots) if numbers.of(root) is not None]
@@ -141,6 +147,24 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
         if len(fitting) == 1
         else None
     )
+
+
+def refuse_either_sense(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> None:
+    """Refuse a rate that fits with either sign, as that with which a body leaves a blow of unknown size: what follows hangs on it."""
+    sides = {numbers.side(root) for root in roots}
+    opposite = any(is_zero(add(roots[0], root)) for root in roots[1:])
+    if not ({1, -1} <= sides or (opposite and numbers.signs.lacking(roots[0]))):
+        return
+    key, problem = key_of(name), scene.configuration.problem
+    joints = scene.dynamics[key.when].moment.held.joints  # type: ignore[attr-defined]
+    owner = next(
+        (joint.body.owner for joint in joints if joint.owner == key.owner), key.owner
+    )  # a slide has its own rate
+    way = "goes" if key.kind == "velocity" else "turns"
+    message = f"in which sense `{owner}` {way} at `{key.when}` nothing tells"
+    help = f"tell `{owner}.{key.kind}` there, or what it hangs on"
+    span = scene.configuration.timeline.state(key.when).span
+    raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
 def way_on_hinge(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[Formula, int] | None:

@@ -28,9 +28,10 @@ from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, Dimension, produc
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
 from rotsolve.core.facts import Facts
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.remembered import forgetting
 from rotsolve.core.symbols import GENERIC, is_key, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
@@ -204,6 +205,10 @@ class SpaceEquations(SceneEquations, dict=True):
         precessing = any(moments[law.section].nods(name) for law in turning for name in law.bodies)
         if not precessing and not any(laws.fast_nutation for laws in self.dynamics.values()):
             yield "fast spin"
+
+    def unwritten_law(self) -> Fault | None:
+        """Why the laws of a body could not be written, at the first state at which they were not."""
+        return next((error.fault for laws in self.dynamics.values() for error in laws.unwritten.values()), None)
 
     def unread_lines(self) -> Iterator[Condition]:
         """The lines of states that no moment has read; a time alone says of what moment is asked, though the answer may not hang on it."""
@@ -463,14 +468,17 @@ class SpaceEquations(SceneEquations, dict=True):
         for number, line in enumerate(moment.state.conditions):
             if number in moment.used or line.path is None or line.value is None or not line.path.owner:
                 continue
-            try:
-                *laws, told = self.told_as_equation(number, dynamics)
-            except (Unsolvable, NotYet, Unclear):  # it stays unread, and is refused as such
-                continue
-            if self.tells(told):
+            before = set(moment.used)
+            with forgetting(moment, dynamics):
+                try:
+                    *laws, told = self.told_as_equation(number, dynamics)
+                except (Unsolvable, NotYet, Unclear):  # it stays unread, and is refused as such
+                    moment.used = before
+                    continue
+            if self.tells(told) or not self.held.vanishes(add(told.left, negate(told.right))):
                 yield from (*laws, told)
-            else:  # it is told already
-                moment.used.discard(number)
+            else:  # it is told already, or is what tells it: then whoever asks for that reads it
+                moment.used = before
 
     def tells(self, equation: Equation) -> bool:
         """Whether an equation tells something that is not given."""
@@ -482,7 +490,8 @@ class SpaceEquations(SceneEquations, dict=True):
         moment, line = dynamics.moment, dynamics.moment.state.conditions[number]
         path, value = line.path, line.value
         assert path is not None and value is not None
-        term = Term(path, axes=line.axes or None, relative=line.relative or None)
+        along = line.axes or (line.relative if line.relative in self.held.bodies else None)
+        term = Term(path, axes=along, relative=line.relative or None)
         meaning = SpaceReader(dynamics, self.dynamics, self.configuration.problem).meaning(path, term)
         yield from meaning.laws
         words = in_direction(label_of(plainly_named(path), term), path.component or "", in_space=True)

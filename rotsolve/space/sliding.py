@@ -10,6 +10,7 @@ from __future__ import annotations
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, add, multiply
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import (
+    NOTHING,
     Triple,
     cross_product,
     dot_product,
@@ -19,7 +20,7 @@ from rotsolve.core.vectors.triple import (
     vector_sum,
     way_between,
 )
-from rotsolve.language.bodies import Joint
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.attitude import IN_SPACE, Axes, MovingBodies
 
 TWO = 2 * ONE
@@ -44,16 +45,37 @@ def sliding_rate(joint: Joint, moment: MovingBodies, word: str) -> Formula:
         return multiply(lead(joint.pitch), moment.driven(name, joint, "angular_velocity")[word == "acceleration"])
     if word == "velocity" and moment.rests(name):
         return ZERO
+    told = moment.vector_told(name, word, joint.body.point) if joint.body.point else None
+    if told is not None:
+        return part_on_slide(joint, moment, word, told, NOTHING)
     told = moment.vector_told(name, word)
     if told is not None:
-        return part_on_slide(joint, moment, word, told)
+        return part_on_slide(joint, moment, word, told, swung(joint, moment, word))
     if word == "acceleration" and moment.state.steady:
         return ZERO
     return moment.ask(word, joint.owner, "sliding", letter="u" if word == "velocity" else "udot")
 
 
-def part_on_slide(joint: Joint, moment: MovingBodies, word: str, told: tuple[Triple, str, str]) -> Formula:
-    """The part along its slide of a motion that a state tells of a body; refused where it tells of another one."""
+def swung(joint: Joint, moment: MovingBodies, word: str) -> Triple:
+    """How the centre of mass of a body on a sleeve moves as it turns about the point that slides: s n × c, (ṡ n × + s n × s n ×) c."""
+    name = joint.body.owner
+    arm = way_between(moment.arm(joint.body), moment.arm(PointRef(name)))
+    if not joint.turning or arm == NOTHING:
+        return NOTHING
+    way = unit_along(joint.sliding[0], moment.held.signs.positive)
+    swinging = cross_product(way, moment.axes(name).to(carrier_axes(joint, moment), arm))
+    rate, faster = moment.driven(name, joint, "angular_velocity")
+    if word == "velocity":
+        return scaled_by(rate, swinging)
+    return vector_sum(scaled_by(faster, swinging), scaled_by(multiply(rate, rate), cross_product(way, swinging)))
+
+
+def part_on_slide(
+    joint: Joint, moment: MovingBodies, word: str, told: tuple[Triple, str, str], turned: Triple
+) -> Formula:
+    """The part along its slide of a motion that a state tells of a body, which has the part `turned` across it; refused where it has
+    another one.
+    """
     name, carrier = joint.body.owner, joint.carrier.owner
     vector, _, relative = told
     line = moment.line(name, word, "x")
@@ -65,8 +87,10 @@ def part_on_slide(joint: Joint, moment: MovingBodies, word: str, told: tuple[Tri
             help=f"write `{name}.{word} relative to {carrier}`",
         )
     way = unit_along(joint.sliding[0], moment.held.signs.positive)
-    if not all(map(moment.held.vanishes, cross_product(way, vector))):
-        raise Unsolvable(f"`{name}` can only slide along `{joint.owner}`", span=span, help="tell a vector along that")
+    if not all(map(moment.held.vanishes, cross_product(way, way_between(turned, vector)))):
+        held = f"{name}.{joint.body.point}" if turned != NOTHING else name
+        help = "tell a vector along that" if held == name else f"tell how that point slides, `{held}.{word}: [x, y, z]`"
+        raise Unsolvable(f"`{held}` can only slide along `{joint.owner}`", span=span, help=help)
     return dot_product(way, vector)
 
 

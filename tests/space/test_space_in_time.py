@@ -324,7 +324,7 @@ REFUSED = {  # a scene, and what is said of it
     ),
     "a top that nods": (
         f"{NODDING}find: {{th: top.tilt at later}}\n",
-        "how `top`, which nods, stands and turns when time has passed is not solved",
+        "how `top`, which leans, stands and turns when time has passed is not solved",
     ),
     "node axes": (
         f"gravity: none\n{SYMMETRIC_BODY}states: {{start: {{b.tilt: 30 deg, b.precession: 1 rad/s, b.spin: 2 rad/s, b.nutation: 0 rad/s, "
