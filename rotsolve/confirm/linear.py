@@ -88,7 +88,7 @@ def reduced(
         if weight:
             rows[number] = {index: part / weight for index, part in row.items()}
             right[number] /= weight
-    return rows, right, scale, [pivot for group in linked(rows) for pivot in eliminated(group, rows, right)]
+    return rows, right, scale, [pivot for group in linked(rows) for pivot in pivots_of(group, rows, right)]
 
 
 def linked(rows: Sequence[dict[int, float]]) -> list[list[int]]:
@@ -108,7 +108,7 @@ def linked(rows: Sequence[dict[int, float]]) -> list[list[int]]:
     return [*{id(group): group for group in groups.values()}.values(), *alone]
 
 
-def eliminated(group: Sequence[int], rows: list[dict[int, float]], right: list[float]) -> list[tuple[int, int]]:
+def pivots_of(group: Sequence[int], rows: list[dict[int, float]], right: list[float]) -> list[tuple[int, int]]:
     """Reduces the rows of a group in place; (unknown, row) for each pivot. What is left of the other rows is rounding."""
     pivots, left = [], set(group)
     while left:

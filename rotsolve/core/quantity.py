@@ -126,7 +126,7 @@ QUANTITIES: dict[str, QuantityKind] = {
             "energy",
             "K",
             (BODY, SYSTEM),
-            "of a body, or of the whole scene; about a fixed axis all of it is rotational",
+            "of a body, or of the whole scene; about a fixed axis or point all of it is rotational",
             ("rotational", "translational"),
         ),
         kind(

@@ -161,7 +161,7 @@ class PuttingIn(Struct, frozen=True):
         rows = self.rows(laws, (*names, letter))
         if rows is None or any(runs(law, other) for law in laws):
             return True
-        return any(surely(row.get(len(names), NOTHING)) for row in eliminated(rows, len(names)))
+        return any(surely(row.get(len(names), NOTHING)) for row in left_over_rows(rows, len(names)))
 
     def rows(self, laws: Sequence[Equation], names: Sequence[str]) -> list[Row] | None:
         """The derivatives of equations' gaps by some letters, at the answers; None where one is no number."""
@@ -200,7 +200,7 @@ def dependent(rows: Sequence[Row]) -> int | None:
     return None
 
 
-def eliminated(rows: list[Row], columns: int) -> list[Row]:
+def left_over_rows(rows: list[Row], columns: int) -> list[Row]:
     """The rows that are left when the first columns have been eliminated."""
     for column in range(columns):
         pivot = next((row for row in rows if surely(row.get(column, NOTHING))), None)

@@ -108,8 +108,9 @@ def time_cells(times: Sequence[float]) -> list[str]:
 
 
 def settled_cells(balls: Sequence[Scalar | None]) -> list[str]:
-    """A column with as many decimals as make six digits of its largest number; fewer where a bound settles no more."""
-    largest = max((abs(float(ball.mid())) for ball in balls if ball is not None), default=0.0)
+    """A column with as many decimals as make six digits of its largest number that is not nothing; fewer where a bound settles no more."""
+    sizes = (abs(float(ball.mid())) for ball in balls if ball is not None and not ball.contains(0))
+    largest = max(sizes, default=0.0)
     scale = floor(log10(largest)) if largest and isfinite(largest) else 0
     decimals = max(0, DIGITS - 1 - scale)
     return [NOWHERE if ball is None else digits_of(ball, decimals) for ball in balls]

@@ -23,7 +23,7 @@ from rotsolve.core.vectors.triple import (
     vector_sum,
     way_between,
 )
-from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.shapes import Shape, rim_radius, rolling_shape
 from rotsolve.language.bodies import Joint
 from rotsolve.space.attitude import IN_SPACE, NODE, MovingBodies
 from rotsolve.space.frames import Relative
@@ -49,12 +49,29 @@ def out_of_surface(joint: Joint, moment: MovingBodies) -> Triple:
     return (way.cos(), ZERO, way.sin())
 
 
+def shape_that_rolls(joint: Joint, moment: MovingBodies) -> Shape:
+    """The shape with which a body rolls; refused where nothing tells whether it is a wheel or a ball."""
+    name, body = joint.body.owner, moment.held.bodies[joint.body.owner]
+    shape = rolling_shape(body, joint.body.point)
+    if shape is None:
+        part = next((part.body.name for part in body.parts if rim_radius(part.body, None) is not None), "")
+        wheel = f"tell the `axis` of `{name}`, about which its rim goes"
+        help = (
+            f"name the part that rolls, `rolls: [{name}.{part}, …]`, or {wheel}"
+            if part
+            else f"give it a shape, or {wheel}"
+        )
+        message = f"whether `{name}` rolls as a wheel or as a ball nothing tells"
+        raise Unsolvable(message, span=joint.body.span, help=help)
+    return shape
+
+
 def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     """Where a body touches the surface, from its reference, in its axes: of a thin wheel its lowest point, however it leans."""
-    name, radius = joint.body.owner, rolling_radius(joint, moment)
+    name, radius, shape = joint.body.owner, rolling_radius(joint, moment), shape_that_rolls(joint, moment)
     own, hub = moment.attitude(name), moment.arm(joint.body)
     out = out_of_surface(joint, moment)
-    if moment.held.ball(name):
+    if shape.spherical:
         return vector_sum(hub, IN_SPACE.to(own.axes, scaled_by(negate(radius), out)))
     if not all(map(moment.held.vanishes, cross_product(out, Z))):
         message = f"where `{name}` touches `{joint.carrier.owner}`, which is not level, is solved for balls alone"
@@ -62,16 +79,13 @@ def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     up = IN_SPACE.to(own.axes, Z)
     about = moment.symmetry_axis(name)
     level = about is not None and moment.held.vanishes(dot_product(up, about))
-    thin = shape_of(moment.held.bodies[name]).flat
-    if own.axes.name == NODE and (thin or level):
+    if own.axes.name == NODE and (shape.flat or level):
         return vector_sum(hub, scaled_by(multiply(negate(radius), moment.rim_side(name)), Y))
     if not level:
-        help = (
-            f"tell `{name}.tilt` in the state"
-            if thin and not moment.nods(name)
-            else "solved are thin wheels that are symmetric, balls, and wheels whose axis is level"
-        )
-        raise Unsolvable(f"where `{name}` touches the floor nothing tells", span=joint.body.span, help=help)
+        told = shape.flat and not moment.nods(name)
+        solved = "solved are thin wheels that are symmetric, balls, and wheels whose axis is level"
+        message, help = f"where `{name}` touches the floor nothing tells", f"tell `{name}.tilt` in the state"
+        raise Unsolvable(message, span=joint.body.span, help=help if told else solved)
     return vector_sum(hub, scaled_by(negate(radius), up))
 
 
@@ -85,7 +99,11 @@ class Rolling:
                 f"`{self.name}` rolls on `{joint.carrier.owner}` and is held besides: that is not solved in space yet"
             )
             raise Unsolvable(message, span=joint.body.span)
-        self.own = moment.attitude(self.name)
+        self.own, self.ball = moment.attitude(self.name), shape_that_rolls(joint, moment).spherical
+        if not self.ball and not shape_that_rolls(joint, moment).flat:
+            message = f"`{self.name}` touches `{joint.carrier.owner}` along a line, and how that pushes along it nothing tells"
+            help = "draw it as a `disc`: a thin wheel, which touches in a point; in the plane, without `up: z`, it is solved"
+            raise Unsolvable(message, span=joint.body.span, help=help)
         self.arm = lowest(joint, moment)  # in the axes of the body
         carrier = joint.carrier.owner
         self.frame = Relative(moment, self.name, carrier) if carrier in moment.held.bodies else None
@@ -186,13 +204,24 @@ class Rolling:
         return self.frame.axes.to(self.moment.axes(self.frame.frame), self.touched(self.frame))
 
     def arm_rate(self) -> Triple:
-        """ṙ in space: none on a floor below a ball, Ω × r of what keeps its components in axes that turn at Ω."""
-        if not self.moment.held.ball(self.name):
-            return self.own.axes.to(IN_SPACE, cross_product(self.own.axes.rate, self.arm))
-        if self.frame is None:
-            return NOTHING
-        arm = self.own.axes.to(self.frame.axes, self.arm)
-        return self.frame.axes.to(IN_SPACE, cross_product(self.frame.omega, arm))
+        """ṙ in space: of a ball ω × h − R Ω × n, with h its centre from the centre of mass and Ω of what is touched.
+
+        Of a wheel Ω × r in axes that go along with its lowest point; else, with its axis e level, ω × h + R (n · (ω × e)) e.
+        """
+        own, hub = self.own, self.moment.arm(self.joint.body)
+        if not self.ball and own.axes.name == NODE:
+            return own.axes.to(IN_SPACE, cross_product(own.axes.rate, self.arm))
+        swung = own.axes.to(IN_SPACE, cross_product(own.omega, hub))
+        if self.ball:
+            if self.frame is None:
+                return swung
+            below = own.axes.to(self.frame.axes, way_between(hub, self.arm))
+            return vector_sum(swung, self.frame.axes.to(IN_SPACE, cross_product(self.frame.omega, below)))
+        about = self.moment.symmetry_axis(self.name)
+        assert about is not None  # `lowest` has asked for it
+        tipping = dot_product(Z, own.axes.to(IN_SPACE, cross_product(own.omega, about)))
+        gone = multiply(rolling_radius(self.joint, self.moment), tipping)
+        return vector_sum(swung, own.axes.to(IN_SPACE, scaled_by(gone, about)))
 
     def acceleration(self) -> Triple:
         """a = dV(p)/dt − d(ω × r)/dt."""
@@ -201,7 +230,7 @@ class Rolling:
     def rate_of_swept(self) -> Triple:
         """d(ω × r)/dt: (rates of ω's components) × r + Ω × (ω × r) in axes that keep r, else α × r + ω × ṙ."""
         own = self.own
-        if not self.moment.held.ball(self.name):
+        if not self.ball and own.axes.name == NODE:
             kept = vector_sum(cross_product(own.rates, self.arm), cross_product(own.axes.rate, self.swept(own.omega)))
             return own.axes.to(IN_SPACE, kept)
         turned = own.axes.to(IN_SPACE, cross_product(own.alpha, self.arm))

@@ -47,9 +47,7 @@ def chosen(
     if key.kind == "tilt":
         return tilted(name, roots, scene, numbers)
     if key.kind in TURNED and not key.component and len(roots) > 1:
-        there = first_there(name, roots, scene, numbers)
-        if there is not None:
-            return there
+        return first_there(name, roots, scene, numbers)
     if key.kind in SIGNED and len(roots) > 1:
         refuse_either_sense(name, roots, scene, numbers)
     if key.kind != "precession":
@@ -125,12 +123,14 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
     owner, state, word = key.owner, key.when, TURNED[key.kind]
     before = scene.configuration.timeline.before(state)
     if before is None or before.event is not None:
+        refuse_either_sense(name, roots, scene, numbers)
         return None
     moments = [scene.dynamics[name].moment for name in (before.start, state)]  # type: ignore[attr-defined]
     first, last = moments[0].stood(owner, word), moments[1].told(owner, word)
     line = moments[0].line(owner, word)
     from_end = 0 if line is None else COMES_BACK.get(line.word or "", 0)
     if last is None or (first is None and not from_end):
+        refuse_either_sense(name, roots, scene, numbers)
         return None
     problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span
     side = from_end or (numbers.side(add(last, negate(first))) if first is not None else None)
@@ -142,6 +142,9 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
         )
         raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
     fitting = [index for index, root in enumerate(roots) if numbers.side(root) == side]
+    if not fitting and any(given.asked and given.name in roots[0].symbols() for given in problem.givens):
+        refuse_either_sense(name, roots, scene, numbers)
+        return None
     return (
         PickedRoot(fitting[0], (f"towards its {word}, to which it comes the first time",))
         if len(fitting) == 1

@@ -463,8 +463,11 @@ class SpaceEquations(SceneEquations, dict=True):
             yield from self.told_as_equation(number, dynamics)
 
     def told_otherwise(self, dynamics: SpaceLaws) -> Iterator[Equation]:
-        """What a state tells that no law has read, as how a point moves just after a blow, where it can be asked for as well."""
-        moment = dynamics.moment
+        """What a state tells that no law has read, as how a point moves just after a blow, where it can be asked for as well.
+
+        Of a vector some components may be told already.
+        """
+        moment, telling = dynamics.moment, set()
         for number, line in enumerate(moment.state.conditions):
             if number in moment.used or line.path is None or line.value is None or not line.path.owner:
                 continue
@@ -476,9 +479,13 @@ class SpaceEquations(SceneEquations, dict=True):
                     moment.used = before
                     continue
             if self.tells(told) or not self.held.vanishes(add(told.left, negate(told.right))):
+                telling.add(line.span)
                 yield from (*laws, told)
             else:  # it is told already, or is what tells it: then whoever asks for that reads it
                 moment.used = before
+        for number, line in enumerate(moment.state.conditions):
+            if line.whole and line.span in telling:
+                moment.used.add(number)
 
     def tells(self, equation: Equation) -> bool:
         """Whether an equation tells something that is not given."""

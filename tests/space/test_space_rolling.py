@@ -240,3 +240,94 @@ find: {v: b.velocity relative to t, a: b.acceleration relative to t, F: b.force.
     assert vector(solution, "v") == pytest.approx([7, -3, 0])
     assert vector(solution, "a") == pytest.approx([-9, -24, 0])
     assert vector(solution, "F") == pytest.approx([-36, -84, 0])
+
+
+LUMPY = """up: z
+gravity: 9.81 m/s^2
+given: {{m: {m} kg, n: {n} kg, R: {R} m, x: {x} m, y: {y} m, z: {z} m, p: {p} rad/s, q: {q} rad/s, r: {r} rad/s}}
+bodies: {{b: {BODY}}}
+surfaces: {{floor: level}}
+connections: {{grip: {{rolls: [{ON}, floor]}}}}
+states: {{now: {{b.angular_velocity: [p, q, r]}}}}
+find: {{a: b.acceleration, F: grip.force, al: b.angular_acceleration}}
+"""
+LUMP = "{shape: particle, mass: n, at: [x, y, z]}"
+UPRIGHT = "turned: {about: x, by: 90 deg}"  # a wheel with its axis along −y
+LUMPED = {  # what rolls on what, whether it is a ball, and its moments of inertia across and along, in m R²
+    "a ball among parts": (
+        f"{{parts: {{s: {{shape: sphere, mass: m, radius: R, at: [0, 0, 0]}}, l: {LUMP}}}}}",
+        "b.s",
+        True,
+        (0.4, 0.4),
+    ),
+    "a shell with a part": (
+        f"{{shape: spherical shell, mass: m, radius: R, parts: {{l: {LUMP}}}}}",
+        "b",
+        True,
+        (2 / 3, 2 / 3),
+    ),
+    "a wheel": (f"{{shape: disc, mass: m, radius: R, {UPRIGHT}}}", "b", False, (0.25, 0.5)),
+    "a hoop": (f"{{shape: ring, mass: m, radius: R, {UPRIGHT}}}", "b", False, (0.5, 1.0)),
+}
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("case", LUMPED)
+def test_what_is_told_by_its_angular_velocity_rolls(case: str, seed: int) -> None:
+    """M a = F + M g and τ = I α + ω × I ω about the centre of mass c; the middle goes with v = ω × R u, and u, square to the axis,
+    points up as far as it can: u̇ by differences.
+    """
+    body, on, ball, (across, along) = LUMPED[case]
+    rng = random.Random(seed)
+    names = {name: rng.uniform(0.1, 0.5) for name in ("m", "n", "R")} | {name: rng.uniform(-4, 4) for name in "pqr"}
+    names |= {name: rng.uniform(-0.4, 0.4) * names["R"] for name in "xyz"}
+    solution = solve(LUMPY.format(BODY=body, ON=on, **names))
+    assert all(item.holds for item in solution.derivation.confirmed)
+    lump, radius = names["n"] if ball else 0.0, names["R"]
+    mass, omega, place = names["m"] + lump, np.array([names[k] for k in "pqr"]), np.array([names[k] for k in "xyz"])
+    centre = lump / mass * place
+    tensor = names["m"] * radius**2 * np.diag([across, along, across])
+    for part, spot in ((names["m"], -centre), (lump, place - centre)):
+        tensor = tensor + part * (spot @ spot * np.eye(3) - np.outer(spot, spot))
+    up = np.array([0.0, 0.0, 1.0])
+
+    def rim(time: float) -> np.ndarray:
+        if ball:
+            return up
+        axis = np.array([0.0, 1.0, 0.0]) + time * np.cross(omega, [0.0, 1.0, 0.0])
+        axis = axis / np.linalg.norm(axis)
+        flat = up - axis[2] * axis
+        return np.asarray(flat / np.linalg.norm(flat))
+
+    swings = np.cross(omega, radius * (rim(1e-5) - rim(-1e-5)) / 2e-5) + np.cross(omega, np.cross(omega, centre))
+    arm = -centre - radius * up
+
+    def torque_left(alpha: np.ndarray) -> np.ndarray:
+        force = mass * (np.cross(alpha, -arm) + swings + 9.81 * up)
+        return np.asarray(np.cross(arm, force) - tensor @ alpha - np.cross(omega, tensor @ omega))
+
+    rows = np.column_stack([torque_left(column) - torque_left(np.zeros(3)) for column in np.eye(3)])
+    alpha = np.linalg.solve(rows, -torque_left(np.zeros(3)))
+    acceleration = np.cross(alpha, -arm) + swings
+    assert vector(solution, "al") == pytest.approx(alpha, rel=1e-6, abs=1e-6)
+    assert vector(solution, "a") == pytest.approx(acceleration, rel=1e-6, abs=1e-6)
+    assert vector(solution, "F") == pytest.approx(mass * (acceleration + 9.81 * up), rel=1e-6, abs=1e-6)
+
+
+UNTOLD = {
+    "parts with a radius": ("{radius: R, parts: {s: {shape: sphere, mass: m, radius: R, at: [0, 0, 0]}}}", "b.s"),
+    "a sphere among parts with an axis": (
+        "{radius: R, axis: x, parts: {s: {shape: sphere, mass: m, radius: R, at: [0, 0, 0]}}}",
+        "b.s",
+    ),
+    "a told moment of inertia": ("{mass: m, radius: R, inertia: {principal: [n*R^2, n*R^2, n*R^2]}}", "a shape"),
+    "a cylinder": (f"{{shape: cylinder, mass: m, radius: R, length: R, {UPRIGHT}}}", "along a line"),
+}
+
+
+@pytest.mark.parametrize("case", UNTOLD)
+def test_what_may_be_a_wheel_or_a_ball_is_refused(case: str) -> None:
+    body, said = UNTOLD[case]
+    names = dict.fromkeys(("m", "n", "R", "x", "y", "z", "p", "q", "r"), 1)
+    with pytest.raises(Unsolvable, match=f"(?s)(nothing tells).*{said}|{said}.*(nothing tells)"):
+        solve(LUMPY.format(BODY=body, ON="b", **names))

@@ -128,6 +128,8 @@ class Hearing:
         columns = []
         for place, step in enumerate(steps):
             up, down = self.left({place: step}), self.left({place: -step})
+            if not len(up) == len(down) == len(base):  # other equations hold near it, as of what stands just upright
+                raise NotConfirmed(UNTESTED)
             columns.append([(a - b) / 2 for a, b in zip(up, down, strict=True)])
         count = len(columns)
         most = max((abs(part) for column in columns for part in column), default=0.0)

@@ -33,7 +33,7 @@ from rotsolve.confirm.space.arrows import (
 )
 from rotsolve.confirm.space.masses import turned_together
 from rotsolve.confirm.space.rig import Lines, Rig, way_along
-from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, rolling_shape, shape_of
 from rotsolve.language.bodies import Joint, PointRef
 
 SIDES = {"bottom": 1.0, "top": -1.0}
@@ -260,13 +260,14 @@ class Stance:
     def round(self, name: str) -> tuple[float, Arrow | None, Arrow]:
         """The radius with which a body rolls, the axis of the circle (none of a ball), and its middle from the centre of mass."""
         body = self.rig.bodies[name]
-        shape = shape_of(body)
         rolling = next((item for item in self.rig.joints.values() if item.rolls and item.body.owner == name), None)
-        radius = rim_radius(body, None if rolling is None else rolling.body.point) or getattr(shape, "radius", None)
-        if radius is None:
+        point = None if rolling is None else rolling.body.point
+        shape = rolling_shape(body, point)
+        radius = rim_radius(body, point) or getattr(shape, "radius", None)
+        if radius is None or shape is None:
             raise NotConfirmed(f"with what `{name}` rolls")
-        middle = self.arm(PointRef(name, "center"))
-        if not shape.flat and getattr(shape, "length", None) is None:
+        middle = self.arm(PointRef(name, "center") if rolling is None or point is None else rolling.body)
+        if shape.spherical:
             return self.rig.value(radius), None, middle
         return self.rig.value(radius), times_arrow(self.turned(name), self.rig.axis(name) or Z), middle
 

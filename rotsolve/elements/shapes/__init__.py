@@ -56,6 +56,17 @@ def round_part(body: Body, point: str | None) -> Part | None:
     return part if part is not None and rim_radius(part.body, None) is not None else None
 
 
+def rolling_shape(body: Body, point: str | None) -> Shape | None:
+    """The shape with which a body rolls: of a part that a point names, else its own; a body without one that has an `axis` is a wheel.
+
+    None where nothing tells: what has only a `radius`, or a sphere among its parts, may be a wheel or a ball.
+    """
+    part = round_part(body, point)
+    shape = shape_of(body if part is None else part.body)
+    untold = not body.axis or any(shape_of(one.body).spherical for one in body.parts)
+    return None if shape == PARTICLE and part is None and untold else shape
+
+
 def rivals(body: Body, point: str | None) -> tuple[str, ...]:
     """The named rims between which a point leaves the choice: of a body with several and no radius of its own, where it names none."""
     part = next((part for part in body.parts if part.body.name == point), None)

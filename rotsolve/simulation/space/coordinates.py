@@ -134,6 +134,8 @@ class Coordinates(Struct):
         if self.at_first(heading(first.angles[1]).sin()) == 0:
             raise NotYet(f"`{name}` lies flat at first: so it does not roll")
         along, axial = self.first.attitude(name).omega[2], own.omega[2]
+        if not isinstance(axial, Symbol):
+            raise NotYet(f"how `{name}`, which is not symmetric about its axis, rolls on is not followed")
         spin = add(axial, negate(multiply(now.rates[0], heading(now.angles[1]).cos())))
         rates = (now.rates[0], now.rates[1], spin)
         for word, letter, start, rate in zip(ANGLES, now.angles, first.angles, rates, strict=True):
