@@ -16,7 +16,19 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.tensor import InertiaTensor, displaced
-from rotsolve.core.vectors.triple import NOTHING, Triple, X, Y, Z, cross_product, minus, tidied, vector_sum, way_between
+from rotsolve.core.vectors.triple import (
+    NOTHING,
+    Triple,
+    X,
+    Y,
+    Z,
+    cross_product,
+    minus,
+    tidied,
+    triple,
+    vector_sum,
+    way_between,
+)
 from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.problem import Problem
@@ -280,6 +292,26 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def shaped_about(self, name: str, way: Triple) -> bool:
         """Whether the shape of a body is symmetric about one of its own axes, whatever mass it has."""
         return all(map(is_zero, beside_axis(shape_of(self.bodies[name]).tensor(ONE), way)))
+
+    def refuse_drawn_otherwise(self, body: Body) -> None:
+        """Refuse an `axis` that is not that about which a shape is drawn: it tells which axis is meant, and turns nothing."""
+        for part in (*body.parts, *body.holes):
+            if part.body.axis:
+                message = (
+                    f"`axis` says nothing of a part, as of `{part.body.name}`: it is drawn along the axes of its shape"
+                )
+                raise Unsolvable(message, span=part.body.span, help="turn it by `turned: {about: y, by: 90 deg}`")
+        plain = body.axis and body.shape is not None and not (body.parts or body.holes)
+        if not plain or self.shaped_about(body.name, triple(body.axis)):
+            return
+        drawn = next(
+            (word for word, way in zip("xyz", (X, Y, Z), strict=True) if self.shaped_about(body.name, way)), ""
+        )
+        if drawn:
+            message = f"a {body.shape.word} is drawn about its own {drawn}, and `axis` names another one"  # type: ignore[union-attr]
+            raise Unsolvable(
+                message, span=body.span, help="leave `axis` out; `turned: {about: y, by: 90 deg}` turns it"
+            )
 
     def symmetric(self, name: str, way: Triple) -> bool:
         """Whether the inertia of a body is the same about all directions across one of its own axes.

@@ -510,6 +510,8 @@ class SpaceEquations(SceneEquations, dict=True):
         self.refuse_varying()
         self.refuse_without()
         self.refuse_turned()
+        for body in self.held.bodies.values():
+            self.held.refuse_drawn_otherwise(body)
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)

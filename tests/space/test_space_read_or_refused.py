@@ -242,6 +242,14 @@ REFUSED = {
         rod(f"{STOOD}}}, far: {{rod.angle: largest"),
         "is largest is no line of a state in space",
     ),
+    "an axis across that of a shape": (
+        HEAD + SHAPE.replace("SHAPE", "shape: disc, mass: 1 kg, radius: 0.2 m, axis: x"),
+        "a disc is drawn about its own z, and `axis` names another one",
+    ),
+    "an axis of a part": (
+        HEAD + SHAPE.replace("SHAPE", "parts: {d: {shape: disc, mass: 1 kg, radius: 0.2 m, axis: x, at: [0, 0, 0]}}"),
+        "`axis` says nothing of a part",
+    ),
     "one moment alone": (
         HEAD + SHAPE.replace("SHAPE", "inertia: 2 kg m^2, mass: 1 kg"),
         "only the moment of inertia of `b`",
