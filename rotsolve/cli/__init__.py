@@ -71,6 +71,7 @@ def elements_command(name: Element = None) -> None:
       rotsolve elements
       rotsolve elements string
       rotsolve elements spherical shell
+      rotsolve elements units
     """
     from rotsolve.scene import reference
 

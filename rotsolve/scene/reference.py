@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from rotsolve.algebra.units.dimension import describe
+from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
 from rotsolve.core.quantity import QUANTITIES, QuantityKind
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.language.grammar import BODY, CLAUSES, DEDUCT, IS, MARKING, MODIFIERS, PART, PHASE, SECTIONS, WHICH
@@ -27,9 +29,10 @@ def describe_all() -> str:
 def describe_word(name: str) -> str:
     """What one word means, in every place where it can stand. Raises KeyError with a hint for an unknown word."""
     wanted = " ".join(name.split())
-    found = [text for word, text in word_entries() if word == wanted]
+    entries = [*word_entries(), ("units", chapter_text("Units", unit_rows()))]
+    found = [text for word, text in entries if word == wanted]
     if not found:
-        known = dict.fromkeys(word for word, _ in word_entries())
+        known = dict.fromkeys(word for word, _ in entries)
         raise KeyError(f"unknown word {quoted(name)}; {hint(wanted, known, 'words')}")
     return "\n\n".join(dict.fromkeys(found))
 
@@ -75,6 +78,19 @@ def reference_chapters() -> Iterator[str]:
     lines = ["| word | letter | of | components | meaning |", "| --- | --- | --- | --- | --- |"]
     lines += [quantity_row(entry) for entry in QUANTITIES.values()]
     yield "### Quantities\n\n" + "\n".join(lines)
+    yield chapter_text("Units", unit_rows())
+
+
+def unit_rows() -> Iterator[str]:
+    """The units by what they measure, `length: m, cm, …`; those that have several meanings, with what to write."""
+    kinds: dict[str, list[str]] = {}
+    for name, unit in UNITS.items():
+        if name in (unit.text, "deg"):  # not the other spellings of one
+            kinds.setdefault(describe(unit.dimension), []).append(name)
+    for measure, names in kinds.items():
+        yield f"{measure}: " + ", ".join(f"`{name}`" for name in names)
+    for name, help in AMBIGUOUS.items():
+        yield f"`{name}` has several meanings: {help}"
 
 
 def chapter_text(title: str, items: Iterable[str]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -75,6 +76,7 @@ def test_elements(rotsolve: Run) -> None:
 
     assert rotsolve("elements").out == describe_all() + "\n"
     assert rotsolve("elements", "string").out == describe_word("string") + "\n"
+    assert {"lbf", "slug", "knot"} <= set(re.findall(r"`(\w+)`", rotsolve("elements", "units").out))
     assert rotsolve("elements", "spherical", "shell").out == describe_word("spherical shell") + "\n"
 
 

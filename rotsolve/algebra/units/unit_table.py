@@ -86,13 +86,14 @@ _ROWS: tuple[tuple[Dimension, dict[str, str]], ...] = (  # name -> factor to SI
     (LENGTH, {"in": "0.0254", "ft": "0.3048", "yd": "0.9144", "mi": "1609.344"}),
     (MASS, {"kg": "1", "g": "0.001", "mg": "1e-6", "t": "1000"}),
     (MASS, {"lb": "0.45359237", "oz": "0.028349523125"}),
+    (MASS, {"slug": "44482216152605/3048000000000"}),  # 1 lbf s²/ft
     (TIME, {"s": "1", "ms": "0.001", "µs": "1e-6", "ns": "1e-9", "min": "60", "h": "3600", "day": "86400"}),
     (TIME, {"d": "86400", "week": "604800", "year": "31557600"}),  # the Julian year, 365.25 days
     (ANGLE, {"rad": "1", "mrad": "0.001"}),
     (VOLUME, {"L": "0.001", "mL": "1e-6"}),
-    (VELOCITY, {"mph": "0.44704"}),
+    (VELOCITY, {"mph": "0.44704", "knot": "463/900"}),
     (FORCE, {"N": "1", "mN": "0.001", "µN": "1e-6", "kN": "1000", "MN": "1e6", "dyn": "1e-5"}),
-    (FORCE, {"lbf": "4.4482216152605", "kgf": "9.80665"}),
+    (FORCE, {"lbf": "4.4482216152605", "kip": "4448.2216152605", "kgf": "9.80665"}),
     (ENERGY, {"J": "1", "mJ": "0.001", "kJ": "1000", "MJ": "1e6", "GJ": "1e9", "erg": "1e-7"}),
     (ENERGY, {"cal": "4.184", "kcal": "4184", "Wh": "3600", "kWh": "3600000", "eV": "1.602176634e-19"}),
     (POWER, {"W": "1", "mW": "0.001", "kW": "1000", "MW": "1e6", "GW": "1e9"}),
@@ -123,7 +124,9 @@ AMBIGUOUS = {  # what is refused, and what to write
 
 MEANT = {  # words that people write, for the suggestion
     "kilogram": "kg", "kilograms": "kg", "kgs": "kg", "gram": "g", "grams": "g", "gm": "g", "tonne": "t", "ton": "t",
-    "meter": "m", "meters": "m", "metre": "m", "metres": "m", "feet": "ft", "foot": "ft", "inch": "in", "mile": "mi",
+    "meter": "m", "meters": "m", "metre": "m", "metres": "m", "feet": "ft", "foot": "ft", "inch": "in", "inches": "in",
+    "mile": "mi", "miles": "mi", "yard": "yd", "yards": "yd",
+    "dyne": "dyn", "dynes": "dyn", "slugs": "slug", "kips": "kip", "knots": "knot", "kp": "kgf",
     "um": "µm", "us": "µs", "uN": "µN", "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minute": "min", "minutes": "min",
     "hr": "h", "hrs": "h", "hour": "h", "hours": "h", "days": "day", "yr": "year", "years": "year",
     "newton": "N", "newtons": "N", "joule": "J", "joules": "J", "watt": "W", "watts": "W", "hertz": "Hz",
