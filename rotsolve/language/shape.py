@@ -42,6 +42,7 @@ class Shape(Element, frozen=True):
     slender: ClassVar[bool] = (
         False  # whether it runs straight from its start to its end, so that its angle is that of its direction
     )
+    symmetry_axis: ClassVar[str] = ""  # its own axis about which it is symmetric, however large its sizes
     spherical: ClassVar[bool] = False  # whether it looks the same from all sides
     round: ClassVar[bool] = False  # whether it looks like a circle, or a ring between two
     backed: ClassVar[bool] = False  # whether its back is level as it is drawn, so that something can lie on it

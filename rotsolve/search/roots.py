@@ -45,7 +45,10 @@ class RootChoice(Struct, frozen=True):
         if self.scene.configuration.problem.space:
             from rotsolve.space.roots import chosen
 
-            picked = chosen(name, roots, self.scene, self.numbers, period) or self._first_on_hinge(name, roots, period)
+            letter, worth = self._multiple(name, roots)
+            picked = chosen(letter, worth, self.scene, self.numbers, period) or self._first_on_hinge(
+                name, roots, period
+            )
             if picked is not None:
                 return picked
         outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]
@@ -174,6 +177,19 @@ class RootChoice(Struct, frozen=True):
         share = self.numbers.sign([formula.substitute({letters[0]: ONE})])
         sign, words = expected.sign(letters[0])
         return share * sign, words
+
+    def _multiple(self, name: str, roots: Sequence[Formula]) -> tuple[str, Sequence[Formula]]:
+        """The letter of the laws of which a letter of a question is a multiple, as a component of ω is one of the rate about an axis, with
+        what the roots are of that.
+        """
+        formula = self.definition(name)
+        letters = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
+        if formula is None or len(letters) != 1:
+            return name, roots
+        share = formula.substitute({letters[0]: ONE})
+        if is_zero(share) or not is_zero(formula - share * Symbol(letters[0])):
+            return name, roots
+        return letters[0], [root / share for root in roots]
 
     def _spelled(self, name: str) -> Formula | None:
         """What the letter of a work stands for."""

@@ -25,7 +25,6 @@ from rotsolve.core.vectors.triple import (
     cross_product,
     minus,
     tidied,
-    triple,
     vector_sum,
     way_between,
 )
@@ -301,17 +300,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
                     f"`axis` says nothing of a part, as of `{part.body.name}`: it is drawn along the axes of its shape"
                 )
                 raise Unsolvable(message, span=part.body.span, help="turn it by `turned: {about: y, by: 90 deg}`")
-        plain = body.axis and body.shape is not None and not (body.parts or body.holes)
-        if not plain or self.shaped_about(body.name, triple(body.axis)):
+        drawn = shape_of(body).symmetry_axis
+        if not (body.axis and drawn) or body.parts or body.holes or body.axis == {"x": X, "y": Y, "z": Z}[drawn]:
             return
-        drawn = next(
-            (word for word, way in zip("xyz", (X, Y, Z), strict=True) if self.shaped_about(body.name, way)), ""
-        )
-        if drawn:
-            message = f"a {body.shape.word} is drawn about its own {drawn}, and `axis` names another one"  # type: ignore[union-attr]
-            raise Unsolvable(
-                message, span=body.span, help="leave `axis` out; `turned: {about: y, by: 90 deg}` turns it"
-            )
+        message = f"a {shape_of(body).word} is drawn about its own {drawn}, and `axis` names another one"
+        raise Unsolvable(message, span=body.span, help="leave `axis` out; `turned: {about: y, by: 90 deg}` turns it")
 
     def symmetric(self, name: str, way: Triple) -> bool:
         """Whether the inertia of a body is the same about all directions across one of its own axes.

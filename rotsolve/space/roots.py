@@ -10,7 +10,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, sqrt
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
-from rotsolve.core.symbols import key_of
+from rotsolve.core.symbols import is_key, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.language.problem import EXTREMES, Problem
 from rotsolve.solver.steps import PickedRoot
@@ -141,7 +141,7 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
             f"tell its `{owner}.{word}` at both states",
         )
         raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
-    fitting = [index for index, root in enumerate(roots) if numbers.side(root) == side]
+    fitting = [index for index, root in enumerate(roots) if sense_of(root, numbers) == side]
     if not fitting and any(given.asked and given.name in roots[0].symbols() for given in problem.givens):
         refuse_either_sense(name, roots, scene, numbers)
         return None
@@ -150,6 +150,12 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
         if len(fitting) == 1
         else None
     )
+
+
+def sense_of(root: Formula, numbers: Numbers) -> int | None:
+    """The sign of a root, by numbers or, where what it hangs on has none yet, by its letters."""
+    side = numbers.side(root)
+    return numbers.signs.by_letters(root) if side is None and any(map(is_key, root.symbols())) else side
 
 
 def refuse_either_sense(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> None:
@@ -202,6 +208,11 @@ def tilted(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: 
     values = {index: value for index, root in enumerate(roots) if (value := numbers.of(root)) is not None}
     within = [index for index, value in values.items() if -SMALL < value < math.pi + SMALL]
     others = [index for index in within[1:] if numbers.side(roots[index] - roots[within[0]]) != 0]
+    if not values and len(roots) > 1 and any(map(is_key, roots[0].symbols())):
+        problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
+        message = f"which of several tilts of `{key.owner}` is meant at `{key.when}` hangs on what is not known yet"
+        help = "tell what comes before in a scene of its own"
+        raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
     if not values or (len(within) < 2 and len(values) < len(roots)):
         return PickedRoot(within[0], ("a tilt lies from 0 to 180°",)) if len(within) == 1 else None
     word = word_told(key.owner, key.when, scene, "tilt")

@@ -200,6 +200,7 @@ def looked_at(value: Formula, ranges: Sequence[Range]) -> Iterator[Formula]:
 
 class Revolution(Integrated, frozen=True):
     word = "solid of revolution"
+    symmetry_axis = "z"
     about = "solid round the z axis by its profile: the limits of z, and the radius r there (or `[inner, outer]`)"
     spread = "volume"
     flat = False

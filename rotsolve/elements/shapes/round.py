@@ -16,6 +16,7 @@ Radii = tuple[tuple[str, Formula], ...]
 
 class Disc(Shape, frozen=True):
     word = "disc"
+    symmetry_axis = "z"
     round = True
     noun = "solid disc"
     spread = "surface"
@@ -43,6 +44,7 @@ class Disc(Shape, frozen=True):
 
 class Ring(Shape, frozen=True):
     word = "ring"
+    symmetry_axis = "z"
     spread = "line"
     about = "thin uniform ring or hoop"
     points = WHEEL
@@ -70,6 +72,7 @@ class Ring(Shape, frozen=True):
 
 class Annulus(Shape, frozen=True):
     word = "annulus"
+    symmetry_axis = "z"
     round = True
     walled = True
     spread = "surface"

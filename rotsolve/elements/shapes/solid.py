@@ -15,6 +15,7 @@ from rotsolve.language.shape import Place, Shape, corners_of_box, extent
 
 class Cone(Shape, frozen=True):
     word = "cone"
+    symmetry_axis = "z"
     about = (
         "uniform solid cone seen along its axis, with the middle of its base at the centre and its tip at z = length"
     )

@@ -35,6 +35,7 @@ class Particle(Shape, frozen=True):
 
 class Rod(Shape, frozen=True):
     word = "rod"
+    symmetry_axis = "x"
     backed = True
     about = "thin uniform rod; `rod.at(x)` is the point at x from its start"
     points = ("start", "center", "end")
