@@ -1,4 +1,4 @@
-"""Work in space: the energy of a body on a hinge that is pushed on the way, or that something carries along.
+"""Work in space: the energy of a body on a hinge that is pushed on the way, carries what is clamped to it, or is carried along.
 
 A couple that stays does the work M · n Δφ about the axis n, a force that stays F · Δr. In axes that go with what carries the hinge, and
 that do not turn, −M a acts at the centre of mass as the weight does (Goldstein, Poole & Safko, Classical Mechanics, §1.5 and §4.10).
@@ -16,7 +16,7 @@ from rotsolve.core.vectors.triple import NOTHING, Triple, Z, dot_product, scaled
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE
-from rotsolve.space.energies import half_quadratic
+from rotsolve.space.energies import half_quadratic, kinetic_energies
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.pushes import ForceInSpace
@@ -28,19 +28,61 @@ def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) 
     joint = held.main(name)
     if joint is None or held.of_body(name) != (joint,) or not turns_undriven(joint):
         return
-    carrier = held.bodies.get(joint.carrier.owner)
-    pushes = [[push for push in laws.pushes.on(name) if push.owner in driving(laws)] for laws in (before, after)]
-    if (carrier is not None and not led_evenly(before, carrier.name)) or not all(map(keeps, *pushes)):
+    carrier, clamped = held.bodies.get(joint.carrier.owner), clamps_on(before, name)
+    members = (name, *(clamp.body.owner for clamp in clamped or ()))
+    pushes = [
+        [push for member in members for push in laws.pushes.on(member) if push.owner in driving(laws)]
+        for laws in (before, after)
+    ]
+    if clamped is None or (carrier is not None and (clamped or not led_evenly(before, carrier.name))):
         return
-    work = total_work(name, joint, (before, after), pushes)
+    if not all(map(keeps, *pushes)):
+        return
+    places = [reference_places(laws, name, clamped) for laws in (before, after)]
+    work = total_work(name, joint, (before, after), pushes, places)
     if work is None:
         return
-    first, last = (felt_energy(laws, name, joint) for laws in (before, after))
+    first, last = (
+        sum((carried_energy(laws, member, at[member]) for member in members[1:]), felt_energy(laws, name, joint))
+        for laws, at in zip((before, after), places, strict=True)
+    )
     since = "" if carrier is None else f" in axes that go with {carrier.name}, where −M a acts"
     if work == ZERO:
-        yield CONSERVATION.equation(first, last, interval.name, (name,), since=since)
+        yield CONSERVATION.equation(first, last, interval.name, members, since=since)
     else:
-        yield WORK_AND_ENERGY.equation(add(first, work), last, interval.name, (name,))
+        yield WORK_AND_ENERGY.equation(add(first, work), last, interval.name, members)
+
+
+def clamps_on(laws: SpaceLaws, name: str) -> list[Joint] | None:
+    """The clamps by which bodies are fast on one, and on those; None where something that it carries moves on it, or is held besides."""
+    held, found = laws.moment.held, []
+    for joint in (joint for joint in held.joints if joint.carrier.owner == name):
+        moves = joint.turning or joint.sliding or joint.free or joint.rolls or joint.flat or joint.drive
+        further = None if moves else clamps_on(laws, joint.body.owner)
+        if further is None or held.of_body(joint.body.owner) != (joint,):
+            return None
+        found += [joint, *further]
+    return found
+
+
+def reference_places(laws: SpaceLaws, name: str, clamped: list[Joint]) -> dict[str, Triple]:
+    """Where the held points of a body on a hinge, and of what is clamped to it, are from that of the hinge, in space."""
+    places = {name: NOTHING}
+    for clamp in clamped:
+        carrier = clamp.carrier.owner
+        arm = laws.moment.axes(carrier).to(IN_SPACE, laws.moment.arm(clamp.carrier))
+        places[clamp.body.owner] = vector_sum(places[carrier], arm)
+    return places
+
+
+def carried_energy(laws: SpaceLaws, name: str, place: Triple) -> Formula:
+    """½ ω · I ω + ½ M v² + M g h of a body that is clamped to another one, its held point being at a place."""
+    moment, gravity = laws.moment, laws.pushes.gravity
+    moving = add(*kinetic_energies(laws, name))
+    if gravity is None:
+        return moving
+    centre = vector_sum(place, moment.axes(name).to(IN_SPACE, moment.arm(PointRef(name, CM))))
+    return add(moving, multiply(multiply(moment.held.mass(name), gravity), moment.tidy(centre[2])))
 
 
 def driving(laws: SpaceLaws) -> frozenset[str]:
@@ -68,21 +110,28 @@ def keeps(first: ForceInSpace, last: ForceInSpace) -> bool:
 
 
 def total_work(
-    name: str, joint: Joint, ends: tuple[SpaceLaws, SpaceLaws], pushes: list[list[ForceInSpace]]
+    name: str,
+    joint: Joint,
+    ends: tuple[SpaceLaws, SpaceLaws],
+    pushes: list[list[ForceInSpace]],
+    places: list[dict[str, Triple]],
 ) -> Formula | None:
     """W = Σ F · Δr + M · n Δφ; None where nothing tells how far the body has turned."""
     work: Formula = ZERO
     angles = [laws.moment.stood(name, "angle") for laws in ends]
-    axes = [laws.moment.axes(name) for laws in ends]
+    axes = ends[0].moment.axes(name)
     for first, last in zip(*pushes, strict=True):
         if first.couple != NOTHING:
             if angles[0] is None or angles[1] is None:
                 return None
-            along = dot_product(ends[0].moment.direction(name, joint), first.axes.to(axes[0], first.couple))
+            along = dot_product(ends[0].moment.direction(name, joint), first.axes.to(axes, first.couple))
             work = add(work, multiply(along, add(angles[1], negate(angles[0]))))
         if first.force != NOTHING:
-            places = [own.to(IN_SPACE, push.arm) for own, push in zip(axes, (first, last), strict=True)]
-            work = add(work, dot_product(first.force, way_between(places[0], places[1])))
+            one, other = (
+                vector_sum(at[push.body], laws.moment.axes(push.body).to(IN_SPACE, push.arm))
+                for laws, at, push in zip(ends, places, (first, last), strict=True)
+            )
+            work = add(work, dot_product(first.force, way_between(one, other)))
     return work
 
 

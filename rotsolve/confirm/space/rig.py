@@ -90,13 +90,25 @@ class Rig:
 
     def idle(self, name: str) -> list[Arrow]:
         """The own directions of a body about which it has no inertia, so that nothing tells how it turns about them: a thin rod's; of
-        what is held at rest at a point, those through that."""
+        what is held at rest at a point, those through that; of what turns with another body, as clamped to it, none.
+        """
+        if name not in self._idle and self.turns_with_another(name):
+            self._idle[name] = []
         if name not in self._idle:
             own, joint = self.solid(name), self.on_ground(name)
             arm = STILL if joint is None else less(own.centre, self.spot(joint.body))
             found = moments_and_axes(total_rows(own.tensor, about_point(own.mass, arm)))
             self._idle[name] = [way for moment, way in found if moment <= THIN * found[-1][0]]
         return self._idle[name]
+
+    def turns_with_another(self, name: str) -> bool:
+        """Whether a joint between two bodies, unless it is a ball, ties how a body turns to how the other one does; not of what is led."""
+        for joint in self.joints.values():
+            pair = {joint.body.owner, joint.carrier.owner}
+            tied = name in pair and pair <= self.bodies.keys() and not (joint.free or touching(joint))
+            if tied and not any(self.bodies[one].moved for one in pair):
+                return True
+        return False
 
     def spot(self, ref: PointRef) -> Arrow:
         """Where a point is in the axes of its body, from the centre."""

@@ -277,8 +277,12 @@ def at_turning(find: Find, hearing: Hearing) -> bool:
 
 
 def by_squares(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
-    """Whether the squares of small numbers are the same beside that of the size of such quantities in the scene."""
-    return all(abs(a * a - b * b) <= SQUARED * natural**2 for a, b in zip(answered, own, strict=True))
+    """Whether the squares of numbers of one sense are the same beside that of the size of such quantities in the scene; of small ones the
+    sense is not known.
+    """
+    room = SQUARED * natural**2
+    pairs = list(zip(answered, own, strict=True))
+    return all(abs(a * a - b * b) <= room and (a * b >= 0 or max(a * a, b * b) <= room) for a, b in pairs)
 
 
 def turned_to(angle: float, answered: float) -> float:
