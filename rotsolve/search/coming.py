@@ -100,7 +100,9 @@ def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:
         left, span = search.apart().settled(found.left), configuration.timeline.state(interval.end).span
         if left is None:
             continue
-        if numbers.side(found.rate) == (1 if backwards else -1) and numbers.side(left) in (0, 1):
+        rate = search.apart().settled(found.rate)
+        away = rate is not None and numbers.signs.of_sizes(rate) == (1 if backwards else -1)
+        if away and numbers.side(left) in (0, 1):
             why = f"`{body.name}` turns the other way, and has the energy to pass its highest place ever again"
             yield unreachable(configuration.problem, interval.start, interval.end, span, why)
         elif None not in counts and counts[0] != counts[1] and numbers.side(left) == -1:

@@ -20,6 +20,7 @@ ROUNDED_UP = 1.06  # so that a bound of two digits is not below what it stands f
 GAP = 3
 MOST_EVENTS = 30
 UNSETTLED, NOWHERE = "?", "–"  # what is not settled, what has no value at that time
+SPEEDS = ("velocity", "angular_velocity", "spin", "axial_rate", "precession", "nutation")
 STANDS = "Nothing moves: it starts at rest where nothing pushes it, and stays there, even where the least push would end that."
 
 
@@ -165,7 +166,7 @@ def bounds_sentence(run: Run, names: Sequence[str]) -> str:
 
 def is_at_rest(run: Run) -> bool:
     """Whether nothing happens: all speeds are zero at both ends, and no event lies between."""
-    speeds = tuple(name for name in columns_of(run) if quantity_word(name) in ("velocity", "angular_velocity"))
+    speeds = tuple(name for name in run.names if quantity_word(name) in SPEEDS)
     ends_ = (run.at(0.0, speeds), run.at(run.end / 2, speeds), run.at(run.end, speeds))
     return not run.events and not any(value for found in ends_ for value, _ in found.values())
 

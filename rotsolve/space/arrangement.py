@@ -261,10 +261,14 @@ class JointedBodies(Struct, frozen=True, dict=True):
 
     @remembered
     def pointlike(self, name: str) -> bool:
-        """Whether a body is a mere particle: what carries others, or is touched anywhere but at its centre, is turned by that."""
+        """Whether a body is a mere particle: what carries others, or is touched anywhere but at its centre, or by a couple, is turned by
+        that.
+        """
         body = self.bodies[name]
         whole = body.inertia is not None or body.gyration is not None or body.tensor is not None or bool(body.parts)
         if whole or not shape_of(body).pointlike or any(joint.carrier.owner == name for joint in self.joints):
+            return False
+        if any(action.twists() and name in (ref.owner for ref in action.touches()) for action in self.problem.actions):
             return False
         touched = [joint.body for joint in self.joints if not (joint.rolls or joint.flat)]
         touched += [ref for action in self.problem.actions for ref in action.touches()]

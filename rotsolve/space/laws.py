@@ -101,6 +101,10 @@ class SpaceLaws:
     def of_body(self, name: str) -> Iterator[Equation]:
         """Newton's second law and the rate of the angular momentum of a body."""
         pushes = list(self.pushes.on(name))
+        if self.moment.state.steady:
+            from rotsolve.space.lasting import refuse_passing
+
+            refuse_passing(name, self.moment, self.pushes, pushes)
         yield from self.second_law(name, pushes)
         if not self.moment.held.pointlike(name):
             yield from self.rotation(name, pushes)

@@ -107,7 +107,8 @@ class SpaceMoment(LeaningMoment):
     def refuse_carried_round(self, name: str) -> None:
         """Refuse a steady precession at another rate than that at which what carries a body goes round, where its point is off the axis."""
         joint, carrier = self.held.main(name), self.held.carrier(name)
-        if joint is None or not carrier or self.held.bodies[carrier].moved or self.nods(carrier):
+        led = [word in TURNING for word, _, _ in self.held.bodies[carrier].moved] if carrier else []
+        if joint is None or not carrier or self.nods(carrier) or (led and not any(led)):
             return
         up, omega = self.up(carrier), self.attitude(carrier).omega
         if all(map(self.held.vanishes, cross_product(up, self.acceleration(joint.carrier)))):

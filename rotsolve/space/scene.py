@@ -304,6 +304,8 @@ class SpaceEquations(SceneEquations, dict=True):
         ]
         if not isinstance(own, Symbol) or not laws:
             self.refuse_unspun(path.owner, dynamics)
+            if (refused := dynamics.unwritten.get(path.owner)) is not None:
+                raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
             raise NotYet(f"`{path.owner}` has one `precession` only", path.span, f"leave out `{term.modifier}`")
         beside = (self.beside_extreme(law, own.name, root, term.modifier, state) for law in first_of_each(laws))
         return Meaning(root, kind.dimension, laws=tuple(chain.from_iterable(beside))), state

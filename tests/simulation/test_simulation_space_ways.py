@@ -136,7 +136,7 @@ REFUSED = {
         "precession: 3", "precession: -200"
     ),
     "of `book` across its axis is not told": BOOK.replace("{principal: [I1, I2, I3]}", "I3"),
-    "where `coin` touches the floor": COIN.replace(
+    "`coin` touches `table` along a line": COIN.replace(
         "shape: disc, mass: m, radius: R", "shape: cylinder, mass: m, radius: R, length: R"
     ),
 }

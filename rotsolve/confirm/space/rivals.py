@@ -23,7 +23,7 @@ from rotsolve.confirm.space.hearing import VERGES, Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.verge import gap_under, step_to
 from rotsolve.confirm.space.worlds import Unfit
-from rotsolve.language.problem import EXTREMES, Find
+from rotsolve.language.problem import EXTREMES, Find, Given
 
 ROUND = 24  # places at which an angle is looked at
 DECADES, EACH = 2, 4  # powers of ten to both sides of a number, and places in each
@@ -55,11 +55,13 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
 
     if given.dimension is None and fulfils(own + math.tau):  # so it is an angle
         given = replace(given, dimension=ANGLE)
-    rate = find.modifier in EXTREMES and given.dimension is not None and given.dimension.matches(ANGULAR_VELOCITY)
+    rate = (find.modifier in EXTREMES or not steady_somewhere(hearing)) and is_rate(given)
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots, signed=rate)
     places = places_beside(own, 1.0, given.dimension, ROUND)
     places += [-place for place in places] if rate else []
-    others = chain(sought.other_roots(), Scan(reach, own).roots(places))
+    angle = given.dimension is not None and given.dimension.matches(ANGLE)
+    mirrored = (-own,) if rate else (math.pi - own,) if angle else ()  # as high on the other side of the top
+    others = chain(sought.other_roots(), mirrored, Scan(reach, own).roots(places))
     beside = next((value for value in others if sought.may_be(value) and fulfils(value)), None)
     if beside is not None or not sought.sized:
         return ("" if beside is None else sought.said_beside(beside)), ""
@@ -73,7 +75,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
 
     Of what is not steady the other roots of its equation are looked at alone: to follow it at each place would take long.
     """
-    if not any(state.steady for state in hearing.problem.states):
+    if not steady_somewhere(hearing):
         return None if find.modifier in EXTREMES or another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
         return True
@@ -101,13 +103,24 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
     return own == (min if word == "smallest" else max)(left)
 
 
+def steady_somewhere(hearing: Hearing) -> bool:
+    """Whether a state is steady, which is the same motion seen from behind where all rates have other signs."""
+    return any(state.steady for state in hearing.problem.states)
+
+
+def is_rate(given: Given) -> bool:
+    """Whether a letter is an angular velocity: of a swing either sense is a motion of its own."""
+    return given.dimension is not None and given.dimension.matches(ANGULAR_VELOCITY)
+
+
 def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
     """Whether the equations of all bodies leave nothing over with another root of its equation, that is not beyond the letter's range."""
     (place, *more), givens = hearing.places, {given.name: given for given in hearing.problem.givens}
     if more or not isinstance(place, str):
         return False
-    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots)
-    for value in filter(sought.may_be, sought.other_roots()):
+    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=is_rate(givens[place]))
+    mirrored = (-own,) if is_rate(givens[place]) else ()
+    for value in filter(sought.may_be, chain(sought.other_roots(), mirrored)):
         with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
             most = max(map(abs, hearing.left({0: STEPPED * hearing.size(place)})), default=0.0)
             if max(map(abs, hearing.left({0: value - own})), default=math.inf) <= SAME * most:

@@ -1,0 +1,74 @@
+"""Lasting: what a steady state needs beyond its instant: what acts on a body that goes round goes round with it, and so does its place.
+
+At one instant the laws allow rates that do not change under a force of fixed direction; at the next one that points another way in the axes
+that go with the body. With Ω of these axes it takes Ω × F = 0, and of what rolls on a turning body v = Ω × r from the axis of that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rotsolve.algebra.formula import ZERO
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, way_between
+from rotsolve.language.bodies import PointRef
+from rotsolve.space.attitude import IN_SPACE
+from rotsolve.space.inertia import CM
+from rotsolve.space.moment import SpaceMoment
+from rotsolve.space.pushes import ForceInSpace, Pushes
+from rotsolve.space.rolling import Rolling
+
+HELP = "leave `steady: true` out, or let it act along the axis about which that goes round"
+
+
+def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Sequence[ForceInSpace]) -> None:
+    """Refuse a steady state of a body that lasts for an instant alone."""
+    if not moment.state.steady or moment.held.bodies[name].moved:
+        return
+    refuse_rolled_away(name, moment)
+    going = going_round(name, moment)
+    if going == NOTHING:
+        return
+    told = {action.name: action for action in pushes.actions if not isinstance(action.strength(), str)}
+    for push in (push for push in acting if push.owner in told and push.axes == IN_SPACE):
+        for vector in (push.force, push.couple):
+            if not all(map(moment.held.vanishes, cross_product(going, vector))):
+                message = f"`{push.owner}` keeps its direction while `{name}` goes round: `{moment.when}` is not steady"
+                raise Unsolvable(message, span=told[push.owner].touches()[0].span, help=HELP)
+    weighs = pushes.gravity is not None and swings_about(name, moment)
+    if weighs and not all(map(moment.held.vanishes, cross_product(going, Z))):
+        message = f"the weight of `{name}` keeps its direction while that goes round: `{moment.when}` is not steady"
+        raise Unsolvable(message, span=moment.state.span, help="leave `steady: true` out")
+
+
+def going_round(name: str, moment: SpaceMoment) -> Triple:
+    """The angular velocity, in space, of the axes in which a steady body stays as it is: its node axes, or those of what carries it."""
+    if moment.nods(name):
+        axes = moment.axes(name)
+        return axes.to(IN_SPACE, axes.rate) if moment.nodding(name).rates[0] != ZERO else NOTHING
+    joint = moment.held.main(name)
+    if joint is None or joint.drive or joint.carrier.owner not in moment.held.bodies:
+        return NOTHING
+    carrier = moment.attitude(joint.carrier.owner)
+    return carrier.axes.to(IN_SPACE, carrier.omega)
+
+
+def swings_about(name: str, moment: SpaceMoment) -> bool:
+    """Whether its weight turns a body about its joint, or lets it slide."""
+    joint = moment.held.main(name)
+    return joint is not None and (bool(joint.sliding) or moment.arm(PointRef(name, CM)) != NOTHING)
+
+
+def refuse_rolled_away(name: str, moment: SpaceMoment) -> None:
+    """Refuse a wheel that rolls on a turning body and goes about the axis of that at another rate than it precesses."""
+    joint = moment.held.rolling(name)
+    if joint is None or joint.carrier.owner not in moment.held.bodies or not moment.nods(name):
+        return
+    rolling = Rolling(joint, moment)
+    if rolling.frame is None or rolling.frame.omega == NOTHING:
+        return
+    place = rolling.frame.axes.to(IN_SPACE, rolling.frame.place)
+    round_axis = cross_product(going_round(name, moment), place)
+    if not all(map(moment.held.vanishes, way_between(round_axis, rolling.velocity()))):
+        message = f"`{name}` goes round on `{joint.carrier.owner}` at another rate than it precesses: `{moment.when}` is not steady"
+        raise Unsolvable(message, span=moment.state.span, help="leave `steady: true` out")
