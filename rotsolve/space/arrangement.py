@@ -137,7 +137,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
         one, other, *more = own
         if more or not (one.free and other.free) or one.carrier.owner != other.carrier.owner:
             message = f"`{name}` is held by several joints: that is not solved in space yet"
-            help = "solved are two balls on one carrier; a hinge that two bearings hold has `bearings`"
+            help = "solved are two balls on the ground; a hinge that two bearings hold has `bearings`"
+            raise Unsolvable(message, span=other.body.span, help=help)
+        if one.carrier.owner in self.bodies:
+            message = f"two balls on `{one.carrier.owner}`, a body of its own, are not solved as a hinge in space"
+            help = f"write `{one.owner}: {{hinge: [{one.carrier.owner}, …], along: [x, y, z]}}` along the line through both"
             raise Unsolvable(message, span=other.body.span, help=help)
         line = tidied(way_between(self.spot(one.body), self.spot(other.body)))
         if all(map(self.vanishes, line)):

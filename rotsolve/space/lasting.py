@@ -6,11 +6,14 @@ that go with the body. With Ω of these axes it takes Ω × F = 0, and of what r
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.formula import ZERO
+from rotsolve.core.equation import RULE, Equation
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, way_between
+from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.attitude import IN_SPACE
 from rotsolve.space.inertia import CM
@@ -25,7 +28,6 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
     """Refuse a steady state of a body that lasts for an instant alone."""
     if not moment.state.steady or moment.held.bodies[name].moved:
         return
-    refuse_rolled_away(name, moment)
     going = going_round(name, moment)
     if going == NOTHING:
         return
@@ -59,16 +61,25 @@ def swings_about(name: str, moment: SpaceMoment) -> bool:
     return joint is not None and (bool(joint.sliding) or moment.arm(PointRef(name, CM)) != NOTHING)
 
 
-def refuse_rolled_away(name: str, moment: SpaceMoment) -> None:
-    """Refuse a wheel that rolls on a turning body and goes about the axis of that at another rate than it precesses."""
+def going_along(name: str, moment: SpaceMoment) -> Iterator[Equation]:
+    """v = Ω × r of a wheel that rolls steadily on a turning body, from the axis of that; refused where what is told contradicts it."""
     joint = moment.held.rolling(name)
-    if joint is None or joint.carrier.owner not in moment.held.bodies or not moment.nods(name):
+    if (
+        not moment.state.steady
+        or joint is None
+        or joint.carrier.owner not in moment.held.bodies
+        or not moment.nods(name)
+    ):
         return
     rolling = Rolling(joint, moment)
     if rolling.frame is None or rolling.frame.omega == NOTHING:
         return
     place = rolling.frame.axes.to(IN_SPACE, rolling.frame.place)
-    round_axis = cross_product(going_round(name, moment), place)
-    if not all(map(moment.held.vanishes, way_between(round_axis, rolling.velocity()))):
-        message = f"`{name}` goes round on `{joint.carrier.owner}` at another rate than it precesses: `{moment.when}` is not steady"
-        raise Unsolvable(message, span=moment.state.span, help="leave `steady: true` out")
+    asked = {given.name for given in moment.held.problem.givens if given.asked}
+    for part in way_between(cross_product(going_round(name, moment), place), rolling.velocity()):
+        words = f"{spoken(name)} goes round on {spoken(joint.carrier.owner)} as it precesses"
+        if any(is_key(letter) or letter in asked for letter in part.symbols()):
+            yield RULE.equation(part, ZERO, moment.when, (name,), words=words)
+        elif not moment.held.vanishes(part):
+            message = f"`{name}` goes round on `{joint.carrier.owner}` at another rate than it precesses: `{moment.when}` is not steady"
+            raise Unsolvable(message, span=moment.state.span, help="leave `steady: true` out")

@@ -102,9 +102,10 @@ class SpaceLaws:
         """Newton's second law and the rate of the angular momentum of a body."""
         pushes = list(self.pushes.on(name))
         if self.moment.state.steady:
-            from rotsolve.space.lasting import refuse_passing
+            from rotsolve.space.lasting import going_along, refuse_passing
 
             refuse_passing(name, self.moment, self.pushes, pushes)
+            yield from going_along(name, self.moment)
         yield from self.second_law(name, pushes)
         if not self.moment.held.pointlike(name):
             yield from self.rotation(name, pushes)

@@ -290,7 +290,8 @@ class SpaceMoment(LeaningMoment):
 
     def stood(self, name: str, word: str) -> Formula | None:
         """The tilt of a body or its angle on a hinge: as told, through a blow as before, an angle 0 at first; None where nothing tells."""
-        told = self.turned_on(name) if word == "angle" else self.told(name, word)
+        joint = self.held.main(name) if word == "angle" else None
+        told = self.told(name, word) if joint is None else self.hinge_angle(name, joint)
         if told is not None:
             return told
         if self.before is not None:

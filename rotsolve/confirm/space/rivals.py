@@ -55,17 +55,17 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
 
     if given.dimension is None and fulfils(own + math.tau):  # so it is an angle
         given = replace(given, dimension=ANGLE)
-    rate = (find.modifier in EXTREMES or not steady_somewhere(hearing)) and is_rate(given)
+    rate = find.modifier in EXTREMES and is_rate(given)
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots, signed=rate)
     places = places_beside(own, 1.0, given.dimension, ROUND)
     places += [-place for place in places] if rate else []
     angle = given.dimension is not None and given.dimension.matches(ANGLE)
-    mirrored = (-own,) if rate else (math.pi - own,) if angle else ()  # as high on the other side of the top
+    mirrored = (-own,) if is_rate(given) else (math.pi - own,) if angle else ()  # as high on the other side of the top
     others = chain(sought.other_roots(), mirrored, Scan(reach, own).roots(places))
     beside = next((value for value in others if sought.may_be(value) and fulfils(value)), None)
     if beside is not None or not sought.sized:
         return ("" if beside is None else sought.said_beside(beside)), ""
-    against = chain(sought.other_roots(), Scan(reach, own).roots([-place for place in places]))
+    against = chain(sought.other_roots(), mirrored, Scan(reach, own).roots([-place for place in places]))
     found = next((value for value in against if sought.may_be(value, sized=False) and fulfils(value)), None)
     return "", "" if found is None else sought.equal_to(found)
 
