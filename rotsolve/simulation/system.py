@@ -80,13 +80,18 @@ def named_in_text(letter: str, registry: Registry) -> str:
     return f"`{path_name(letter)}`" if letter in registry.quantities else f"value of `{letter}`"
 
 
+def unnumbered(letter: str) -> NotYet:
+    """A letter of the scene that would need a number."""
+    return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
+
+
 def refusal(error: Unwritable, registry: Registry) -> NotYet:
     """What can not be simulated, by its name."""
     letter = error.letter
     if letter in registry.quantities:
         return NotYet(f"how `{path_name(letter)}` runs in time is not told")
     if letter and not is_key(letter):
-        return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
+        return unnumbered(letter)
     return NotYet(f"{error} is not simulated yet")
 
 

@@ -23,7 +23,7 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.paths.meaning import NotYet
 from rotsolve.paths.reader import PathReader
-from rotsolve.simulation.system import PlanarSystem, System, refusal
+from rotsolve.simulation.system import PlanarSystem, System, refusal, unnumbered
 from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.taylor import TaylorStep, horner
 
@@ -154,6 +154,8 @@ def passed(path: Path, value: Formula, system: PlanarSystem, since: Mapping[str,
 
 def time_gone(value: Formula, system: System, since: Mapping[str, Exact]) -> int:
     """The time since the state before, less what it is to be."""
+    for letter in sorted(value.symbols() - system.letters.keys()):
+        raise unnumbered(letter)
     ahead = system.tape.formula(Symbol(TIME) - value, system.letters)
     return system.tape.sum([(ahead, ONE), (system.tape.number(since[TIME]), -ONE)])
 

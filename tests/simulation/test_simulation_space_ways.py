@@ -131,6 +131,9 @@ REFUSED = {
     "begins with the event `hit`": BOOK.replace("3 m/s]}}", "3 m/s]}, last: {}}").replace(
         "find:", "events: {hit: {impulse: 1 N s, on: book.cm, direction: x, from: thrown, to: last}}\nfind:"
     ),
+    "`T` has no number": BOOK.replace("3 m/s]}}", "3 m/s]}, last: {time: T}}").replace(
+        "given: {", "given: {T: unknown, "
+    ),
     "lies flat at first": COIN.replace("70 deg", "0 deg"),
     "would have to pull": COIN.replace("coin.nutation: 1 rad/s", "coin.nutation: 0 rad/s").replace(
         "precession: 3", "precession: -200"
