@@ -18,16 +18,19 @@ def families(answered: Answered, search: Search) -> set[str]:
 
 
 def behind(answered: Answered, search: Search) -> Iterator[Equation]:
-    """The equations behind an answer: those of its own plan, and of the answers that it uses."""
+    """The equations behind an answer, each once: those of its own plan, and of the answers that it uses."""
     by_letter = {item.asked.letter: item for item in search.answered}
     pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
+    yielded: set[int] = set()
     while pending:
         item = pending.pop()
         for index in item.used:
             equation = search.planner.pool[index]
-            yield equation
-            if not equation.family and search.refs.get(index, ("law", 0))[0] == "step":
-                yield from (search.planner.pool[k] for other in search.answered for k in other.used)
+            stepped = not equation.family and search.refs.get(index, ("law", 0))[0] == "step"
+            for number in (index, *((k for other in search.answered for k in other.used) if stepped else ())):
+                if number not in yielded:
+                    yielded.add(number)
+                    yield search.planner.pool[number]
             for name in equation.symbols():
                 if name in by_letter and name not in seen:
                     seen.add(name)

@@ -42,14 +42,15 @@ Row = dict[int, Ball]  # of a matrix: what is not nothing, by columns
 def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
     closed = [(answered, answered.found.formula) for answered in search.wholes()]
-    pending = [
-        answered  # that rests on a law at all, and not on definitions alone
+    laws_of = {
+        answered.asked.letter: families(answered, search)
         for answered, formula in closed
-        if formula is not None and not is_long_root(formula) and families(answered, search)
-    ]
+        if formula is not None and not is_long_root(formula)
+    }
+    pending = [answered for answered, _ in closed if laws_of.get(answered.asked.letter)]  # not on definitions alone
     slopes: dict[tuple[int, str], Ball | None] = {}
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
-        unused = [answered for answered in pending if law not in families(answered, search)]
+        unused = [answered for answered in pending if law not in laws_of[answered.asked.letter]]
         if not unused:
             continue
         other = search.another(families_for(law), spare=True, confirming=True)
