@@ -182,3 +182,38 @@ def test_what_goes_round_with_a_level_table_is_steady() -> None:
     angle = math.radians(found[0])
     weight, flung = 9.8 * 0.3 * math.cos(angle), 16 * math.sin(angle) * (0.3 * 0.2 + 0.12 * math.cos(angle))
     assert weight == pytest.approx(flung)
+
+
+@pytest.mark.parametrize(
+    "joint", ["{hinge: table.corner1, along: [3/5, 4/5, 0], ", "{axle: table.center, along: [3/5, 4/5, 0], "]
+)
+def test_an_angle_that_a_drive_tells_in_time_is_told(joint: str) -> None:
+    """φ = q sin n t, φ̇ = q n cos n t at the time of the state."""
+    text = f"""up: z
+given: {{q: 0.4 rad, n: 3 rad/s, T: 0.7 s}}
+bodies: {{table: {{shape: rectangle, mass: 2 kg, sides: [60 cm, 40 cm]}}}}
+connections: {{axis: {joint}angle: q*sin(n*time)}}}}
+states: {{now: {{time: T}}}}
+find: {{th: table.angle, w: table.angular_velocity}}
+"""
+    if "axle" in joint:
+        text = text.replace(
+            "shape: rectangle, mass: 2 kg, sides: [60 cm, 40 cm]", "shape: disc, mass: 2 kg, radius: 30 cm"
+        )
+    found = numbers(text)
+    rate = 1.2 * math.cos(2.1)
+    assert found["th"] == pytest.approx([0.4 * math.sin(2.1)])
+    assert found["w"] == pytest.approx([0.6 * rate, 0.8 * rate, 0.0])
+
+
+def test_two_balls_on_a_moving_body_are_refused() -> None:
+    text = """up: z
+bodies:
+  car: {mass: 0, angular_velocity: [0.5 rad/s, 0, 2 rad/s]}
+  rot: {shape: cuboid, mass: 2 kg, sides: [0.4 m, 0.2 m, 0.1 m], points: {A: [-0.2 m, 0.05 m, 0], B: [0.2 m, 0.1 m, 0]}}
+connections: {l: {ball: [car, rot.A]}, r: {ball: [car, rot.B]}}
+states: {now: {rot.angle: 30 deg, rot.angular_velocity: 4 rad/s}}
+find: {w: rot.angular_velocity}
+"""
+    with pytest.raises(Unsolvable, match="two balls on `car`"):
+        solve(f"title: t\n{text}")
