@@ -43,6 +43,7 @@ OTHERS: dict[
     "kowalevskaya-top": ({"n1": 0.28, "n2": 0, "n3": 0.96}, {"n1": 0.48, "n2": 0.6, "n3": 0.64}),  # of the length 1
     "stability-of-three-axes": ({"I1": 1.1, "I2": 2.1, "I3": 2.9}, {"I1": 1.5, "I2": 1.9, "I3": 3}),  # I₃ ≤ I₁ + I₂
     "tennis-racket-in-the-hand": ({"I1": 1.3e-3, "I2": 0.016, "I3": 0.017}, {"I1": 1.2e-3, "I2": 0.0165, "I3": 0.0175}),
+    "gyroscope-on-a-string": ({"I0": 1.9e-3, "I1": 1.1e-3}, {"I0": 2.1e-3, "I1": 1.2e-3}),
     "tennis-racket": ({"I1": 1.3e-3, "I2": 0.016, "I3": 0.017}, {"I1": 1.2e-3, "I2": 0.0165, "I3": 0.0175}),
 }
 SOLVED_ANEW = {  # why its closed forms are not evaluated for many sets
@@ -50,6 +51,7 @@ SOLVED_ANEW = {  # why its closed forms are not evaluated for many sets
     **dict.fromkeys(
         ("how-long-a-top-nods", "tennis-racket", "tennis-racket-in-the-hand", "wing-nut"), "elliptic functions"
     ),
+    "gyroscope-on-a-string": "an angle without a closed form",
     "stability-of-three-axes": "a word is asked",
 }
 
