@@ -22,10 +22,8 @@ NEAR = "≈"  # marks a moment of their swings
 COURSE = "…"  # marks a moment of a motion that is followed in time: all places and speeds are letters
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
 COORDINATE = "coordinate "  # in front of the kind of a place that a page writes as a coordinate
-SECOND, MARKED = (
-    "rate of ",
-    "dot",
-)  # in front of the kind of a rate: how fast that changes; behind its letter, printed with a dot
+SECOND = "rate of "  # in front of the kind of a rate: how fast that changes
+MARKED = "dot"  # behind the letter of such a rate, which is printed with a dot
 DOTTED = "dotted "  # in front of the kind of a coordinate: its rate, printed as that letter with a dot
 PHASE = " to "  # within the name of a phase
 

@@ -42,15 +42,9 @@ class RootChoice(Struct, frozen=True):
 
     def choose(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
         """The root that is meant, with the reason; a `period` later the equation holds again."""
-        if self.scene.configuration.problem.space:
-            from rotsolve.space.roots import chosen
-
-            letter, worth = self._multiple(name, roots)
-            picked = chosen(letter, worth, self.scene, self.numbers, period) or self._first_on_hinge(
-                name, roots, period
-            )
-            if picked is not None:
-                return picked
+        picked = self._in_space(name, roots, period) if self.scene.configuration.problem.space else None
+        if picked is not None:
+            return picked
         outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]
         if outwards and len(roots) > 1 and self._on_shaft(name):
             return PickedRoot(outwards[0], ("out from the axis, where the shaft turns fast enough for it",))
@@ -83,6 +77,13 @@ class RootChoice(Struct, frozen=True):
             opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
             return PickedRoot(index, dropped, fits=not opposed)
         return self._of_several(name, real, numbered, roots, period)
+
+    def _in_space(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
+        """What tells in space which root is meant: by the letter of the laws of which this is a multiple, else where a hinge comes."""
+        from rotsolve.space.roots import chosen
+
+        letter, worth = self._multiple(name, roots)
+        return chosen(letter, worth, self.scene, self.numbers, period) or self._first_on_hinge(name, roots, period)
 
     def in_front(self, name: str, root: Formula) -> bool:
         """Whether with a root for its angle a body in balance lies in front of all surfaces that it touches, and not in them."""

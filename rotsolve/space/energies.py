@@ -47,6 +47,14 @@ def height_above(laws: SpaceLaws, name: str) -> Formula:
     return ZERO if arm == NOTHING else moment.tidy(dot_product(moment.up(name), arm))
 
 
+def energy_of(laws: SpaceLaws, name: str, which: str = "") -> Formula:
+    """Kinetic energy and M g h."""
+    turning, travelling = kinetic_energies(laws, name, which)
+    gravity = laws.pushes.gravity
+    weight = ZERO if gravity is None else multiply(laws.moment.held.mass(name), gravity)
+    return add(add(turning, travelling), ZERO if weight == ZERO else multiply(weight, height_above(laws, name)))
+
+
 def half_quadratic(tensor: InertiaTensor, omega: Triple) -> Formula:
     """½ Σ I_ij ω_i ω_j, the squares drawn together."""
     x, y, z = omega

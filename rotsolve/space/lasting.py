@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ZERO, add, negate
+from rotsolve.core.drive import TURNING
 from rotsolve.core.equation import RULE, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key
-from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, way_between
+from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, dot_product, way_between
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.attitude import IN_SPACE
@@ -28,6 +29,8 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
     """Refuse a steady state of a body that lasts for an instant alone."""
     if not moment.state.steady or moment.held.bodies[name].moved:
         return
+    if moment.nods(name):
+        refuse_carried_round(name, moment)
     going = going_round(name, moment)
     if going == NOTHING:
         return
@@ -41,6 +44,22 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
     if weighs and not all(map(moment.held.vanishes, cross_product(going, Z))):
         message = f"the weight of `{name}` keeps its direction while that goes round: `{moment.when}` is not steady"
         raise Unsolvable(message, span=moment.state.span, help="leave `steady: true` out")
+
+
+def refuse_carried_round(name: str, moment: SpaceMoment) -> None:
+    """Refuse a steady precession at another rate than that at which what carries a body goes round, where its point is off the axis."""
+    joint, carrier = moment.held.main(name), moment.held.carrier(name)
+    led = [word in TURNING for word, _, _ in moment.held.bodies[carrier].moved] if carrier else []
+    if joint is None or not carrier or moment.nods(carrier) or (led and not any(led)):
+        return
+    up, omega = moment.up(carrier), moment.attitude(carrier).omega
+    if all(map(moment.held.vanishes, cross_product(up, moment.acceleration(joint.carrier)))):
+        return
+    rate, turning = moment.told(name, "precession"), dot_product(up, omega)
+    along = all(map(moment.held.vanishes, cross_product(up, omega)))
+    if rate is None or not along or not moment.held.vanishes(add(rate, negate(turning))):
+        message = f"`{name}` precesses steadily at {moment.spoken_of()} only as `{carrier}` goes round, which carries its point along"
+        raise Unsolvable(message, span=joint.body.span, help=f"tell `{name}.precession` as the rate of `{carrier}`")
 
 
 def going_round(name: str, moment: SpaceMoment) -> Triple:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, ZERO, Formula, add, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
@@ -24,7 +24,6 @@ from rotsolve.core.vectors.triple import (
     after,
     aligning,
     cross_product,
-    dot_product,
     in_turn,
     is_axis,
     minus,
@@ -97,27 +96,10 @@ class SpaceMoment(LeaningMoment):
             message = f"`{name}` is on no `hinge` and no `axle`: it has no `angle`"
             raise Unsolvable(message, span=line.span, help="tell how it stands by `turned`, or by its Euler angles")
         if self.nods(name):
-            if self.state.steady:
-                self.refuse_carried_round(name)
             return self._nods(name)
         if self.later and self.held.pointlike(name) and not self.held.bodies[name].moved:
             return Attitude(IN_SPACE, AS_DRAWN, NOTHING, NOTHING)  # a point has no axes that turn away
         return self._led(name, ()) if self.held.bodies[name].moved else self._anyhow(name)
-
-    def refuse_carried_round(self, name: str) -> None:
-        """Refuse a steady precession at another rate than that at which what carries a body goes round, where its point is off the axis."""
-        joint, carrier = self.held.main(name), self.held.carrier(name)
-        led = [word in TURNING for word, _, _ in self.held.bodies[carrier].moved] if carrier else []
-        if joint is None or not carrier or self.nods(carrier) or (led and not any(led)):
-            return
-        up, omega = self.up(carrier), self.attitude(carrier).omega
-        if all(map(self.held.vanishes, cross_product(up, self.acceleration(joint.carrier)))):
-            return
-        rate, turning = self.told(name, "precession"), dot_product(up, omega)
-        along = all(map(self.held.vanishes, cross_product(up, omega)))
-        if rate is None or not along or not self.held.vanishes(add(rate, negate(turning))):
-            message = f"`{name}` precesses steadily at {self.spoken_of()} only as `{carrier}` goes round, which carries its point along"
-            raise Unsolvable(message, span=joint.body.span, help=f"tell `{name}.precession` as the rate of `{carrier}`")
 
     def turned(self, name: str) -> Rows:
         """How a body is turned from how it is drawn, as the scene says."""

@@ -36,7 +36,7 @@ from rotsolve.core.writing import point_in_words, spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE, NODE
-from rotsolve.space.energies import height_above, kinetic_energies
+from rotsolve.space.energies import energy_of
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.sliding import free_of_force
@@ -113,14 +113,6 @@ def of_energy(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws
     first, last = (energy_of(laws, name, "rotational" if held else "") for laws in (before, after))
     if first != last:
         yield CONSERVATION.equation(first, last, interval.name, (name,), since="")
-
-
-def energy_of(laws: SpaceLaws, name: str, which: str) -> Formula:
-    """Kinetic energy and M g h."""
-    turning, travelling = kinetic_energies(laws, name, which)
-    gravity = laws.pushes.gravity
-    weight = ZERO if gravity is None else multiply(laws.moment.held.mass(name), gravity)
-    return add(add(turning, travelling), ZERO if weight == ZERO else multiply(weight, height_above(laws, name)))
 
 
 def momenta(name: str, before: SpaceLaws, after: SpaceLaws) -> Iterator[tuple[str, Pairing]]:

@@ -99,8 +99,9 @@ class Rolling:
                 f"`{self.name}` rolls on `{joint.carrier.owner}` and is held besides: that is not solved in space yet"
             )
             raise Unsolvable(message, span=joint.body.span)
-        self.own, self.ball = moment.attitude(self.name), shape_that_rolls(joint, moment).spherical
-        if not self.ball and not shape_that_rolls(joint, moment).flat:
+        shape = shape_that_rolls(joint, moment)
+        self.own, self.ball = moment.attitude(self.name), shape.spherical
+        if not (shape.spherical or shape.flat):
             message = f"`{self.name}` touches `{joint.carrier.owner}` along a line, and how that pushes along it nothing tells"
             help = "draw it as a `disc`: a thin wheel, which touches in a point; in the plane, without `up: z`, it is solved"
             raise Unsolvable(message, span=joint.body.span, help=help)

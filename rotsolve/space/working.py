@@ -16,9 +16,10 @@ from rotsolve.core.vectors.triple import NOTHING, Triple, Z, dot_product, scaled
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE
-from rotsolve.space.energies import half_quadratic, kinetic_energies
+from rotsolve.space.energies import energy_of, half_quadratic
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.places import reference_place
 from rotsolve.space.pushes import ForceInSpace
 
 
@@ -38,13 +39,12 @@ def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) 
         return
     if not all(map(keeps, *pushes)):
         return
-    places = [reference_places(laws, name, clamped) for laws in (before, after)]
-    work = total_work(name, joint, (before, after), pushes, places)
+    work = total_work(name, joint, (before, after), pushes)
     if work is None:
         return
     first, last = (
-        sum((carried_energy(laws, member, at[member]) for member in members[1:]), felt_energy(laws, name, joint))
-        for laws, at in zip((before, after), places, strict=True)
+        sum((energy_of(laws, member) for member in members[1:]), felt_energy(laws, name, joint))
+        for laws in (before, after)
     )
     since = "" if carrier is None else f" in axes that go with {carrier.name}, where −M a acts"
     if work == ZERO:
@@ -65,24 +65,13 @@ def clamps_on(laws: SpaceLaws, name: str) -> list[Joint] | None:
     return found
 
 
-def reference_places(laws: SpaceLaws, name: str, clamped: list[Joint]) -> dict[str, Triple]:
-    """Where the held points of a body on a hinge, and of what is clamped to it, are from that of the hinge, in space."""
-    places = {name: NOTHING}
-    for clamp in clamped:
-        carrier = clamp.carrier.owner
-        arm = laws.moment.axes(carrier).to(IN_SPACE, laws.moment.arm(clamp.carrier))
-        places[clamp.body.owner] = vector_sum(places[carrier], arm)
-    return places
-
-
-def carried_energy(laws: SpaceLaws, name: str, place: Triple) -> Formula:
-    """½ ω · I ω + ½ M v² + M g h of a body that is clamped to another one, its held point being at a place."""
-    moment, gravity = laws.moment, laws.pushes.gravity
-    moving = add(*kinetic_energies(laws, name))
-    if gravity is None:
-        return moving
-    centre = vector_sum(place, moment.axes(name).to(IN_SPACE, moment.arm(PointRef(name, CM))))
-    return add(moving, multiply(multiply(moment.held.mass(name), gravity), moment.tidy(centre[2])))
+def place_from_hinge(laws: SpaceLaws, name: str, push: ForceInSpace) -> Triple:
+    """Where a push acts on a body on a hinge, or on what is clamped to it, from the hinge, in space."""
+    arm = laws.moment.axes(push.body).to(IN_SPACE, push.arm)
+    if push.body == name:
+        return arm
+    hinge, clamp = (reference_place(laws.moment, one) for one in (name, push.body))
+    return vector_sum(way_between(hinge, clamp), arm)
 
 
 def driving(laws: SpaceLaws) -> frozenset[str]:
@@ -110,11 +99,7 @@ def keeps(first: ForceInSpace, last: ForceInSpace) -> bool:
 
 
 def total_work(
-    name: str,
-    joint: Joint,
-    ends: tuple[SpaceLaws, SpaceLaws],
-    pushes: list[list[ForceInSpace]],
-    places: list[dict[str, Triple]],
+    name: str, joint: Joint, ends: tuple[SpaceLaws, SpaceLaws], pushes: list[list[ForceInSpace]]
 ) -> Formula | None:
     """W = Σ F · Δr + M · n Δφ; None where nothing tells how far the body has turned."""
     work: Formula = ZERO
@@ -127,10 +112,7 @@ def total_work(
             along = dot_product(ends[0].moment.direction(name, joint), first.axes.to(axes, first.couple))
             work = add(work, multiply(along, add(angles[1], negate(angles[0]))))
         if first.force != NOTHING:
-            one, other = (
-                vector_sum(at[push.body], laws.moment.axes(push.body).to(IN_SPACE, push.arm))
-                for laws, at, push in zip(ends, places, (first, last), strict=True)
-            )
+            one, other = (place_from_hinge(laws, name, push) for laws, push in zip(ends, (first, last), strict=True))
             work = add(work, dot_product(first.force, way_between(one, other)))
     return work
 
