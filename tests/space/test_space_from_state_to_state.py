@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from rotsolve import SceneError, Unsolvable, simulate, solve
@@ -217,3 +218,31 @@ find: {w: rot.angular_velocity}
 """
     with pytest.raises(Unsolvable, match="two balls on `car`"):
         solve(f"title: t\n{text}")
+
+
+def test_a_chain_of_clamps_is_pushed_at_its_end() -> None:
+    """½ I ω² + M g h with F Δy of the point pushed; a rod, an arm on its end and a ball on that, on an oblique hinge off the origin."""
+    text = """up: z
+given: {m: 2 kg, M: 0.5 kg, b: 1 m, d: 0.3 m, F: 3 N, r: 10 cm, g: 9.8 m/s^2}
+bodies:
+  ball: {shape: sphere, mass: M, radius: r, points: {E: [0, r, 0]}}
+  arm: {shape: rod, mass: M, length: d}
+  rod: {shape: rod, mass: m, length: b}
+connections:
+  outer: {clamp: [arm.end, ball]}
+  inner: {clamp: [rod.end, arm.start]}
+  post: {hinge: [[0, 0, b], rod.start], along: [0, 3/5, -4/5]}
+actions: {f: {force: [0, F, 0], on: ball.E}}
+states: {s0: {rod.angle: 0 deg, rod.angular_velocity: 6 rad/s}, s1: {rod.angle: 100 deg}}
+find: {w: rod.angular_velocity at s1, v: ball.E.velocity at s1}
+"""
+    found, way = numbers(text), np.array([0.0, 0.6, -0.8])
+    across = np.array([[0, 0.8, 0.6], [-0.8, 0, 0], [-0.6, 0, 0]])  # way ×
+    turn = np.eye(3) + math.sin(math.radians(100)) * across + (1 - math.cos(math.radians(100))) * across @ across
+    pieces = ((2.0, 0.5), (0.5, 1.15), (0.5, 1.3))  # masses at their distances along the rod
+    inertia = sum(mass * place**2 for mass, place in pieces) + 2 / 12 + 0.5 * 0.09 / 12 + 0.4 * 0.5 * 0.01
+    pushed = np.array([1.3, 0.1, 0.0])
+    lifted = 9.8 * sum(mass * place for mass, place in pieces) * turn[2, 0]
+    rate = math.sqrt(36 + 2 * (3 * (turn @ pushed - pushed)[1] - lifted) / inertia)
+    assert found["w"] == pytest.approx(list(rate * way))
+    assert found["v"] == pytest.approx(list(np.cross(rate * way, turn @ pushed)))
