@@ -22,7 +22,7 @@ from rotsolve.algebra.units.dimension import ANGLE, Dimension, DimensionError, d
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.language.grammar import ALONE, ANGLE_OF, CLAUSES, MODIFIERS, SWINGS, WHICH
-from rotsolve.language.problem import Condition, Find, Path, Term
+from rotsolve.language.problem import EXTREMES, Condition, Find, Path, Term
 from rotsolve.language.words import quoted
 from rotsolve.scene.clauses import Clauses
 from rotsolve.scene.in_space import in_space_only
@@ -166,6 +166,9 @@ class PhraseReader:
         change = self.scope.space and modifier == "size of" and [piece.text for piece in words[:2]] == ["change", "of"]
         if change:  # the size of a change, which is a vector too
             modifier, words, cut = SIZE_OF_CHANGE, words[2:], cut - 2
+        sized = outer and modifier in EXTREMES and [piece.text for piece in words[:2]] == ["size", "of"]
+        if sized:  # the largest size of a vector
+            words, cut = words[2:], cut - 2
         first = len(self.phrase.terms)
         clauses = Clauses(self.scope, self.node, outer, self.condition)
         if not clauses.read(words[cut:]):
@@ -177,6 +180,9 @@ class PhraseReader:
         self.phrase.unit = clauses.unit or self.phrase.unit
         clauses.check(self.phrase.terms[first:])
         self.phrase.terms[first:] = map(clauses.applied, self.phrase.terms[first:])
+        if sized and (whole := self.modified(formula, "size of", first, False, words[0])) is not None:
+            self.phrase.outer = modifier
+            return whole
         return self.modified(formula, modifier, first, outer, words[0])
 
     def condition(self, part: Text) -> Condition | None:

@@ -203,10 +203,7 @@ def refuse_open(search: Search, find: Find) -> None:
 
 def answer_with_condition(search: Search, find: Find) -> bool:
     """Answer a question with a condition, or for an extremum over a letter; False where it is neither."""
-    steady = (
-        find.where is None and search.scene.configuration.problem.space and find.terms
-    )  # of several steady motions one
-    if (find.where is None and not find.extreme) or steady:
+    if find.where is None and not find.extreme:
         return False
     from rotsolve.search.conditions import answer_where
     from rotsolve.search.extrema import over_a_letter

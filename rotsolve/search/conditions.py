@@ -25,12 +25,14 @@ from rotsolve.search.extrema import (
     by_condition,
     extreme_value,
     forget,
+    own_letter,
     place_of_extremum,
+    seekers,
 )
 from rotsolve.search.search import Search
 from rotsolve.search.swings import verge_equation
 from rotsolve.search.verges import modifier_of, on_the_point_of_slipping, without_condition
-from rotsolve.solver.steps import PickedRoot
+from rotsolve.solver.steps import Found, PickedRoot
 
 
 def answer_where(search: Search, find: Find) -> None:
@@ -114,12 +116,6 @@ def condition_equation(search: Search, phrase: Find, value: Formula) -> Equation
     return CONDITION.equation(said.formula, value, said.section, words=condition_label(phrase, in_space))
 
 
-def seekers(search: Search, find: Find, letter: str) -> list[Find]:
-    """The other questions that seek a letter which the scene has as an unknown."""
-    finds = search.scene.configuration.problem.finds if search.givens[letter].asked else ()
-    return [other for other in finds if other.seeks == letter and other.name != find.name]
-
-
 def set_free(search: Search, answered: Answered, letter: str, limit: Equation) -> None:
     """Let the next question seek an unknown letter anew: each has an equation of its own, and its answer a symbol of its own."""
     find = answered.find
@@ -152,8 +148,7 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     """The value of a letter at which a quantity, found first as a function of it, has a given value."""
     quantity, curve = as_function_of(search, phrase, letter)
     given = search.givens[letter]
-    search.separate |= {find.name} if seekers(search, find, letter) else set()
-    own = Symbol(letter if given.asked and find.name not in search.separate else asked_symbol(find.name))
+    own = Symbol(own_letter(search, find, letter))
     said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"
     equation = Equality(curve.substitute({letter: own}), value)
     order, positive = search.solver.order, search.solver.positive - {letter}
@@ -171,7 +166,8 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     search.rivals[own.name] = search.rivals.pop(letter, ())
     root = search.solver.simplify(picked.of(roots))
     question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)
-    by_condition(search, question, root, Conclusion(said, equation, picked.words), quantity, aside=False)
+    found = Found(own.name, root)
+    by_condition(search, question, found, Conclusion(said, equation, picked.words), quantity, aside=False)
     if given.asked:
         forget(quantity, search)
 

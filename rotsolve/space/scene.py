@@ -292,9 +292,12 @@ class SpaceEquations(SceneEquations, dict=True):
             from rotsolve.space.steady import OF_QUANTITY
 
             steady = dynamics.moment.state.steady and path.quantity in NODAL
-            help = "say `steady: true` in its state, with its `tilt` and its `spin` or `axial_rate`"
-            message = f"the {term.modifier} `{path.quantity}` is asked of a steady precession"
-            raise NotYet(message, path.span, OF_QUANTITY if steady else help)
+            if path.quantity in NODAL:
+                help = "say `steady: true` in its state, with its `tilt` and its `spin` or `axial_rate`"
+                message = f"the {term.modifier} `{path.quantity}` is asked of a steady precession"
+                raise NotYet(message, path.span, OF_QUANTITY if steady else help)
+            message = f"over what `{path.quantity}` is {term.modifier} nothing tells: no letter of the scene is open"
+            raise NotYet(message, path.span, "leave one that it hangs on without a value: `x: unknown` under `given`")
         own, kind = dynamics.moment.ask("precession", path.owner), QUANTITIES["precession"]
         root = self.registry.ask(SceneQuantity("precession", path.owner, state, term.modifier, "Omega", kind.dimension))
         restated = (law for found in self.restated.values() for law in found)

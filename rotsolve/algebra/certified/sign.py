@@ -31,6 +31,9 @@ class SignOracle(Struct, frozen=True):
     decided: dict[Formula, int] = field(default_factory=dict)  # the signs on which it hung how formulas are made
     trials: Mapping[str, Formula] = field(default_factory=dict)  # numbers of one case, for letters that have none
     integrals: dict[object, Formula | None] = field(default_factory=dict)  # carried out, as these signs would have it
+    free: set[str] = field(
+        default_factory=set
+    )  # letters that stand for any value meanwhile, within no limits and in no case
 
     def decide(self, value: Formula) -> int | None:
         """−1, 0 or 1, on which it will hang how formulas are made; None where nothing tells the sign."""
@@ -108,13 +111,16 @@ class SignOracle(Struct, frozen=True):
     def as_meant(self, value: Formula) -> int | None:
         """The sign where all letters without a number are positive, which is then supposed of them; None where that does not tell it."""
         acute = [name for name, limits in self.limits().items() if limits == ACUTE] if self.trials else []
-        sign = sign_within(value, self.positive | self.trials.keys(), acute) if self.trials else None
+        open_ = not self.free.isdisjoint(value.symbols())
+        sign = sign_within(value, self.positive | self.trials.keys(), acute) if self.trials and not open_ else None
         if sign is not None:
             suppose(value, sign)
         return sign
 
     def at_trial(self, value: Formula) -> Certified | None:
         """The number of a formula in the case that is looked at."""
+        if not self.free.isdisjoint(value.symbols()):
+            return None
         try:
             return evaluate(value, {**self.values, **self.trials}, digits=8)
         except (Undefined, ValueError, ZeroDivisionError):
@@ -136,7 +142,8 @@ class SignOracle(Struct, frozen=True):
             return self.by_numbers(value)
         sign = sign_within(value, self.positive)
         if sign is None:
-            known = {name: limits for name, limits in self.limits().items() if name in value.symbols()}
+            names = value.symbols() - self.free
+            known = {name: limits for name, limits in self.limits().items() if name in names}
             acute = {name for name, limits in known.items() if limits == ACUTE}
             sign = sign_within(value, {*self.positive, *known}, acute) if known else None
         return sign

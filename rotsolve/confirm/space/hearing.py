@@ -7,21 +7,23 @@ much they do is told in terms of the answer, by Gauss's and Newton's step toward
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property, partial
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.units.dimension import ANGLE, Dimension
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.linear import solved_generally
 from rotsolve.confirm.space.arrows import arrow_length
-from rotsolve.confirm.space.inquiry import Inquiry
+from rotsolve.confirm.space.inquiry import Inquiry, only_one
 from rotsolve.confirm.space.rig import NODAL, Told
 from rotsolve.confirm.space.ties import SPEED
 from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.core.derivation import Answer
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import EXTREMES, Find, Problem
 
 STEP = 1e-5  # by how much an answer that is put in is changed, to see what it changes
 SURE = 1e-7  # of what such a change leaves over: beside it that is something
@@ -81,10 +83,25 @@ class Hearing:
 
     def numbers_of(self, finds: Sequence[Find], name: str, part: str) -> list[float]:
         """What the assembly has for a part of an answer, in each way in which the scene may move."""
+        if finds[0].extreme and (found := self.extreme_over_letter(finds[0])) is not None:
+            return [found]
         if self.corrections and max(map(abs, self.corrections), default=0.0) > STEP:
             raise NotConfirmed("answers that it hangs on are not confirmed")
         own = next((find for find in finds if find.name == f"{name}_{part}"), None)
         return self.inquiry.numbers(own, "") if own is not None else self.inquiry.numbers(finds[0], part)
+
+    def extreme_over_letter(self, find: Find) -> float | None:
+        """`largest Q` over a letter; None of what is asked otherwise."""
+        from rotsolve.confirm.space.extremes import extreme_over, letter_of_extreme
+
+        finds = self.problem.finds  # `largest I` may be asked of an answer `I`
+        earlier = next((item for item in finds if item.terms and Symbol(item.name) == find.formula), find)
+        phrase = find if find.terms else earlier
+        letter = letter_of_extreme(find.extreme, phrase, self.problem)
+        if letter is None:
+            return None
+        value, begun = self.by_letter(phrase, letter.name), self.known.get(letter.name, 1.0)
+        return extreme_over(letter, find.extreme, begun, value, self.reach(letter.name))[1]
 
     # what is put in
 
@@ -173,10 +190,33 @@ class Hearing:
         condition = find.where
         if find.terms or not isinstance(find.formula, Symbol) or condition is None:
             raise NotConfirmed("a quantity under a condition")
+        if condition.word in EXTREMES and condition.phrase is not None:
+            from rotsolve.confirm.space.extremes import extreme_place
+
+            given = next((given for given in self.problem.givens if given.name == find.formula.name), None)
+            if given is None:
+                raise NotConfirmed("an extreme over no letter of the scene")
+            value = self.by_letter(condition.phrase, given.name)
+            return extreme_place(given, condition.word, own, value, self.reach(given.name))
         with_letter = partial(self.with_letter, find.formula.name)
         if condition.word in VERGES:
             return just_holds(find, own, with_letter)
         return step_to(gap_under(condition, with_letter), own)
+
+    def reach(self, letter: str) -> float | None:
+        """The length of the rod along which a letter tells a place."""
+        from rotsolve.confirm.space.extremes import length_along
+
+        length = length_along(letter, self.problem)
+        return None if length is None else self.inquiry.rig.value(length)
+
+    def by_letter(self, phrase: Find, letter: str) -> Callable[[float], float]:
+        """The number of a quantity by that of a letter."""
+        terms = tuple(
+            replace(term, modifier="" if term.modifier in EXTREMES else term.modifier) for term in phrase.terms
+        )
+        plain = replace(phrase, modifier="" if phrase.modifier in EXTREMES else phrase.modifier, terms=terms)
+        return lambda value: only_one(self.with_letter(letter, value).numbers(plain, ""))
 
     def with_letter(self, letter: str, value: float) -> Inquiry:
         """The scene with another number of a letter."""

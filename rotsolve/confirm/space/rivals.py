@@ -38,7 +38,7 @@ Left = Callable[[float], "list[float]"]
 
 def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> tuple[str, str]:
     """What is said where another number of a letter fulfils its condition too, and where one against the sense of a size does; else ''."""
-    if find.where is None or find.where.word in VERGES or not isinstance(find.formula, Symbol):
+    if find.where is None or find.where.word in (*VERGES, *EXTREMES) or not isinstance(find.formula, Symbol):
         return "", ""
     given = next(given for given in hearing.problem.givens if given.name == find.formula.name)
     gap = gap_under(find.where, partial(hearing.with_letter, given.name))

@@ -182,6 +182,9 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
             return AnswerConfirmation(name, word == said.get(""), "" if word == said.get("") else word)
         parts = {key: number for key, number in said.items() if isinstance(number, float)}
         if not parts:
+            open_ = sorted(answer.formula.symbols() - hearing.known.keys()) if answer.formula is not None else []
+            if open_:
+                raise NotConfirmed(f"`{open_[0]}` has no number")
             return not_so(name, NO_NUMBER, hearing.problem, numbers)
         if finds[0].where is not None:
             own = parts[""]

@@ -1,0 +1,118 @@
+"""Extremes over a letter: `x where Q is largest` and `largest Q`: what Q is at places over the letter's range, and between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from contextlib import suppress
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.scan import GOLDEN, places_beside
+from rotsolve.confirm.space.rig import NODAL
+from rotsolve.confirm.space.worlds import Unfit
+from rotsolve.language.problem import EXTREMES, Find, Given, Problem, references
+
+ROUND = 24  # places at which an angle is looked at
+SECTIONS, FLAT = 60, 1e-13  # of an interval between places, and of a value by which two are told apart
+BETTER = 1e-7  # of a value by which another one is larger
+BESIDE = 2e-3  # how far beside an answer it is looked whether the quantity falls on both sides
+LEVEL = 0.06  # how far an extreme may lie from the middle of what lies beside it, as a share of the drop there
+
+Value = Callable[[float], float]
+
+
+def letter_of_extreme(word: str, find: Find, problem: Problem) -> Given | None:
+    """The letter over which the `largest` of a quantity is asked: the only one that is `unknown`, else the only one without a value; None
+    of what is asked over a time, or of several steady motions."""
+    steady = {state.name for state in problem.states if state.steady}
+    if not word or not find.terms or any(term.start or term.during for term in find.terms):
+        return None
+    if any(term.path.quantity in NODAL and (term.at in steady or (term.at is None and steady)) for term in find.terms):
+        return None
+    settled = {item.seeks for item in problem.finds if item.where is not None and item.where.word not in EXTREMES}
+    free = [given for given in problem.givens if given.value is None and given.name not in settled]
+    unknown = [given for given in free if given.asked] or free
+    return unknown[0] if len(unknown) == 1 else None
+
+
+def extreme_place(given: Given, word: str, own: float, value: Value, reach: float | None) -> float:
+    """The answer itself where the quantity gets worse on both sides of it, and is better nowhere in the range; else the better place."""
+    sign = 1.0 if word == "largest" else -1.0
+    step = BESIDE * (abs(own) or 1.0)
+    low, here, high = (sign * value(own + part * step) for part in (-1.0, 0.0, 1.0))
+    drop = here - 0.5 * (low + high)
+    at, best = extreme_over(given, word, own, value, reach)
+    if sign * best - here > BETTER * abs(best):
+        return at
+    if drop <= 0.0 or abs(high - low) > LEVEL * drop:
+        raise NotConfirmed("an extreme at the end of a range")
+    return own
+
+
+def extreme_over(given: Given, word: str, own: float, value: Value, reach: float | None) -> tuple[float, float]:
+    """The best place over the range of a letter, and the value there: the best of places, then golden sections between its neighbours."""
+    sign = 1.0 if word == "largest" else -1.0
+
+    def worth(at: float) -> float:
+        with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
+            return sign * value(at)
+        return -math.inf
+
+    around = range_of(given, own, value, reach)
+    places = sorted({own, *around} if reach is None else around)
+    worths = [worth(place) for place in places]
+    best = max(range(len(places)), key=worths.__getitem__)
+    if worths[best] == -math.inf:
+        raise NotConfirmed("the quantity has a value nowhere in the range")
+    low, high = places[max(0, best - 1)], places[min(best + 1, len(places) - 1)]
+    at, top = best_between(low, high, worth)
+    return (at, sign * top) if top > worths[best] else (places[best], sign * worths[best])
+
+
+def range_of(given: Given, own: float, value: Value, reach: float | None) -> list[float]:
+    """Places over the range of a letter: once round of an angle, along a rod; of a rate, or where nothing tells what it is, on both sides
+    of 0."""
+    dimension = given.dimension
+    if (dimension is not None and dimension.matches(ANGLE)) or (dimension is None and same_a_turn_later(own, value)):
+        return [-math.pi + math.tau * (number + 0.5) / ROUND for number in range(-1, ROUND + 1)]
+    if reach is not None:
+        return [reach * number / ROUND for number in range(ROUND + 1)]
+    places = places_beside(own, 1.0, None)
+    signed = dimension is None or dimension.matches(ANGULAR_VELOCITY)
+    return [*places, *(-place for place in places), 0.0] if signed else places
+
+
+def length_along(letter: str, problem: Problem) -> Formula | None:
+    """The length of the rod along which a letter tells a place; None of other letters."""
+    bodies = {body.name: body for body in problem.bodies}
+    for ref in references(problem):
+        body = bodies.get(ref.owner)
+        if ref.argument == Symbol(letter) and body is not None and body.shape is not None:
+            return body.shape.reach()
+    return None
+
+
+def same_a_turn_later(own: float, value: Value) -> bool:
+    """Whether a quantity is the same when a letter is greater by 2π."""
+    here, there = value(own), value(own + math.tau)
+    return abs(here - there) <= BETTER * max(abs(here), abs(there))
+
+
+def best_between(low: float, high: float, worth: Value) -> tuple[float, float]:
+    """The place between two at which a value is largest, by golden sections, and that value."""
+    one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    first, second = worth(one), worth(two)
+    for _ in range(SECTIONS):
+        if abs(first - second) <= FLAT * abs(first):
+            break
+        if first >= second:
+            high, two, second = two, one, first
+            one = high - GOLDEN * (high - low)
+            first = worth(one)
+        else:
+            low, one, first = one, two, second
+            two = low + GOLDEN * (high - low)
+            second = worth(two)
+    return (one, first) if first >= second else (two, second)

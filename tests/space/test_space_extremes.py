@@ -1,0 +1,184 @@
+"""Extremes over a letter in space: inside its range, at an end of it, by numbers where no closed form is known, or refused by name."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.pipeline import solve
+from rotsolve.solution import Solution
+
+CUBOID = """
+title: Cuboid on an oblique hinge
+up: z
+given: {y: unknown}
+bodies: {d: {shape: cuboid, mass: 3 kg, sides: [0.6 m, 0.4 m, 0.2 m], points: {O: [y, 0, 0]}}}
+connections: {h: {hinge: d.O, along: [0, 0.6, 0.8]}}
+states: {a: {d.angle: 0 deg, d.angular_velocity: 0 rad/s}}
+"""
+STRUCK = """
+title: Blow on a corner of a free cuboid, in a direction that is looked for
+up: z
+given: {q: unknown}
+bodies: {d: {shape: cuboid, mass: 3 kg, sides: [0.6 m, 0.4 m, 0.2 m], points: {P: [0.3 m, 0.2 m, 0.1 m]}}}
+states: {before: {d.velocity: [1 m/s, 0, 0], d.angular_velocity: [0, 0, 3 rad/s]}, after: {}}
+events: {hit: {impulse: 2 N s, on: d.P, direction: [cos(q), 0, sin(q)], from: before, to: after}}
+"""
+GATE = """
+title: Gate on a level post
+up: z
+given: {phi: unknown}
+bodies:
+  gate: {shape: rectangle, mass: 20 kg, sides: [1 m, 2 m], points: {A: [-0.5 m, 0.2 m, 0]}, turned: {about: x, by: 60 deg}}
+connections: {post: {hinge: gate.A, along: [0, 1, 0]}}
+states: {start: {gate.angle: phi, gate.angular_velocity: WRATE}}
+"""
+ROD = """
+title: Moment of inertia about a place on a rod
+up: z
+given: {y: m}
+bodies: {rod: {shape: rod, mass: 2 kg, length: 1 m}}
+"""
+BALL = """
+title: Ball that rolls on a tilted turntable
+up: z
+given: {W: unknown}
+bodies:
+  table: {shape: disc, mass: 0, turned: {about: y, by: 10 deg}}
+  ball: {shape: sphere, mass: 0.2 kg, radius: 3 cm}
+connections:
+  axis: {hinge: table.center, along: z, angular_velocity: W}
+  grip: {rolls: [ball, table]}
+states: {now: {"ball.position relative to table": [0.4 m, 0, 3 cm], ball.velocity: [0, 0.6 m/s, 0], ball.angular_velocity.z: 0 rad/s}}
+"""
+
+
+def answers(scene: str, *finds: str) -> Solution:
+    return solve(scene.replace("WRATE", "2 rad/s") + "find: {" + ", ".join(finds) + "}\n")
+
+
+def refusal(solution: Solution, name: str) -> str:
+    return next(item.fault.message for item in solution.derivation.refused if item.name == name)
+
+
+def confirmed(solution: Solution) -> bool:
+    return bool(solution.derivation.confirmed) and all(item.holds for item in solution.derivation.confirmed)
+
+
+def energy_struck(q: float) -> tuple[float, float]:
+    """The kinetic energy and |ω| after the blow, by L = r × J and the moments of a cuboid."""
+    moments = [3 / 12 * (0.4**2 + 0.2**2), 3 / 12 * (0.6**2 + 0.2**2), 3 / 12 * (0.6**2 + 0.4**2)]
+    j = (2 * math.cos(q), 0.0, 2 * math.sin(q))
+    r = (0.3, 0.2, 0.1)
+    turn = (r[1] * j[2] - r[2] * j[1], r[2] * j[0] - r[0] * j[2], r[0] * j[1] - r[1] * j[0])
+    omega = [turn[0] / moments[0], turn[1] / moments[1], 3 + turn[2] / moments[2]]
+    v = (1 + j[0] / 3, j[1] / 3, j[2] / 3)
+    energy = 1.5 * sum(part * part for part in v)
+    energy += sum(i * w * w for i, w in zip(moments, omega, strict=True)) / 2
+    return energy, math.hypot(*omega)
+
+
+GRID = [math.tau * number / 20000 - math.pi for number in range(20000)]
+
+
+def test_a_largest_size_lies_inside_the_range_though_that_has_no_end() -> None:
+    solution = answers(CUBOID, "y: y where size of d.angular_acceleration is largest")
+    moment = (0.6**2 * (0.6**2 + 0.2**2) + 0.8**2 * (0.6**2 + 0.4**2)) / 12
+    assert solution.answers["y"].float == pytest.approx(math.sqrt(moment))  # g y/(moment + y²) times 0.6
+    assert confirmed(solution)
+
+
+def test_a_smallest_push_is_found_at_a_rate_of_either_sign() -> None:
+    solution = answers(BALL, "W1: W where size of grip.force is smallest")
+    assert solution.answers["W1"].float == pytest.approx(-9.8 * math.sin(math.radians(10)) / 0.6)
+    assert confirmed(solution)
+
+
+@pytest.mark.parametrize(("word", "best"), [("largest", max), ("smallest", min)])
+def test_places_without_a_closed_form_are_certified_numbers(word: str, best: object) -> None:
+    solution = answers(STRUCK, f"K: {word} d.kinetic_energy at after", f"w: {word} size of d.angular_velocity at after")
+    assert solution.answers["K"].float == pytest.approx(best(energy_struck(q)[0] for q in GRID), rel=1e-6)  # type: ignore[operator]
+    assert solution.answers["w"].float == pytest.approx(best(energy_struck(q)[1] for q in GRID), rel=1e-6)  # type: ignore[operator]
+    assert confirmed(solution)
+
+
+def test_questions_that_seek_one_letter_have_each_a_value_of_their_own() -> None:
+    solution = answers(
+        STRUCK,
+        "q1: q where size of d.angular_velocity is largest at after",
+        "K: largest d.kinetic_energy at after",
+        "q2: q where d.kinetic_energy at after is smallest",
+    )
+    q1, q2 = (max(GRID, key=key) for key in (lambda q: energy_struck(q)[1], lambda q: -energy_struck(q)[0]))
+    assert solution.answers["q1"].float == pytest.approx(q1, abs=1e-3)
+    assert solution.answers["q2"].float == pytest.approx(q2, abs=1e-3)
+    assert solution.answers["K"].float == pytest.approx(max(energy_struck(q)[0] for q in GRID), rel=1e-6)
+    assert confirmed(solution)
+
+
+def test_a_place_that_is_not_real_is_none() -> None:
+    """The torque of a post has its derivative 0 also where sin φ would be beyond 1."""
+    solution = answers(
+        GATE, "t: largest post.torque.x", "F: largest size of post.force", "f: smallest size of post.force"
+    )
+    assert confirmed(solution) and len(solution.answers) == 3
+
+
+def test_the_bars_of_a_size_hold_all_round() -> None:
+    """|α| falls to 0 where α turns round, and is not −|α| beyond."""
+    solution = answers(
+        GATE, "al: smallest size of gate.angular_acceleration", "be: smallest gate.angular_acceleration.y"
+    )
+    assert solution.answers["al"].float == 0
+    assert solution.answers["be"].float == pytest.approx(-9.8 * 0.5 * math.cos(math.radians(60)) ** 2 / (1 / 12 + 0.25))
+    assert confirmed(solution)
+
+
+def test_of_places_that_are_as_good_one_is_chosen_by_name() -> None:
+    asked = "phi where size of gate.angular_acceleration is largest"
+    assert "at more than one `phi`" in refusal_of(GATE, f"phi: {asked}")
+    for word, value in (("smallest", 0.0), ("largest", math.pi)):
+        assert answers(GATE, f"phi: {word} {asked}").answers["phi"].float == pytest.approx(value)
+
+
+def refusal_of(scene: str, find: str) -> str:
+    from rotsolve.core.faults import Unsolvable
+
+    with pytest.raises(Unsolvable) as caught:
+        answers(scene, find)
+    return str(caught.value)
+
+
+def test_an_end_of_the_range_is_an_extreme_too() -> None:
+    solution = answers(ROD, "I: rod.inertia along z about rod.at(y)", "lo: smallest I", "hi: largest I")
+    assert solution.answers["lo"].float == pytest.approx(2 / 12)
+    assert solution.answers["hi"].float == pytest.approx(2 / 3)
+    assert confirmed(solution)
+
+
+@pytest.mark.parametrize(
+    ("scene", "find", "said"),
+    [
+        (CUBOID, "y: y where d.kinetic_energy is largest", "is no function of `y`"),
+        (GATE.replace("unknown", "unknown, k: unknown").replace("WRATE", "k"), "F: largest size of post.force", "over several letters"),
+        (BALL, "W1: W where size of grip.force is largest", "grows all the way as `W`"),
+        (BALL.replace("unknown", "2 rad/s"), "W1: W where size of grip.force is largest", "that has no value"),
+        (GATE.replace("unknown", "30 deg"), "F: largest size of post.force", "over its open letter"),
+        (GATE.replace("unknown", "30 deg"), "F: largest post.torque.x", "no letter of the scene is open"),
+    ],
+)  # fmt: skip
+def test_what_has_no_extreme_says_why(scene: str, find: str, said: str) -> None:
+    assert said in refusal_of(scene, find)
+
+
+def test_a_letter_that_the_laws_tell_is_not_looked_at_as_open() -> None:
+    scene = """
+title: Mass that falls at a told rate
+given: {m: unknown}
+bodies: {disc: {shape: disc, mass: 2 kg, radius: 10 cm}, block: {mass: m}}
+connections: {axle: {hinge: disc.center}, string: {string: [disc, block]}}
+states: {now: {block.acceleration: -2 m/s^2}}
+"""
+    for find in ("T: largest string.tension", "m1: m where string.tension is largest"):
+        assert "is settled by the laws" in refusal_of(scene, find)
