@@ -137,6 +137,7 @@ SUMMED_OVER_WAY = Law("summed over the way", "Newton's law summed over the {over
 POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μₛ N", NEWTON)
 
 ANGULAR_MOMENTUM_IN_SPACE = Law("angular momentum in space", "angular momentum, {body}{about}, along {axis}", cost=1)
+COUPLE_OF_BEARINGS = Law("couple of bearings", "couple of the bearings of {owner}, along {axis}", NEWTON, 2)
 RATE_IN_AXES = Law("rate of angular momentum in axes", "τ = {rate}, {body}{about}, along {axis}", NEWTON, 3)
 
 # energy

@@ -172,16 +172,25 @@ def product_of_inertia(spread: Spread, entry: str) -> Told:
     seen, before = from_centre(spread)
     masses, shares = piece_masses(seen)
     i, j = (AXES.index(axis) for axis in entry)
-    terms: list[Formula] = []
+    inner = [entry_of(piece, entry) for piece in seen.pieces]
+    shifts: list[Formula] = []
     for piece, weight in zip(seen.pieces, masses, strict=True):
         arm = arm_of(seen, piece)
-        inner = entry_of(piece, entry)
-        terms += [inner, negate(multiply(multiply(weight, arm[i]), arm[j]))]
-    written = total(flat(terms))
+        shifts.append(negate(multiply(multiply(weight, arm[i]), arm[j])))
+    written = total(flat([term for pair in zip(inner, shifts, strict=True) for term in pair]))
     if is_zero(plain(written, (*before, *shares))):
         return Told(ZERO, "product of inertia")
-    label = f"product of inertia, −Σ m {entry[0]} {entry[1]}"
-    return Told(written, label, (), (*before, *shares))
+    own = any(part != ZERO for part in inner)
+    return Told(written, product_label(entry, own, any(part != ZERO for part in shifts)), (), (*before, *shares))
+
+
+def product_label(entry: str, own: bool, shifted: bool) -> str:
+    """What a product of inertia is made of: of masses at places, and of pieces whose own axes are not the body's."""
+    masses = f"−Σ m {entry[0]} {entry[1]}"
+    if not own:
+        return f"product of inertia, {masses}"
+    turned = f"Σ I n_{entry[0]} n_{entry[1]} over the own axes n"
+    return f"product of inertia, {turned}{f', {masses}' if shifted else ''}"
 
 
 def along(spread: Spread, direction: Heading) -> Told:

@@ -12,9 +12,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.equation import FOUND, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
@@ -42,6 +43,7 @@ HELPS_TRIED, FEW_HELPS = (
     2,
 )  # lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
 INDEPENDENT = 2  # of the equations of steady acceleration about one motion
+SHORT = 12  # nodes of what has been found for a letter on the way, which is then taken as it stands
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 STONES = {
     kind: rank
@@ -424,9 +426,22 @@ class Search(Struct, dict=True):
         if stepwise is not None:
             return stepwise
         momentary, allowed = self._of_one_moment(letter), self.allowed(letter, banned)
+        found = next((index for index in allowed if self._tells(index, letter)), None)
+        if found is not None:
+            return Plan(letter, (found,), (letter,), self.planner.pool[found].cost)
         return LawChoice(
             self.planner, letter, momentary, self.known, self.families, self.spare, allowed, self.forces_asked
         ).best()
+
+    def _tells(self, index: int, letter: str) -> bool:
+        """Whether an equation is what was found for a letter on the way to another answer, in what is known, and is short."""
+        law = self.planner.pool[index]
+        return (
+            law.law is FOUND
+            and law.left == Symbol(letter)
+            and law.right.symbols() <= self.known
+            and length(law.right) <= SHORT
+        )
 
     def _of_one_moment(self, letter: str) -> bool:
         """Whether a letter is an acceleration or a force, or made of such, so that Newton's laws of that moment tell it."""

@@ -15,6 +15,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negat
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
     ANGULAR_MOMENTUM_IN_SPACE,
+    COUPLE_OF_BEARINGS,
     RATE_IN_AXES,
     RULE,
     SECOND_LAW,
@@ -66,6 +67,7 @@ class SpaceLaws:
             except Unsolvable as error:
                 self.unwritten[name] = error
             yield from unspun(self.moment, name)
+        yield from self.couples_of_bearings()
         yield from self.grips()
         for words, part in self.pushes.conditions:
             yield RULE.equation(part, ZERO, self.moment.when, words=words)
@@ -197,9 +199,7 @@ class SpaceLaws:
             return  # no torque acts: that is how it is told how it turns
         changes = product(tensor, own.rates)
         turning = self.carried_round(name, letters)
-        torque = NOTHING
-        for push in pushes:
-            torque = vector_sum(torque, push.torque(place))
+        torque = self.torque_about(name, pushes, place)
         felt = scaled_by(negate(self.moment.held.mass(name)), led)
         torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
         where = f" about {point_in_words(point)}{'' if led == NOTHING else ', which is led along'}"
@@ -220,6 +220,29 @@ class SpaceLaws:
             yield RATE_IN_AXES.equation(
                 left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
             )
+
+    def torque_about(self, name: str, pushes: list[ForceInSpace], place: Triple) -> Triple:
+        """Στ about a place: of two bearings by letters of their own where it is asked, so that the law tells it at once."""
+        joint = self.moment.held.main(name)
+        couple = None
+        if joint is not None and place == self.moment.arm(joint.body):
+            couple = self.pushes.couple_of_bearings(joint)
+        torque = NOTHING if couple is None else couple[0]
+        for push in pushes:
+            if couple is None or joint is None or push.owner != joint.owner:
+                torque = vector_sum(torque, push.torque(place))
+        return torque
+
+    def couples_of_bearings(self) -> Iterator[Equation]:
+        """The torque of two bearings, where it is asked, is that of their forces."""
+        for joint in self.moment.held.joints:
+            couple = self.pushes.couple_of_bearings(joint)
+            for axis, letter, made in zip(AXES, *couple, strict=True) if couple is not None else ():
+                if letter != made:
+                    along = self.along(joint.body.owner, axis)
+                    yield COUPLE_OF_BEARINGS.equation(
+                        made, letter, self.moment.when, (joint.body.owner,), owner=spoken(joint.owner), axis=along
+                    )
 
     def about_line(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
         """n · dL/dt = n · Στ of a body on two balls, n along the oblique line through both, about which their forces have no torque."""

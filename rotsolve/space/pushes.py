@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ZERO, Formula, multiply, negate
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, multiply, negate
 from rotsolve.core.facts import TOUCHES, Requirement
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import (
@@ -205,6 +205,21 @@ class Pushes:
                 twist = scaled_by(self.moment.ask("torque", joint.owner, "drive"), axis)
             own = self.moment.axes(name)
             yield ForceInSpace(joint.owner, name, force, own, vector_sum(held, scaled_by(place, axis)), own, twist)
+
+    def couple_of_bearings(self, joint: Joint) -> tuple[Triple, Triple] | None:
+        """Letters for the torque of two bearings about the point held, with what their forces make of it; None where it is not asked.
+
+        What is one letter already, as what drives the shaft, stays that.
+        """
+        asked = (term for find in self.moment.held.problem.finds for term in find.terms)
+        told = any(term.path.owner == joint.owner and term.path.quantity == "torque" for term in asked)
+        if not joint.bearings or not told:
+            return None
+        place = self.moment.arm(joint.body)
+        torque = vector_sum(NOTHING, *(push.torque(place) for push in self._by_bearings(joint)))
+        letters = self.letters("torque", joint)
+        plain = [part == ZERO or isinstance(part, Symbol) for part in torque]
+        return triple([part if bare else own for part, bare, own in zip(torque, plain, letters, strict=True)]), torque
 
     def back(self, joint: Joint, push: ForceInSpace) -> ForceInSpace:
         """What the body does to what carries it: the opposite, at the same place."""

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import (
     PI,
     ZERO,
@@ -42,7 +41,6 @@ from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of
 from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import NODE
-from rotsolve.space.coincidences import coincidences
 from rotsolve.space.inertia import Tensors
 from rotsolve.space.laws import NODE_NAMES, SpaceLaws
 from rotsolve.space.moment import SpaceMoment
@@ -218,37 +216,9 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def conventions(self, used: Collection[Equation]) -> Iterator[Words]:
         """Along which axes the components are that are not those of space; what the numbers of the scene make special."""
-        for name in self.held.order:
-            if any(kind_of_axes(laws, name) == NODE for laws in self.dynamics.values()):
-                told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
-                turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
-                yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
-                continue
-            if any(self.turned_untold(laws.moment, name) for laws in self.dynamics.values()):
-                yield (f"ψ = 0 of {spoken(name)}, as nothing tells its spin angle",)
-            if any(one.law == RATE_IN_AXES and one.bodies == (name,) for one in used):
-                yield from self.turning_axes(name)
-        for (name, _), gaps in self.held.askew.items():
-            yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
-        yield from coincidences(self.configuration.signs, self.configuration.problem.givens)
+        from rotsolve.space.conventions import conventions
 
-    def turned_untold(self, moment: SpaceMoment, name: str) -> bool:
-        """Whether a body that is not the same all round stands by its Euler angles, of which nothing tells the one about its axis."""
-        if not moment.nods(name) or moment.told(name, "spin_angle") is not None:
-            return False
-        axis = self.held.axis(name)
-        return axis is not None and not self.held.turns_round(name, axis)
-
-    def turning_axes(self, name: str) -> Iterator[Words]:
-        """How the axes turn in which the law of rotation of a body is written, where they do so in one way that the scene tells."""
-        rates = {laws.moment.axes(name).rate for laws in self.dynamics.values() if name not in laws.unwritten}
-        rate = rates.pop() if len(rates) == 1 else NOTHING
-        if rate != NOTHING and all(part.symbols() <= self.given_dimensions.keys() for part in rate):
-            yield (
-                f"axes of {spoken(name)}: turning at Ω = (",
-                *in_a_row(map(self.in_order, rate)),
-                ") in their own components",
-            )
+        return conventions(self, used)
 
     # its products as a textbook writes them
 
@@ -541,14 +511,6 @@ def first_of_each(laws: Iterable[Equation]) -> list[Equation]:
     for one in laws:
         found.setdefault(one.law, one)
     return list(found.values())
-
-
-def kind_of_axes(laws: SpaceLaws, name: str) -> str:
-    """The name of the axes of a body; '' where how it turns is not solved."""
-    try:
-        return laws.moment.axes(name).name
-    except Unsolvable:
-        return ""
 
 
 def axial_rules(dynamics: SpaceLaws) -> Iterator[Equation]:

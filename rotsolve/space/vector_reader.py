@@ -299,6 +299,8 @@ class VectorReader:
         place, _ = self.about(replace(path, owner=name), term)
         if term.about is None and joint is not None and not joint.rolls:
             place = self.moment.arm(PointRef(name, joint.body.point or "center", joint.body.argument))
+            if (couple := self.dynamics.pushes.couple_of_bearings(joint)) is not None:
+                return couple[0], self.moment.axes(name)
         torque = NOTHING
         for push in self.dynamics.pushes.on(name):
             torque = vector_sum(torque, push.torque(place) if push.owner == path.owner else NOTHING)

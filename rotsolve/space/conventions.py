@@ -1,0 +1,95 @@
+"""Conventions: along which axes components are told that are not those of space, and what the numbers of a scene make special."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ONE, ZERO
+from rotsolve.core.derivation import Words, in_a_row
+from rotsolve.core.equation import BLOWS, RATE_IN_AXES, SECOND_LAW, TWISTS, Equation, Law
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.triple import AS_DRAWN, AXES, NOTHING, Triple, is_axis, triple
+from rotsolve.core.writing import spoken
+from rotsolve.space.attitude import NODE
+from rotsolve.space.coincidences import coincidences
+from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.moment import SpaceMoment
+
+if TYPE_CHECKING:
+    from rotsolve.space.scene import SpaceEquations
+
+IN_COMPONENTS = (RATE_IN_AXES, SECOND_LAW, TWISTS, BLOWS)  # laws along the axes of a body
+LONG = 40  # nodes of three directions in space beyond which they are not written out
+
+
+def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[Words]:
+    """What the page says of signs: of each body the axes in which its laws are written."""
+    for name in scene.held.order:
+        if any(kind_of_axes(laws, name) == NODE for laws in scene.dynamics.values()):
+            told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
+            turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
+            yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
+            continue
+        if any(turned_untold(scene, laws.moment, name) for laws in scene.dynamics.values()):
+            yield (f"ψ = 0 of {spoken(name)}, as nothing tells its spin angle",)
+        lies = standing_axes(scene, name) if written(IN_COMPONENTS, name, used) else ()
+        turns = turning_axes(scene, name) if written((RATE_IN_AXES,), name, used) else ()
+        if lies or turns:
+            yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
+    for (name, _), gaps in scene.held.askew.items():
+        yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
+    yield from coincidences(scene.configuration.signs, scene.configuration.problem.givens)
+
+
+def kind_of_axes(laws: SpaceLaws, name: str) -> str:
+    """The name of the axes of a body; '' where how it turns is not solved."""
+    try:
+        return laws.moment.axes(name).name
+    except Unsolvable:
+        return ""
+
+
+def turned_untold(scene: SpaceEquations, moment: SpaceMoment, name: str) -> bool:
+    """Whether a body that is not the same all round stands by its Euler angles, of which nothing tells the one about its axis."""
+    if not moment.nods(name) or moment.told(name, "spin_angle") is not None:
+        return False
+    axis = scene.held.axis(name)
+    return axis is not None and not scene.held.turns_round(name, axis)
+
+
+def written(laws: tuple[Law, ...], name: str, used: Collection[Equation]) -> bool:
+    """Whether some of these laws are used of a body."""
+    return any(one.law in laws and one.bodies == (name,) for one in used)
+
+
+def turning_axes(scene: SpaceEquations, name: str) -> Words:
+    """How the axes turn in which the law of rotation of a body is written, where they do so in one way that the scene tells."""
+    rates = {laws.moment.axes(name).rate for laws in scene.dynamics.values() if name not in laws.unwritten}
+    rate = rates.pop() if len(rates) == 1 else NOTHING
+    if rate == NOTHING or not all(part.symbols() <= scene.given_dimensions.keys() for part in rate):
+        return ()
+    return ("turning at Ω = (", *in_a_row(map(scene.in_order, rate)), ") in their own components")
+
+
+def standing_axes(scene: SpaceEquations, name: str) -> Words:
+    """Along which directions in space the axes of a body lie, where these are others than those of space and the same at all states."""
+    axes = [laws.moment.axes(name) for laws in scene.dynamics.values()]
+    if any(one.lost for one in axes) or len(stands := {one.rows for one in axes}) != 1 or stands == {AS_DRAWN}:
+        return ()
+    (rows,) = stands
+    ways = [triple(column) for column in zip(*rows, strict=True)]  # of its own x, y and z
+    if sum(length(part) for way in ways for part in way) > LONG:
+        return ()
+    told = [along(way) for way in ways]
+    return ("along ", *told[0], ", ", *told[1], " and ", *told[2], " in space")
+
+
+def along(way: Triple) -> Words:
+    """A direction in words: x, −y, or its components."""
+    if is_axis(way):
+        axis, part = next((axis, part) for axis, part in zip(AXES, way, strict=True) if part != ZERO)
+        return (axis if part == ONE else f"−{axis}",)
+    return ("(", *in_a_row(list(way)), ")")
