@@ -48,6 +48,7 @@ def about_own_momentum(laws: SpaceLaws, path: Path) -> Meaning:
         raise NotYet(f"`{path_text(path)}` has no meaning here", path.span, NEEDS.format(name))
     if path.quantity == "axial_rate":
         return Meaning(dot_product(own.omega, along), QUANTITIES["axial_rate"].dimension)
+    refuse_unfree(laws, path)
     tensor = laws.tensor(name, CM)
     across = (along[1], along[2], along[0])
     axial, other = entry_along(tensor, along), entry_along(tensor, across)
@@ -57,6 +58,19 @@ def about_own_momentum(laws: SpaceLaws, path: Path) -> Meaning:
         raise NotYet(f"`{path_text(path)}` of a free body is not solved yet", path.span)
     formula, label = found(axial, other, letters, dot_product(own.omega, along), along)
     return Meaning(formula, QUANTITIES[path.quantity].dimension, label=label)
+
+
+def refuse_unfree(laws: SpaceLaws, path: Path) -> None:
+    """Refuse what is told about the angular momentum of a body that others are part of or push, or on which a torque acts."""
+    held, name = laws.moment.held, path.owner
+    carried = [joint.body.owner for joint in held.joints if joint.carrier.owner == name]
+    if carried:
+        message = f"`{path_text(path)}` is told of a free body alone, and `{name}` carries `{carried[0]}`"
+        raise NotYet(message, path.span, "make what moves as one the `parts` of one body")
+    centre = laws.moment.arm(PointRef(name, CM))
+    if any(not held.vanishes(part) for push in laws.pushes.on(name) for part in push.torque(centre)):
+        message = f"`{path_text(path)}` is told about an angular momentum that stays, and a torque acts on `{name}`"
+        raise NotYet(message, path.span, NEEDS.format(name))
 
 
 def precession(

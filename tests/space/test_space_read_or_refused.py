@@ -55,7 +55,34 @@ states: {{now: {{col.angular_velocity: 5 rad/s, TOLD}}}}
 find: {{v: col.velocity, w_J: col.J.velocity, K: col.kinetic_energy, a: col.acceleration}}
 """
 
+DISC = "pl: {shape: disc, mass: 0.5 kg, radius: 8 cm, points: {A: [0, 0, 8 cm]}}"
+LUMP = "rd: {shape: sphere, mass: 0.05 kg, radius: 1 cm}"
+TURNS = '"pl.angular_velocity in body axes": [2 rad/s, 0, 9 rad/s], pl.velocity: [0, 1 m/s, 0]'
+CLAMPED = f"bodies: {{{DISC}, {LUMP}}}\nconnections: {{c: {{clamp: [pl.A, rd.center]}}}}\n"
+PUSHED = f"bodies: {{{DISC}}}\nactions: {{c: {{PUSH, direction: x}}}}\n"
+
+
+def disc(find: str, bodies: str) -> str:
+    return f"{HEAD}gravity: none\n{bodies}states: {{now: {{{TURNS}}}}}\nfind: {find}\n"
+
+
 REFUSED = {
+    "the precession of a part of what moves as one": (
+        disc("{O: pl.precession}", CLAMPED),
+        "told of a free body alone, and `pl` carries `rd`",
+    ),
+    "the spin of a part of what moves as one": (
+        disc("{s: pl.spin}", CLAMPED),
+        "told of a free body alone",
+    ),
+    "the tilt about an angular momentum that changes": (
+        disc("{t: pl.tilt}", PUSHED.replace("PUSH", "couple: 2 N m, on: pl")),
+        "an angular momentum that stays, and a torque acts",
+    ),
+    "the precession under a force off the centre": (
+        disc("{O: pl.precession}", PUSHED.replace("PUSH", "force: 2 N, on: pl.A")),
+        "an angular momentum that stays, and a torque acts",
+    ),
     "a tilt on a hinge": (rod(f"{STOOD}, rod.tilt: 30 deg"), "on a `hinge`: .* not its `tilt`"),
     "a spin on a hinge of the ground": (rod(f"{STOOD}, rod.spin: 2 rad/s"), "not its `spin`"),
     "a vertical on a hinge": (rod(f"{STOOD}, rod.vertical: [0, 0, 1]"), "not its `vertical`"),

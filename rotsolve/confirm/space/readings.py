@@ -299,7 +299,11 @@ class Reading:
         third, omega = times_arrow(self.stance.turned(name), axis or STILL), self.omega(name)
         if word == "axial_rate":
             return inner_product(omega, third)
-        momentum = normed(times_arrow(self.world.efforts.tensor(name), omega))
+        whole, tensor = times_arrow(self.world.efforts.tensor(name), omega), self.world.efforts.tensor(name)
+        changes = sum_of(times_arrow(tensor, self.found.arrow(TURNING, name)), crossed(omega, whole))
+        if arrow_length(changes) > ROUNDING * arrow_length(whole) * arrow_length(omega):
+            raise NotConfirmed(f"`{word}` about an angular momentum that does not stay")
+        momentum = normed(whole)
         level = crossed(momentum, third)
         if word == "tilt":
             return math.atan2(arrow_length(level), inner_product(momentum, third))
