@@ -24,7 +24,7 @@ from rotsolve.paths.points import resting
 from rotsolve.questions.find import entries, question_for
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
-from rotsolve.search.search import Search
+from rotsolve.search.search import Search, is_unreal
 
 Got = TypeVar("Got")
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
@@ -171,8 +171,13 @@ def answer_one(search: Search, find: Find) -> None:
         if error.shortage is not None:
             refuse_unsolved(search, error.shortage, find)
         raise no_answer(error, search, find) from None
-    refuse_open(search, find)
-    refuse_undefined(search, find)
+    try:
+        for refuse in (refuse_unreal, refuse_open, refuse_undefined):
+            refuse(search, find)
+    except Unsolvable:  # asked again, it has no answer either
+        for item in [item for item in search.answered if item.asked.find.name == find.name]:
+            search.take_back(item)
+        raise
 
 
 def refuse_undefined(search: Search, find: Find) -> None:
@@ -183,6 +188,15 @@ def refuse_undefined(search: Search, find: Find) -> None:
             continue
         if search.signs.number(formula) is None:
             message = f"`{find.name}` has no value: what it is the angle of has no direction there"
+            raise unsolvable(search.scene.configuration.problem, message, find.span)
+
+
+def refuse_unreal(search: Search, find: Find) -> None:
+    """Unsolvable where the root of a negative number stands in an answer: the motion does not come to its state."""
+    for answered in search.answered if not find.runs else ():
+        formula = answered.found.formula if answered.asked.find.name == find.name and not answered.aside else None
+        if formula is not None and is_unreal(formula, search):
+            message = f"`{find.name}` has no real value with these numbers: the motion does not come to that"
             raise unsolvable(search.scene.configuration.problem, message, find.span)
 
 

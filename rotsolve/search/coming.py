@@ -16,7 +16,7 @@ from rotsolve.language.block import asked_parts, names_of_parts, speaks_of_all
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.explain import contradicted, unreachable
-from rotsolve.search.search import Search
+from rotsolve.search.search import Search, is_unreal
 
 if TYPE_CHECKING:
     from rotsolve.space.laws import SpaceLaws
@@ -73,7 +73,9 @@ def without_rates(
             continue
         if has_quantities(search.solver.with_found(registry.ask(item))):
             try:
-                aside.value_of(name)
+                value = aside.value_of(name)
+                if value is not None and is_unreal(value, aside):
+                    yield never_comes(state, search)
             except NoSteadyMotion as error:
                 yield error
             except NoAnswer as error:
@@ -81,6 +83,14 @@ def without_rates(
                     yield contradicted(aside.planner.pool[error.equation], search.scene)
             except Unsolvable:  # several steady motions are possible, of which none is meant
                 continue
+
+
+def never_comes(state: str, search: Search) -> Unsolvable:
+    """That a motion does not come to a state, since a rate would be the root of less than nothing there."""
+    configuration = search.scene.configuration
+    before, span = configuration.timeline.before(state), configuration.timeline.state(state).span
+    why = "a rate there would be the root of a negative number"
+    return unreachable(configuration.problem, before.start if before else state, state, span, why)
 
 
 def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:

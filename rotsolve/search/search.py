@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.certified.sign import SignOracle, real_where
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
@@ -507,6 +507,14 @@ class Search(Struct, dict=True):
     def value_of(self, letter: str) -> Formula | None:
         """The closed form of a letter, without a derivation."""
         return self.answer(asked_letter(letter)).found.formula
+
+
+def is_unreal(value: Formula, search: Search) -> bool:
+    """Whether the root of a number that is certainly negative stands in a formula, of which all letters have numbers."""
+    roots = {name: found.number for name, found in search.solver.solved.items() if found.number is not None}
+    if set(search.signs.lacking(value)) - roots.keys():
+        return False
+    return any(search.signs.negative(gap, roots) for gap in real_where(value))
 
 
 def asked_letter(letter: str) -> Asked:

@@ -187,10 +187,10 @@ def as_drawn(rows: Rows, omega: Triple, rates: Triple, *, lost: str = "") -> Att
     return Attitude(Axes(BODY, rows, omega, rates, lost), AS_DRAWN, omega, rates)
 
 
-def in_own_axes(found: Attitude) -> Attitude:
-    """The same body in axes that go with it, as it is drawn."""
-    back = transposed(found.own)
-    rows = after(found.axes.rows, found.own)
+def in_own_axes(found: Attitude, spun: Rows = AS_DRAWN) -> Attitude:
+    """The same body in axes that go with it, as it is drawn, where it is `spun` on in those that it has."""
+    own = after(spun, found.own)
+    back, rows = transposed(own), after(found.axes.rows, own)
     return as_drawn(rows, rotated(back, found.omega), rotated(back, found.alpha), lost=found.axes.lost)
 
 

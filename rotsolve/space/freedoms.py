@@ -22,7 +22,7 @@ def freedoms_of(held: JointedBodies, path: Path) -> Formula:
         touching = held.of_body(path.owner)
         joint = held.main(path.owner) or (touching[0] if touching else None)
         carrier = "" if joint is None else joint.carrier.owner
-        if carrier in held.bodies and not held.bodies[carrier].moved and held.of_body(carrier):
+        if carrier in held.bodies and not held.bodies[carrier].moved:
             help = f"ask for those that its joint leaves, `{joint.owner}.freedoms`" if joint is not None else ""
             raise NotYet(f"`{path_text(path)}`: `{carrier}`, which carries it, moves as well", path.span, help)
     if joint is not None and joint.rolls:

@@ -83,8 +83,11 @@ class SpaceMoment(LeaningMoment):
             return self.freely(name)
         carrier = held.carrier(name)
         base = self.attitude(carrier) if carrier else at_rest_in(AS_DRAWN)
-        if carrier and self.held.wheel(carrier):
-            base = in_own_axes(base)
+        if carrier:
+            spins = base.axes.name == NODE and self.nods(carrier)
+            spun = turn_about(Z, self.nodding(carrier).angles[2]) if spins else AS_DRAWN
+            if spins or self.held.wheel(carrier) or base.own != AS_DRAWN:
+                base = in_own_axes(base, spun)
         if not joint.turning:
             return hinged_on(base, self.turned(name), Z, HingeTurn())
         return self._about_axis(name, joint, base, bool(carrier))

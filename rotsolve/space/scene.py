@@ -530,6 +530,9 @@ def turning_rules(dynamics: SpaceLaws) -> Iterator[Equation]:
     """How a body turns that stands by its Euler angles, where the state tells the components of its angular velocity, or their rates."""
     moment = dynamics.moment
     for name in filter(moment.nods, moment.held.order):
+        if moment.extreme_tilt(name) and moment.told(name, "nutation") is None:
+            words = f"{spoken(name)} nods no more where its tilt is an extreme"
+            yield RULE.equation(moment.ask("nutation", name), ZERO, moment.when, (name,), words=words)
         if moment.nodding(name).angles[1] in (ZERO, PI):  # upright, the rates of its Euler angles do not tell any ω
             continue
         for word in ("angular_velocity", "angular_acceleration"):

@@ -40,7 +40,44 @@ BOX = "{shape: cuboid, mass: M, sides: [a, 2*a, 3*a], turned: {about: x, by: 30 
 WAY = math.sqrt(3) / 2
 I1, I3, W3, MGL, TILT = 5e-4, 6e-5, 300.0, 0.15 * 11.8 * 0.04, math.cos(math.radians(25))
 SLOW = (I3 * W3 - math.sqrt((I3 * W3) ** 2 - 4 * I1 * MGL * TILT)) / (2 * I1 * TILT)
+SPUN = """given: {M: 0.5 kg, l: 12 cm, s: 20 rad/s, mu: 50 g}
+bodies:
+  top: {mass: M, inertia: {principal: MOMENTS}, axis: WAY, points: {tip: TIP, A: PLACE}}
+  st: {shape: rod, mass: mu, length: l}
+connections: {floor: {ball: top.tip}, gb: JOINT}
+states: {now: {STANDS top.tilt: 110 deg, top.precession_angle: 200 deg, top.spin_angle: 35 deg,
+               top.spin: -s, top.precession: 3 rad/s, top.nutation: -2 rad/s}}
+find: {w: st.angular_velocity, K: st.kinetic_energy, L: st.angular_momentum, v: st.end.velocity, e: st.x_axis, F: gb.force}
+"""
+UPRIGHT = {"MOMENTS": "[2 g m^2, 2 g m^2, 4 g m^2]", "WAY": "z", "TIP": "[0, 0, -l]", "PLACE": "[8 cm, 0, l/4]"}
+LEVEL = {"MOMENTS": "[4 g m^2, 2 g m^2, 2 g m^2]", "WAY": "x", "TIP": "[-l, 0, 0]", "PLACE": "[l/4, 8 cm, 0]"}
+CLAMPED = {"JOINT": "{clamp: [top.A, st.start]}", "STANDS": ""}
+SWUNG = {"JOINT": "{hinge: [top.A, st.start], along: z, angular_velocity: 4 rad/s}", "STANDS": "st.angle: 20 deg,"}
+
+
+def spun(*words: dict[str, str]) -> str:
+    scene = SPUN
+    for key, value in (item for own in words for item in own.items()):
+        scene = scene.replace(key, value)
+    return scene
+
+
+def along_spun(vector: tuple[float, float, float]) -> tuple[float, float, float]:
+    """R_z(200°) R_x(110°) R_z(35°) of a vector that a top has along its own axes, its own one being z."""
+    x, y, z = vector
+    for about, degrees in (("z", 35), ("x", 110), ("z", 200)):
+        cos, sin = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+        x, y, z = (
+            (x * cos - y * sin, x * sin + y * cos, z) if about == "z" else (x, y * cos - z * sin, y * sin + z * cos)
+        )
+    return x, y, z
+
+
 CASES = {  # a scene, and what is known of it by hand
+    "clamped to a top that has spun on": (spun(UPRIGHT, CLAMPED), {"e": along_spun((1, 0, 0))}),
+    "clamped to a top whose axis is its x": (spun(LEVEL, CLAMPED), {"e": along_spun((0, 0, 1))}),
+    "hinged on a top that has spun on": (spun(UPRIGHT, SWUNG), {}),
+    "hinged on a top whose axis is its x": (spun(LEVEL, SWUNG), {}),
     "a steady top in a lift: g + a in place of g": (
         LIFT + "find: {W: smallest top.precession, N: floor.force.z}\n",
         {"W": (SLOW,), "N": (0.15 * 11.8,)},

@@ -134,3 +134,47 @@ def test_a_force_is_not_told_of_a_steady_motion_that_is_none() -> None:
     solution = solve(LIFT.replace(numbers, given))
     assert str(solution.answers["N"]) == "N = M (a + g) (if I₁ ≤ I₃² w₃²/(4 M l (a + g) cos θ))"
     assert all(item.holds for item in solution.derivation.confirmed)
+
+
+BEYOND = """
+up: z
+given: {M: 0.2 kg, l: 5 cm, I1: 6e-4 kg m^2, I3: 8e-5 kg m^2}
+bodies: {top: {mass: M, inertia: {about: tip, principal: [I1, I1, I3]}, axis: z, points: {tip: [0, 0, -l]}}}
+connections: {floor: {ball: top.tip}}
+states:
+  start: {top.tilt: 23 deg, top.axial_rate: -400 rad/s, top.precession: 0 rad/s, top.nutation: -1 rad/s}
+  ext: {top.tilt: smallest}
+  back: {top.tilt: TILT}
+find: {ASKED}
+"""
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "K: top.kinetic_energy at back",
+        "w: top.angular_velocity at back in node axes",
+        "F: size of floor.force at back",
+        "n: top.nutation at back",
+        "th: top.tilt at ext, O: top.precession at back",
+        "th: top.tilt at ext, n: top.nutation at back",
+    ],
+)
+def test_a_tilt_beyond_the_extreme_one_is_not_come_to(asked: str) -> None:
+    """Its smallest tilt is 22.6°: at 22° K would be what the energy leaves, and ν the root of a negative number."""
+    solved = BEYOND.replace("ASKED", asked)
+    last = asked.split(", ")[-1].split(":")[0]
+    try:
+        solution = solve(solved.replace("TILT", "22 deg"))
+    except Unsolvable as error:
+        reason = str(error)
+    else:
+        assert last not in solution.answers
+        reason = str(solution.refused[last])
+    assert "is never reached from" in reason or "the motion does not come to that" in reason
+    assert last in solve(solved.replace("TILT", "22.8 deg")).answers
+
+
+def test_it_nods_no_more_at_an_extreme() -> None:
+    solution = solve(BEYOND.replace("ASKED", "n: top.nutation at ext").replace("TILT", "22.8 deg"))
+    assert solution.answers["n"].float == 0 and all(item.holds for item in solution.derivation.confirmed)

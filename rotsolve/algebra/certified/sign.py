@@ -126,6 +126,13 @@ class SignOracle(Struct, frozen=True):
         except (Undefined, ValueError, ZeroDivisionError):
             return None
 
+    def negative(self, value: Formula, roots: Mapping[str, Certified]) -> bool:
+        """Whether a formula is certainly negative with the values and with certified roots."""
+        try:
+            return evaluate(value, self.values, roots=roots, digits=8).sign == -1
+        except (Undefined, ValueError, ZeroDivisionError):
+            return False
+
     def lacking(self, value: Formula) -> list[str]:
         """The letters of a formula that have no value, in order."""
         return sorted(value.symbols() - self.values.keys())
