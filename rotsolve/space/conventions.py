@@ -76,6 +76,8 @@ def turning_axes(scene: SpaceEquations, name: str) -> Words:
 
 def standing_axes(scene: SpaceEquations, name: str) -> Words:
     """Along which directions in space the axes of a body lie, where these are others than those of space and the same at all states."""
+    if not all(kind_of_axes(laws, name) for laws in scene.dynamics.values()):
+        return ()
     axes = [laws.moment.axes(name) for laws in scene.dynamics.values()]
     if any(one.lost for one in axes) or len(stands := {one.rows for one in axes}) != 1 or stands == {AS_DRAWN}:
         return ()

@@ -61,15 +61,18 @@ def about_own_momentum(laws: SpaceLaws, path: Path) -> Meaning:
 
 
 def refuse_unfree(laws: SpaceLaws, path: Path) -> None:
-    """Refuse what is told about the angular momentum of a body that others are part of or push, or on which a torque acts."""
+    """Refuse what is told about the angular momentum of a body that others are part of or push, or that a couple or force may turn."""
     held, name = laws.moment.held, path.owner
     carried = [joint.body.owner for joint in held.joints if joint.carrier.owner == name]
     if carried:
         message = f"`{path_text(path)}` is told of a free body alone, and `{name}` carries `{carried[0]}`"
         raise NotYet(message, path.span, "make what moves as one the `parts` of one body")
     centre = laws.moment.arm(PointRef(name, CM))
-    if any(not held.vanishes(part) for push in laws.pushes.on(name) for part in push.torque(centre)):
-        message = f"`{path_text(path)}` is told about an angular momentum that stays, and a torque acts on `{name}`"
+    turns = (push.couple != NOTHING or not laws.tensors.same_place(push.arm, centre) for push in laws.pushes.on(name))
+    if any(turns):  # also what has no torque about it at this moment alone
+        message = (
+            f"`{path_text(path)}` is told about an angular momentum that stays, and what acts on `{name}` may turn it"
+        )
         raise NotYet(message, path.span, NEEDS.format(name))
 
 

@@ -13,7 +13,7 @@ from rotsolve.core.drive import TURNING
 from rotsolve.core.equation import RULE, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key
-from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, dot_product, way_between
+from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, dot_product, rotated, scaled_by, way_between
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.attitude import IN_SPACE
@@ -29,6 +29,7 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
     """Refuse a steady state of a body that lasts for an instant alone."""
     if not moment.state.steady or moment.held.bodies[name].moved:
         return
+    refuse_ball(name, moment)
     if moment.nods(name):
         refuse_carried_round(name, moment)
     going = going_round(name, moment)
@@ -44,6 +45,16 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
     if weighs and not all(map(moment.held.vanishes, cross_product(going, Z))):
         message = f"the weight of `{name}` keeps its direction while that goes round: `{moment.when}` is not steady"
         raise Unsolvable(message, span=moment.state.span, help="leave `steady: true` out")
+
+
+def refuse_ball(name: str, moment: SpaceMoment) -> None:
+    """Refuse a steady state of a ball that rolls on a body that moves: its turning may stay while its centre is accelerated, or its
+    velocity while it turns faster, and nothing tells which is meant."""
+    joint = moment.held.rolling(name)
+    if joint is not None and joint.carrier.owner in moment.held.bodies and moment.seen_from_space(name):
+        message = f"what stays of `{name}`, which rolls on `{joint.carrier.owner}`, `steady: true` does not say"
+        help = f"tell `{name}.angular_acceleration: [0, 0, 0]` or `{name}.acceleration: [0, 0, 0]`, or leave it out"
+        raise Unsolvable(message, span=moment.state.span, help=help)
 
 
 def refuse_carried_round(name: str, moment: SpaceMoment) -> None:
@@ -63,15 +74,23 @@ def refuse_carried_round(name: str, moment: SpaceMoment) -> None:
 
 
 def going_round(name: str, moment: SpaceMoment) -> Triple:
-    """The angular velocity, in space, of the axes in which a steady body stays as it is: its node axes, or those of what carries it."""
+    """The angular velocity, in space, of the axes in which a steady body stays as it is: its node axes, those of what carries a wheel, or
+    its own; a hinge that is driven turns on whatever acts."""
     if moment.nods(name):
         axes = moment.axes(name)
         return axes.to(IN_SPACE, axes.rate) if moment.nodding(name).rates[0] != ZERO else NOTHING
     joint = moment.held.main(name)
-    if joint is None or joint.drive or joint.carrier.owner not in moment.held.bodies:
+    if joint is None or joint.drive or joint.rolls:
         return NOTHING
-    carrier = moment.attitude(joint.carrier.owner)
-    return carrier.axes.to(IN_SPACE, carrier.omega)
+    carried, round_ = joint.carrier.owner in moment.held.bodies, moment.held.wheel(name)
+    if not carried and (not joint.turning or round_):
+        return NOTHING
+    if not carried:  # about an axis that stays, however the body stands
+        axis = moment.direction(name, joint)
+        rate = dot_product(axis, moment.attitude(name).omega)
+        return scaled_by(rate, rotated(moment.turned(name), axis))
+    own = moment.attitude(joint.carrier.owner if round_ or not joint.turning else name)
+    return own.axes.to(IN_SPACE, own.omega)
 
 
 def swings_about(name: str, moment: SpaceMoment) -> bool:

@@ -108,10 +108,22 @@ class SpaceLaws:
 
             refuse_passing(name, self.moment, self.pushes, pushes)
             yield from going_along(name, self.moment)
+        self.refuse_loaded(name)
         yield from self.second_law(name, pushes)
         if not self.moment.held.pointlike(name):
             yield from self.rotation(name, pushes)
             yield from self.about_line(name, pushes)
+
+    def refuse_loaded(self, name: str) -> None:
+        """Refuse the approximation of a fast spin for a top that carries something: Ω² would stay in the forces of that."""
+        held = self.moment.held
+        carried = [
+            joint for joint in held.joints if joint.carrier.owner == name and held.mass(joint.body.owner) != ZERO
+        ]
+        if self.fast and self.moment.nods(name) and carried:
+            message = f"`{name}` carries `{carried[0].body.owner}`, and the spin is taken to be fast of a body alone"
+            help = "make what moves as one the `parts` of one body, or leave `assume: [fast spin]` out"
+            raise Unsolvable(message, span=carried[0].body.span, help=help)
 
     # points and words
 

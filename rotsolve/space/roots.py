@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate, sqrt
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
-from rotsolve.core.symbols import is_key, key_of
+from rotsolve.core.symbols import SymbolKey, is_key, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.language.problem import EXTREMES, Problem
 from rotsolve.solver.steps import PickedRoot
@@ -44,6 +44,8 @@ def chosen(
     sought = steady_letter(name, scene)
     if sought is not None:
         return of_steady(sought, roots, scene, numbers, period)
+    if len(roots) > 1 and (told := rate_told_by(name, scene)) is not None:
+        refuse_either_sense(told, roots, scene, numbers, f"write `smallest {name}` or `largest {name}` under `find`")
     if key.kind == "tilt":
         return tilted(name, roots, scene, numbers)
     if key.kind in TURNED and not key.component and len(roots) > 1:
@@ -158,7 +160,9 @@ def sense_of(root: Formula, numbers: Numbers) -> int | None:
     return numbers.signs.by_letters(root) if side is None and any(map(is_key, root.symbols())) else side
 
 
-def refuse_either_sense(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> None:
+def refuse_either_sense(
+    name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers, help: str = ""
+) -> None:
     """Refuse a rate that fits with either sign, as that with which a body leaves a blow of unknown size: what follows hangs on it."""
     sides = {numbers.side(root) for root in roots}
     opposite = any(is_zero(add(roots[0], root)) for root in roots[1:])
@@ -171,9 +175,21 @@ def refuse_either_sense(name: str, roots: Sequence[Formula], scene: SceneEquatio
     )  # a slide has its own rate
     way = "goes" if key.kind == "velocity" else "turns"
     message = f"in which sense `{owner}` {way} at `{key.when}` nothing tells"
-    help = f"tell `{owner}.{key.kind}` there, or what it hangs on"
+    help = help or f"tell `{owner}.{key.kind}` there, or what it hangs on"
     span = scene.configuration.timeline.state(key.when).span
     raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+
+
+def rate_told_by(name: str, scene: SceneEquations) -> str | None:
+    """The rate that a state tells by a letter alone of which no largest or smallest value is asked; None of other letters."""
+    problem, asked = scene.configuration.problem, Symbol(name)
+    if any(find.modifier in EXTREMES for find in problem.finds if find.formula == asked):
+        return None
+    for state in problem.states:
+        for line in state.conditions:
+            if line.path is not None and line.value == asked and line.path.quantity in SIGNED:
+                return SymbolKey(line.path.quantity, line.path.owner, "", state.name).name
+    return None
 
 
 def way_on_hinge(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[Formula, int] | None:

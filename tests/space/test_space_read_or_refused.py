@@ -66,7 +66,67 @@ def disc(find: str, bodies: str) -> str:
     return f"{HEAD}gravity: none\n{bodies}states: {{now: {{{TURNS}}}}}\nfind: {find}\n"
 
 
+ROLLING = """{HEAD}given: {{W: 3 rad/s}}
+bodies: {{table: {{shape: disc, mass: 0, LEANS}}, ball: {{shape: sphere, mass: 0.4 kg, radius: 10 cm}}}}
+connections: {{axis: {{hinge: table.center, along: z, angular_velocity: W}}, grip: {{rolls: [ball, table]}}}}
+ACTS
+states: {{now: {{"ball.position relative to table": [30 cm, 0, 10 cm], ball.angular_velocity.z: 0 rad/s, steady: true}}}}
+find: {{v: ball.velocity}}
+"""
+OBLIQUE = HINGE.replace("along: y", "along: [0, 3/5, 4/5]")
+LOADED = f"{TOP.replace('points: {', 'points: {H: [0, 0, l], ')}, lp: {{shape: particle, mass: LOAD}}"
+
+
+def rolling(leans: str = "points: {P: [0, 0, 0]}", acts: str = "") -> str:
+    return ROLLING.format(HEAD=HEAD).replace("LEANS", leans).replace("ACTS", acts)
+
+
+def swinging(hinge: str, state: str, more: str = "") -> str:
+    return (
+        f"{HEAD}{ROD}{hinge}{more}states: {{now: {{{state}, steady: true}}}}\nfind: {{al: rod.angular_acceleration}}\n"
+    )
+
+
+def loaded(load: str) -> str:
+    scene = top(
+        "top.tilt: th, top.axial_rate: w, top.precession: smallest, steady: true", "{O: top.precession}", more=FAST
+    )
+    return scene.replace(TOP, LOADED.replace("LOAD", load)).replace("top.tip}}", "top.tip}, c: {clamp: [top.H, lp]}}")
+
+
+BALLS = "what stays of `ball`, which rolls on `table`, `steady: true` does not say"
 REFUSED = {
+    "a steady ball on a turntable": (rolling(), BALLS),
+    "a steady ball on a leaning turntable": (rolling("turned: {about: y, by: 10 deg}"), BALLS),
+    "a steady ball that is pushed on a turntable": (
+        rolling(acts="actions: {f: {force: [1 N, 0, 0], on: ball.center}}"),
+        BALLS,
+    ),
+    "a rod that swings through its lowest place, steady": (
+        swinging(HINGE, "rod.angle: 90 deg, rod.angular_velocity: 3 rad/s"),
+        "the weight of `rod` keeps its direction while that goes round",
+    ),
+    "a rod that swings on an oblique hinge, steady": (
+        swinging(OBLIQUE, "rod.angle: 90 deg, rod.angular_velocity: 3 rad/s"),
+        "the weight of `rod` keeps its direction while that goes round",
+    ),
+    "a force of one direction on what turns steadily": (
+        swinging(
+            HINGE,
+            "rod.angle: 0 deg, rod.angular_velocity: 3 rad/s",
+            "gravity: none\nactions: {f: {force: [1 N, 0, 0], on: rod.P}}\n",
+        ),
+        "`f` keeps its direction while `rod` goes round",
+    ),
+    "a fast spin of a top that carries a lump": (
+        loaded("200 g"),
+        "`top` carries `lp`, and the spin is taken to be fast",
+    ),
+    "a first rate of either sense": (
+        f"{HEAD}given: {{w0: unknown}}\n{ROD}{HINGE}states: {{s: {{rod.angle: 20 deg, rod.angular_velocity: w0}}, "
+        "now: {rod.angle: -50 deg, rod.angular_velocity: 0 rad/s}}\nfind: {w0: w0}\n",
+        "in which sense `rod` turns at `s` nothing tells",
+    ),
     "the precession of a part of what moves as one": (
         disc("{O: pl.precession}", CLAMPED),
         "told of a free body alone, and `pl` carries `rd`",
@@ -77,11 +137,11 @@ REFUSED = {
     ),
     "the tilt about an angular momentum that changes": (
         disc("{t: pl.tilt}", PUSHED.replace("PUSH", "couple: 2 N m, on: pl")),
-        "an angular momentum that stays, and a torque acts",
+        "an angular momentum that stays, and what acts on `pl` may turn it",
     ),
     "the precession under a force off the centre": (
         disc("{O: pl.precession}", PUSHED.replace("PUSH", "force: 2 N, on: pl.A")),
-        "an angular momentum that stays, and a torque acts",
+        "an angular momentum that stays, and what acts on `pl` may turn it",
     ),
     "a tilt on a hinge": (rod(f"{STOOD}, rod.tilt: 30 deg"), "on a `hinge`: .* not its `tilt`"),
     "a spin on a hinge of the ground": (rod(f"{STOOD}, rod.spin: 2 rad/s"), "not its `spin`"),
