@@ -150,7 +150,7 @@ def period_of_turning(laws: SpaceLaws, path: Path) -> Meaning:
     """2π/|ω| of a body that turns steadily about a fixed axis; of a free one the time in which ω comes round in its own axes."""
     own, name, held = laws.moment.attitude(path.owner), path.owner, laws.moment.held
     dimension = QUANTITIES["period"].dimension
-    steady = own.alpha == NOTHING or (turns_freely(laws, name) and along_momentum(laws, name))
+    steady = all(map(held.vanishes, own.alpha)) or (turns_freely(laws, name) and along_momentum(laws, name))
     if steady:
         return Meaning(2 * PI / length_of(own.omega), dimension, label="period, T = 2π/ω")
     if not turns_freely(laws, name):

@@ -156,3 +156,12 @@ def test_a_period_that_letters_may_end_says_where_it_does_not() -> None:
     assert told.answers["T"].float == pytest.approx(2 * math.pi * 2 / 3)
     same = solve(free.replace("GIVEN", "A: 2 kg m^2, C: 2 kg m^2"))
     assert same.answers["T"].float == pytest.approx(2 * math.pi / math.sqrt(10))
+
+
+@pytest.mark.parametrize("way", ["z", "[0, 3/5, 4/5]", "[1, 1, 1]", "[cos(q), 0, sin(q)]"])
+def test_what_is_driven_steadily_has_a_period_about_any_axis(way: str) -> None:
+    """Its angular acceleration is nothing, also where that is written as a sum that cancels."""
+    scene = "title: T\nup: z\ngiven: {M: 0.5 kg, a: 8 cm, w: 3 rad/s, q: 20 deg}\n"
+    scene += "bodies: {c: {shape: cuboid, mass: M, sides: [a, 2*a, 3*a]}}\n"
+    scene += f"connections: {{h: {{hinge: c.center, along: {way}, angular_velocity: w}}}}\nfind: {{T: c.period}}\n"
+    assert solve(scene).answers["T"].float == pytest.approx(2 * math.pi / 3)
