@@ -26,6 +26,8 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension, DimensionError, base_unit_text, dimension_of
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move
 from rotsolve.core.equation import KINETIC_ENERGY_AT
 from rotsolve.language.problem import Given
@@ -105,11 +107,21 @@ class InsertedNumbers:
         """Whether a formula has a number by now, which is that of the answer: not where a letter has another meaning."""
         assert answer.value is not None
         try:
-            found = self.number(formula).float
+            found = self.size(formula)
         except (NotShown, Undefined):
             return False
-        value = answer.value.float * (1.0 if answer.unit is None else evaluate(answer.unit.factor, {}).float)
+        value = answer.value.float * factor_of(answer)
         return abs(found - value) <= SAME * abs(value)
+
+    def size(self, formula: Formula) -> float:
+        """The value of a formula as a float: ten times as fast as a ball, where nothing is printed of it."""
+        if formula.holds(*ELLIPTIC):  # in floats these are far less sure
+            return self.number(formula).float
+        try:
+            values = {name: self.givens.get(name) or self.root(name).float for name in formula.symbols()}
+            return float(value_of(formula, values))
+        except (NotConfirmed, ArithmeticError, ValueError):
+            return self.number(formula).float
 
     def plainest(self, chain: tuple[Equality, ...]) -> int:
         """The line with the shortest right side of those that tell the letter of the last one by others."""
@@ -135,7 +147,7 @@ class InsertedNumbers:
         """The formula with numbers of as many digits as it takes to come to the number that is printed of the answer; of a few more where
         none do."""
         assert answer.value is not None
-        factor = 1.0 if answer.unit is None else evaluate(answer.unit.factor, {}).float
+        factor = factor_of(answer)
         printed = to_digits(answer.value.float, self.digits)
         for digits in range(self.digits, self.digits + MORE + 1):
             put_in = self.put_in(formula, digits)
@@ -194,12 +206,17 @@ class InsertedNumbers:
 
 def worth_of(put_in: Formula) -> float:
     """What a formula with numbers put in comes to as it is printed."""
-    return evaluate(put_in.transform(number_put_in), {}).float
+    numbers = {node.name: float(machine_number(node.name)) for node in put_in.walk() if isinstance(node, Decimal)}
+    try:
+        return float(value_of(put_in, numbers))
+    except (NotConfirmed, ArithmeticError, ValueError):
+        raise NotShown from None
 
 
-def number_put_in(node: Formula) -> Formula:
-    """A number that has been put in, as one with which can be calculated."""
-    return Number(Fraction(machine_number(node.name))) if isinstance(node, Decimal) else node
+def factor_of(answer: Answer) -> float:
+    """How many coherent units the unit of an answer is."""
+    factor = ONE if answer.unit is None else answer.unit.factor
+    return float(factor.value) if isinstance(factor, Number) else evaluate(factor, {}).float
 
 
 def to_digits(value: float, digits: int) -> str:

@@ -17,7 +17,7 @@ from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
-from rotsolve.language.problem import Find, Problem, Term
+from rotsolve.language.problem import Find, Problem, Term, references
 from rotsolve.motion.timeline import Timeline
 from rotsolve.paths.meaning import NotYet, Unclear
 from rotsolve.paths.points import resting
@@ -77,9 +77,15 @@ def in_sequence(finds: Sequence[Find], timeline: Timeline) -> list[Find]:
         return list(finds)
     places: dict[str, int] = {}
     for find in finds:
-        named = [places[name] for name in letters_of(find) if name in places]
+        named = [places[name] for name in named_in(find) if name in places]
         places[find.name] = max([place_in_time(find, timeline), *named])
     return sorted(finds, key=lambda find: places[find.name])
+
+
+def named_in(find: Find) -> set[str]:
+    """The letters in the arithmetic of a question, and in the places that it names."""
+    places = [ref.argument for ref in references(find.terms) if ref.argument is not None]
+    return set(find.formula.symbols()).union(*(place.symbols() for place in places))
 
 
 def place_in_time(find: Find, timeline: Timeline) -> int:

@@ -15,7 +15,7 @@ from rotsolve.algebra.certified.sign import SignOracle, real_where
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.equation import FOUND, NEWTON, Equation
+from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
@@ -118,6 +118,7 @@ class Search(Struct, dict=True):
         self.stepwise = Stepwise(self.planner)
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}
+        self.found_for: dict[str, int] = {}  # what was found for letters on the way, by its place in the pool
         self.numbers = Numbers(self.signs, lambda value: self.solver.with_found(value), self.aside)
         self.forces_asked, self.running, self.known = ground.forces_asked, ground.running, set(ground.known)
         self.solver = Solver(
@@ -426,22 +427,18 @@ class Search(Struct, dict=True):
         if stepwise is not None:
             return stepwise
         momentary, allowed = self._of_one_moment(letter), self.allowed(letter, banned)
-        found = next((index for index in allowed if self._tells(index, letter)), None)
-        if found is not None:
+        found = self._found_before(letter)
+        if found is not None and found in allowed:
             return Plan(letter, (found,), (letter,), self.planner.pool[found].cost)
         return LawChoice(
             self.planner, letter, momentary, self.known, self.families, self.spare, allowed, self.forces_asked
         ).best()
 
-    def _tells(self, index: int, letter: str) -> bool:
-        """Whether an equation is what was found for a letter on the way to another answer, in what is known, and is short."""
-        law = self.planner.pool[index]
-        return (
-            law.law is FOUND
-            and law.left == Symbol(letter)
-            and law.right.symbols() <= self.known
-            and length(law.right) <= SHORT
-        )
+    def _found_before(self, letter: str) -> int | None:
+        """What was found for a letter on the way to another answer, where that is short and in what is known."""
+        index = self.found_for.get(letter)
+        right = ZERO if index is None else self.planner.pool[index].right
+        return index if right.symbols() <= self.known and length(right) <= SHORT else None
 
     def _of_one_moment(self, letter: str) -> bool:
         """Whether a letter is an acceleration or a force, or made of such, so that Newton's laws of that moment tell it."""
@@ -453,7 +450,10 @@ class Search(Struct, dict=True):
     def remember(self) -> None:
         """Results found on the way may serve the next question."""
         for equation, ref in self.solver.derived:
-            self.refs[self.planner.extend(equation)] = ref
+            index = self.planner.extend(equation)
+            self.refs[index] = ref
+            if isinstance(equation.left, Symbol):
+                self.found_for[equation.left.name] = index
         self.solver.derived.clear()
         self.known |= {name for name, found in self.solver.solved.items() if found.number is not None}
 
@@ -511,6 +511,8 @@ class Search(Struct, dict=True):
 
 def is_unreal(value: Formula, search: Search) -> bool:
     """Whether the root of a number that is certainly negative stands in a formula, of which all letters have numbers."""
+    if not value.holds("sqrt", "log", "asin", "acos"):
+        return False
     roots = {name: found.number for name, found in search.solver.solved.items() if found.number is not None}
     if set(search.signs.lacking(value)) - roots.keys():
         return False
