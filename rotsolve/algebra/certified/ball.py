@@ -226,14 +226,15 @@ def _exact(point: Ball) -> Fraction:
 
 def rounded(value: Fraction, digits: int) -> tuple[int, int]:
     """Signed mantissa of so many digits and the exponent of its first digit; a half is rounded away from zero."""
-    size = abs(value)
-    if not size:
+    top, bottom = abs(value.numerator), value.denominator
+    if not top:
         return 0, 0
-    exponent = floor((size.numerator.bit_length() - size.denominator.bit_length() + 1) / BITS_PER_DIGIT)
-    while size < Fraction(10) ** exponent:
+    exponent = floor((top.bit_length() - bottom.bit_length() + 1) / BITS_PER_DIGIT)
+    while top * 10 ** max(0, -exponent) < bottom * 10 ** max(0, exponent):
         exponent -= 1
-    scaled = size * Fraction(10) ** (digits - 1 - exponent)
-    mantissa = (2 * scaled.numerator + scaled.denominator) // (2 * scaled.denominator)
+    places = digits - 1 - exponent
+    top, bottom = top * 10 ** max(0, places), bottom * 10 ** max(0, -places)
+    mantissa = (2 * top + bottom) // (2 * bottom)
     if mantissa == 10**digits:
         mantissa, exponent = mantissa // 10, exponent + 1
     return (-mantissa if value < 0 else mantissa), exponent
