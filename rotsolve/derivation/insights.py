@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import multiple_of
 from rotsolve.algebra.certified.sign import sign_within
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
@@ -19,6 +20,7 @@ from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.behind import behind
@@ -178,6 +180,17 @@ def weight_in(law: Equation, search: Search) -> Formula | None:
     return None
 
 
+def unit_of_energy(search: Search) -> tuple[str, Formula]:
+    """The unit in which energies are told, J or that of the system of all givens, and how many joules it is."""
+    system = system_told(search.scene.configuration.problem.givens)
+    if system is None:
+        return "J", ONE
+    from rotsolve.algebra.units.systems import unit_in
+
+    unit = unit_in(system, ENERGY)
+    return ("J", ONE) if unit is None else (unit.text, unit.factor)
+
+
 def energy_lost(search: Search) -> Iterator[Words]:
     """ "in the hit the kinetic energy falls from 8.12 J to 3.04 J, by 62.5 %", of events; in letters the share that is lost, if short."""
     if search.scene.configuration.problem.space:
@@ -194,8 +207,12 @@ def energy_lost(search: Search) -> Iterator[Words]:
         if search.signs.sign(share) == 0:
             yield (f"{said}stays the same",)
         elif all(number is not None and number.sign in (0, 1) for number in numbers):
-            one, two, lost = (number.text(DIGITS) for number in numbers if number is not None)
-            yield (f"{said}falls from {one} J to {two} J, by {lost} %",)
+            unit, scale = unit_of_energy(search)
+            told = (numbers[0], scale), (numbers[1], scale), (numbers[2], ONE)
+            one, two, lost = (
+                multiple_of(number, ONE / factor).text(DIGITS) for number, factor in told if number is not None
+            )
+            yield (f"{said}falls from {one} {unit} to {two} {unit}, by {lost} %",)
         elif search.signs.sign(share) == 1 and length(share) <= SHORT:
             yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")
 

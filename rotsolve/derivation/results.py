@@ -15,6 +15,7 @@ from rotsolve.algebra.units.dimension import word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Words
+from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
 from rotsolve.core.writing import spoken
@@ -125,7 +126,7 @@ class Results(Struct, frozen=True):
         """The exact form, the certified value and the direction in words."""
         asked, found = answered.asked, answered.found
         formula = self.letters.printed(self._readable(answered)) if found.formula is not None else None
-        unit = asked.find.unit or usual_unit(asked)
+        unit = asked.find.unit or usual_unit(asked, self.search.scene.configuration.problem)
         value = self._value_in(found, unit) if self._lasts(asked.find) is not False else None
         parts = self.components(answered)
         ways = Directions(self.search, answered)
@@ -339,7 +340,15 @@ def hard_to_read(formula: Formula, lettered: int) -> bool:
     return length(formula) > (FEW if formula.holds(*ELLIPTIC) else longest) and lettered <= LONG
 
 
-def usual_unit(asked: Asked) -> Unit | None:
-    """The unit that the field uses for a dimension; none for a pure number."""
+def usual_unit(asked: Asked, problem: Problem) -> Unit | None:
+    """The unit that the field uses for a dimension, in the system of all givens; none for a pure number."""
+    if asked.dimension is None:
+        return None
     quantity = asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
-    return None if asked.dimension is None else unit_for(asked.dimension, quantity if quantity in NAMING else None)
+    kind = quantity if quantity in NAMING else ""
+    system = system_told(problem.givens)
+    if system is not None:
+        from rotsolve.algebra.units.systems import unit_in
+
+        return unit_in(system, asked.dimension, kind) or unit_for(asked.dimension, kind or None)
+    return unit_for(asked.dimension, kind or None)

@@ -33,7 +33,7 @@ from rotsolve.page.blocks import (
     authored,
 )
 from rotsolve.page.depth import BRIEF, NONE, NORMAL, STEPS
-from rotsolve.page.inserted import InsertedNumbers, coherent_value
+from rotsolve.page.inserted import CoherentUnits, InsertedNumbers, coherent_units
 from rotsolve.page.plan import plan_of
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
 from rotsolve.page.wording import said_of_step
@@ -133,17 +133,18 @@ def refusal_bullet(refusal: Refusal) -> Bullet:
     return Bullet((Symbol(refusal.name), ": ", authored(fault.message), line), help)
 
 
-def given_with_number(given: Given, digits: int | None) -> Phrase:
+def given_with_number(given: Given, units: CoherentUnits, digits: int | None) -> Phrase:
     """A given as the scene writes it, and in the unit with which is calculated where numbers are put in."""
     said = given_equation(given)
-    coherent = None if digits is None else coherent_value(given, digits)
+    coherent = None if digits is None else units.value(given, digits)
     return (said if coherent is None else Math((*said.parts, "=", coherent)),)
 
 
 def opening_rows(derivation: Derivation, digits: int | None) -> Iterator[Labelled]:
     """Source, givens, conventions, what is asked, and the states."""
     yield Labelled("Source", ((authored(derivation.source),),) if derivation.source else ())
-    givens = tuple(given_with_number(given, digits) for given in shown_givens(derivation.givens))
+    units = coherent_units(derivation.givens)
+    givens = tuple(given_with_number(given, units, digits) for given in shown_givens(derivation.givens))
     yield Labelled("Given", givens, ", ")
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
     yield Labelled("Find", derivation.finds, ", " if only_letters(derivation.finds) else "; ")

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
+from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import (
     ELLIPTIC,
     ONE,
@@ -30,7 +33,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move
 from rotsolve.core.equation import KINETIC_ENERGY_AT
-from rotsolve.language.problem import Given
+from rotsolve.core.letters import Given, system_told
 from rotsolve.page.abbreviations import Abbreviation
 from rotsolve.page.blocks import WITH, Amount, Math, Phrase
 from rotsolve.page.values import certified_digits, machine_number
@@ -45,6 +48,10 @@ SEEN_THROUGH = frozenset(("sqrt", "abs", "asin", "acos", "atan", "atan2"))  # fu
 VALUED = {KINETIC_ENERGY_AT.name: "J"}  # laws whose letters are told with their numbers, though nobody asks for them
 
 
+if TYPE_CHECKING:
+    from rotsolve.algebra.units.systems import System
+
+
 class NotShown(ValueError):
     """A letter has no number, or an integral would have to be worked out."""
 
@@ -57,6 +64,7 @@ class InsertedNumbers:
         self.givens = {given.name: given.value for given in derivation.givens if given.value is not None}
         self.answers = {to_text(answer.symbol): answer for answer in derivation.answers if answer.value is not None}
         self.dimensions = {given.name: given.dimension for given in derivation.givens if given.dimension is not None}
+        self.coherent = coherent_units(derivation.givens)
         self.roots: dict[str, Certified] = {}
         self.sought: set[str] = set()  # letters whose value is being worked out: a law tells nothing by itself
         self.steps: dict[str, Formula] = {short.letter.name: short.meaning for short in shorts}
@@ -97,11 +105,11 @@ class InsertedNumbers:
     def worth(self, one: Equality) -> tuple[Amount, ...]:
         """The number of a sum in givens, with its unit; nothing where letters have none."""
         try:
-            number, note = certified_digits(self.number(one.right), self.digits)
             dimension = dimension_of(one.right, self.dimensions)
+            number, note = certified_digits(self.coherent.number(self.number(one.right), dimension), self.digits)
         except (NotShown, Undefined, DimensionError):
             return ()
-        return (Amount(number, coherent_unit_of(dimension)),) if number and not note else ()
+        return (Amount(number, self.coherent.unit(dimension)),) if number and not note else ()
 
     def comes_to(self, formula: Formula, answer: Answer) -> bool:
         """Whether a formula has a number by now, which is that of the answer: not where a letter has another meaning."""
@@ -140,14 +148,14 @@ class InsertedNumbers:
         text = to_text(put_in)
         if len(text) > LONGEST or text == number or not any(isinstance(node, Decimal) for node in put_in.walk()):
             return ()
-        unit = None if put_in.holds(*INVERSE) else coherent_unit(answer)
+        unit = None if put_in.holds(*INVERSE) else self.coherent.of_answer(answer)
         return (Amount(Product((put_in,)) if isinstance(put_in, Sum) and unit is not None else put_in, unit),)
 
     def reproducing(self, formula: Formula, answer: Answer) -> Formula:
         """The formula with numbers of as many digits as it takes to come to the number that is printed of the answer; of a few more where
         none do."""
         assert answer.value is not None
-        factor = factor_of(answer)
+        factor = factor_of(answer) / (1.0 if answer.dimension is None else self.coherent.scale(answer.dimension))
         printed = to_digits(answer.value.float, self.digits)
         for digits in range(self.digits, self.digits + MORE + 1):
             put_in = self.put_in(formula, digits)
@@ -158,11 +166,11 @@ class InsertedNumbers:
     def put_in(self, node: Formula, digits: int) -> Formula:
         """A formula with decimals for its letters; a sine or an exponential of numbers is one number."""
         if isinstance(node, Symbol):
-            return self.decimal(self.exact_text(node.name) or "", node, digits)
+            return self.decimal(self.exact_text(node.name) or "", node, digits, self.dimension(node.name))
         if isinstance(node, Integral):
             raise NotShown
         if isinstance(node, Call) and (node.function not in SEEN_THROUGH or node.function in ELLIPTIC):
-            return self.decimal("", node, digits)
+            return self.decimal("", node, digits, NONE)
         children = node.children()
         return node.with_children(tuple(self.put_in(child, digits) for child in children)) if children else node
 
@@ -171,12 +179,26 @@ class InsertedNumbers:
         value = self.givens.get(name)
         if not isinstance(value, Number):
             return None
-        return exact_decimals(value.value)
+        return exact_decimals(value.value / self.coherent.scale(self.dimensions.get(name, NONE)))
 
-    def decimal(self, text: str, node: Formula, digits: int) -> Formula:
+    def dimension(self, name: str) -> Dimension:
+        """What a letter measures, as far as it makes a difference: of one that a step has told, by what that is made of."""
+        if self.coherent.system is None or name in self.dimensions:
+            return self.dimensions.get(name, NONE)
+        law = self.laws.get(name)
+        told = self.steps.get(name, None if law is None else law.equation.right)
+        if told is None:
+            raise NotShown
+        try:
+            self.dimensions[name] = dimension_of(told, {one: self.dimension(one) for one in told.symbols() - {name}})
+        except DimensionError:
+            raise NotShown from None
+        return self.dimensions[name]
+
+    def decimal(self, text: str, node: Formula, digits: int, dimension: Dimension) -> Formula:
         """A number for a node, with so many certified digits where it is not written as it is."""
         if not text:
-            text, note = certified_digits(self.number(node), digits)
+            text, note = certified_digits(self.coherent.number(self.number(node), dimension), digits)
             if not text or note:
                 raise NotShown
         size = Decimal(text.lstrip("−-"))
@@ -239,14 +261,58 @@ def exact_decimals(value: Fraction) -> str | None:
     return None
 
 
-def coherent_value(given: Given, digits: int) -> Amount | None:
-    """A given in coherent units, with which is calculated, where its own is another measure: 600 rev/min = 62.83 rad/s; None where it is
-    a tenth, a hundredth, … of it, or an angle."""
-    factor = given.unit.factor if given.unit is not None else ONE
-    if given.value is None or given.value.symbols() or given.dimension in (None, ANGLE, NONE) or decimal_power(factor):
-        return None
-    number, note = certified_digits(evaluate(given.value, {}), digits)
-    return None if note or not number or given.dimension is None else Amount(number, coherent_unit_of(given.dimension))
+class CoherentUnits(Struct, frozen=True):
+    """The units in which numbers are put in: those of SI, or of the system of all givens."""
+
+    system: System | None
+
+    def unit(self, dimension: Dimension) -> Unit | None:
+        """That for a dimension; None for a mere number."""
+        found = None
+        if self.system is not None:
+            from rotsolve.algebra.units.systems import unit_in
+
+            found = unit_in(self.system, dimension)
+        return found or (None if dimension == NONE else parse_unit(base_unit_text(dimension)))
+
+    def scale(self, dimension: Dimension) -> Fraction:
+        """How many SI units that is."""
+        unit = None if self.system is None else self.unit(dimension)
+        return Fraction(1) if unit is None else unit.scale
+
+    def number(self, number: Certified, dimension: Dimension) -> Certified:
+        """A number in SI as one in these units."""
+        scale = self.scale(dimension)
+        return number if scale == 1 else multiple_of(number, Number(1 / scale))
+
+    def of_answer(self, answer: Answer) -> Unit | None:
+        """That in which a formula with numbers put in comes: the unit of the answer where it is one."""
+        scale = Fraction(1) if answer.dimension is None else self.scale(answer.dimension)
+        if answer.unit is not None and answer.unit.factor == Number(scale):
+            return answer.unit
+        return None if answer.dimension is None else self.unit(answer.dimension)
+
+    def value(self, given: Given, digits: int) -> Amount | None:
+        """A given in these units, with which is calculated, where its own is another measure: 600 rev/min = 62.83 rad/s; None where it is
+        a tenth, a hundredth, … of it, or an angle."""
+        if given.value is None or given.value.symbols() or given.dimension in (None, ANGLE, NONE):
+            return None
+        assert given.dimension is not None
+        factor = (given.unit.factor if given.unit is not None else ONE) / Number(self.scale(given.dimension))
+        if decimal_power(simplify(factor)):
+            return None
+        number, note = certified_digits(self.number(evaluate(given.value, {}), given.dimension), digits)
+        return None if note or not number else Amount(number, self.unit(given.dimension))
+
+
+def coherent_units(givens: Sequence[Given]) -> CoherentUnits:
+    """Those of the system of which all givens are, mass by its force where that is basic."""
+    system = system_told(givens)
+    if system is None:
+        return CoherentUnits(None)
+    from rotsolve.algebra.units.systems import coherent
+
+    return CoherentUnits(coherent(system))
 
 
 def decimal_power(factor: Formula) -> bool:
@@ -255,15 +321,3 @@ def decimal_power(factor: Formula) -> bool:
         return False
     top, bottom = factor.value.numerator, factor.value.denominator
     return str(top * bottom).strip("0") == "1"
-
-
-def coherent_unit(answer: Answer) -> Unit | None:
-    """The unit in which a formula with coherent numbers comes: that of the answer where it is one."""
-    if answer.unit is not None and answer.unit.factor == Number(Fraction(1)):
-        return answer.unit
-    return None if answer.dimension is None else coherent_unit_of(answer.dimension)
-
-
-def coherent_unit_of(dimension: Dimension) -> Unit | None:
-    """The coherent unit of a dimension; None for a mere number."""
-    return None if dimension == NONE else parse_unit(base_unit_text(dimension))

@@ -373,3 +373,24 @@ find: {{w: wheel.angular_velocity at top, t: time from start to end, n: wheel.ro
     assert found["w"] == pytest.approx(left**2 / 20, rel=1e-6)
     assert found["t"] == pytest.approx(2 * left / 5, rel=1e-6)
     assert found["n"] == pytest.approx(2 * left**3 / 150, rel=1e-6)
+
+
+@pytest.mark.parametrize("rest", ["bar.angular_velocity: 0", "at rest: all"])
+def test_a_place_where_it_stops_is_reached_though_rounding_passes_it_by(rest: str) -> None:
+    """An angle that is sought, at which the bar is at rest: it only comes to it, while its rate passes through nothing."""
+    scene = f"""
+title: Bullet that a hanging bar catches
+given: {{M: 4.5 kg, L: 0.75 m, m: 0.02 kg, u: 270 m/s, g: 9.8 m/s^2, theta: unknown}}
+bodies: {{bar: {{shape: rod, mass: M, length: L}}, bullet: {{mass: m, moves: right}}}}
+connections: {{pin: {{hinge: bar.start}}}}
+states:
+  before: {{bar.angle: -90 deg, at rest: bar, bullet.velocity: u}}
+  after: {{}}
+  turned: {{bar.angle: theta - 90 deg, {rest}}}
+events: {{hit: {{joins: [bullet, bar.end], from: before, to: after}}}}
+find: {{theta: theta}}
+"""
+    solution = solve(scene)
+    share = 3 * 0.02**2 * 270**2 / (9.8 * 0.75 * (4.5 + 2 * 0.02) * (4.5 + 3 * 0.02))
+    assert solution.answers["theta"].float == pytest.approx(math.acos(1 - share))
+    assert [item.holds for item in solution.derivation.confirmed] == [True]

@@ -21,7 +21,7 @@ RAW = re.compile(r"[a-z_]\|[a-z_]|…")  # the key of a quantity of the laws, wh
 SAID = FAMILIES[LAGRANGE].words
 
 BLOWS = """bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
-plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
+bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
 blow-on-a-plate-at-a-corner disc-struck-at-its-rim"""
 INERTIA_CHANGES = """bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
 sand-on-a-turntable wheel-on-a-stool carpet-unrolls skater-pulls-in"""

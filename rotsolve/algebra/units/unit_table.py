@@ -34,6 +34,8 @@ def power_of_pi(value: Fraction, power: int) -> Formula:
 
 
 TURNS = ("rev", "turn", "rpm")
+POUNDS = frozenset(("in", "ft", "yd", "mi", "lb", "oz", "slug", "lbf", "kip", "mph", "hp_mechanical"))
+FOREIGN = POUNDS | {"dyn", "erg"}
 
 
 class Unit(Struct, frozen=True):
@@ -54,6 +56,16 @@ class Unit(Struct, frozen=True):
         text = "".join(f"^{{{_RAISED[char]}}}" if char in _RAISED else _LATEX.get(char, char) for char in self.text)
         text = re.sub(r"\^\(([^)]*)\)", r"^{\1}", text)
         return rf"\mathrm{{{text}}}" if text else ""
+
+    @property
+    def is_foreign(self) -> bool:
+        """Whether a unit of feet and pounds, or of the cgs system, stands in it."""
+        return not FOREIGN.isdisjoint(self.words)
+
+    @property
+    def words(self) -> list[str]:
+        """The units of which it is made: kg, m and s of kg m²/s."""
+        return re.findall(r"[A-Za-zµ_]+", self.text)
 
     @property
     def is_hertz(self) -> bool:

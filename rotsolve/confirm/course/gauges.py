@@ -23,7 +23,7 @@ class Gauge(Struct, frozen=True):
     """A function of an instant that vanishes where a line holds; `size` is what it is small against.
 
     `passing` marks one that only tells when it changes its sign, not how far it is from zero; `way` is +1 or −1 for one that has to grow or
-    to fall there, as the rate of what is smallest or largest.
+    to fall there, as the rate of what is smallest or largest; `rests` one of a rate that is nothing there.
     """
 
     value: Callable[[Node], float]
@@ -31,6 +31,7 @@ class Gauge(Struct, frozen=True):
     words: str
     passing: bool = False
     way: int = 0
+    rests: bool = False
 
 
 def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
@@ -64,7 +65,7 @@ def resting_gauge(line: Condition, model: Model) -> Gauge:
         size = max(map(abs, ahead), default=0.0) or 1.0
         return sum(a * b for a, b in zip(speed, ahead, strict=False)) / size
 
-    return Gauge(value, 1.0, "at rest", passing=True)
+    return Gauge(value, 1.0, "at rest", passing=True, rests=True)
 
 
 def riding_gauge(line: Condition, model: Model) -> Gauge:
@@ -147,9 +148,8 @@ def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
 
     size = max(abs(value), 0.1 if path.quantity in ("displacement", "height", "elongation") else 1.0)
     whole = once_round(path, model)
-    return Gauge(
-        gap if whole is None else unwound(gap, begun_at(path, first, gap(first) + value) - value, whole), size, words
-    )
+    counted = gap if whole is None else unwound(gap, begun_at(path, first, gap(first) + value) - value, whole)
+    return Gauge(counted, size, words, rests=path.quantity in ("velocity", "angular_velocity") and value == 0.0)
 
 
 def begun_at(path: Path, first: Node, read: float) -> float:

@@ -338,8 +338,11 @@ def gives(function: Callable[[Node], float], lap: Lap, known: Sequence[tuple[flo
 
 
 def finely(found: list[Gauge], first: Node) -> list[Gauge]:
-    """What a state says alone with a size that is small where little is left of it at first: a slow speed that is to vanish."""
-    if len(found) != 1 or found[0].passing:
+    """What a state says alone with a size that is small where little is left of it at first: a slow speed that is to vanish; of several
+    lines first the one of a rate that is nothing there."""
+    if len(found) > 1:  # where it stops it only comes to a place; the rate passes through nothing
+        return sorted(found, key=lambda gauge: not (gauge.rests and abs(gauge.value(first)) > HOLDS))
+    if not found or found[0].passing:
         return found
     begun = SLOW * abs(found[0].value(first))
     return [replace(found[0], size=min(found[0].size, begun))] if begun else found
