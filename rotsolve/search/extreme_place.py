@@ -44,7 +44,7 @@ class Domain(Struct, frozen=True):
         return [end for end in (None if self.open else self.low, self.high) if end is not None]
 
 
-class Candidate(Struct, frozen=True):
+class Extremum(Struct, frozen=True):
     """A place where the extremum may be, with the quantity there; `number` is that of a place without a closed form."""
 
     at: Formula
@@ -84,19 +84,19 @@ class Curve(Struct):
         signs = self.search.signs
         return self.search.number(value) is not None or not signs.trials.keys() >= set(signs.lacking(value))
 
-    def is_level(self, one: Candidate, other: Candidate) -> bool:
+    def is_level(self, one: Extremum, other: Extremum) -> bool:
         """Whether a quantity is the same at two places, as far as it can be told apart there."""
         gap = one.value - other.value
         return not self.sign(gap) if gap.symbols() & self.numbered.keys() else is_zero(gap)
 
-    def at(self, place: Formula) -> Candidate | None:
+    def at(self, place: Formula) -> Extremum | None:
         """The quantity at a place, None where it has no value there, or none that is real, as the root of a negative square."""
         try:
             value = self.search.solver.simplify(self.curve.substitute({self.letter: place}))
         except (ZeroDivisionError, ValueError):
             return None
         number = self.number(place) if place.symbols() & self.numbered.keys() else None
-        return Candidate(place, value, number) if self.is_real(value) else None
+        return Extremum(place, value, number) if self.is_real(value) else None
 
 
 def domain_of(letter: str, search: Search) -> Domain:
@@ -113,13 +113,13 @@ def domain_of(letter: str, search: Search) -> Domain:
     return Domain(None if signed else ZERO, None, open=bodily)
 
 
-def best_place(course: Curve, word: str, choice: str, *, only: bool) -> tuple[Candidate, Words]:
+def best_place(course: Curve, word: str, choice: str, *, only: bool) -> tuple[Extremum, Words]:
     """The place of the extremum, the `only` one where that is asked, or by `choice` the largest or smallest of several, and why."""
     search = course.search
     domain = domain_of(course.letter, search)
     check_smooth(course, domain)
     roots, round_ = roots_of(course, domain)
-    inside = [place for root in roots if (place := candidate_at(root, domain, course, round_)) is not None]
+    inside = [place for root in roots if (place := extremum_at(root, domain, course, round_)) is not None]
     outer = [end for end in domain.ends if end not in [place.at for place in inside]]
     places = [*inside, *(place for end in outer if (place := course.at(end)) is not None)]
     found = best_of(places, course, word) if places else None
@@ -139,7 +139,7 @@ def best_place(course: Curve, word: str, choice: str, *, only: bool) -> tuple[Ca
     return best, (*at_end, *why_best(course, places, best, word))
 
 
-def best_of(places: list[Candidate], course: Curve, word: str, *, by_place: bool = False) -> Candidate:
+def best_of(places: list[Extremum], course: Curve, word: str, *, by_place: bool = False) -> Extremum:
     """The first of the places at which the quantity, or the letter itself, is largest or smallest."""
     side, best = 1 if word == "largest" else -1, places[0]
     for other in places[1:]:
@@ -151,7 +151,7 @@ def best_of(places: list[Candidate], course: Curve, word: str, *, by_place: bool
     return best
 
 
-def more_than_one(course: Curve, places: list[Candidate], word: str) -> tuple[str, None, str]:
+def more_than_one(course: Curve, places: list[Extremum], word: str) -> tuple[str, None, str]:
     """That several places are as good, and how to ask for one."""
     letter = course.letter
     told = [to_text(place.at) for place in places if place.number is None]
@@ -160,7 +160,7 @@ def more_than_one(course: Curve, places: list[Candidate], word: str) -> tuple[st
     return f"it is {word} at more than one `{letter}`{where}", None, help
 
 
-def candidate_at(root: Formula, domain: Domain, course: Curve, round_: bool) -> Candidate | None:
+def extremum_at(root: Formula, domain: Domain, course: Curve, round_: bool) -> Extremum | None:
     """The place of a root of the derivative where it lies in the domain, ends included, and the quantity has a value."""
     fits = course.is_real(root) if round_ else is_inside(root, domain, course)
     return course.at(root) if fits else None
@@ -286,7 +286,7 @@ def rootless(part: Formula, course: Curve) -> bool:
     return course.search.signs.sign(slope**2 - bend * rest * 2) == -1
 
 
-def check_open_ends(course: Curve, domain: Domain, inside: list[Candidate], best: Candidate | None, word: str) -> None:
+def check_open_ends(course: Curve, domain: Domain, inside: list[Extremum], best: Extremum | None, word: str) -> None:
     """Where the domain has no end, the quantity must get worse beyond the last root, or come near nothing better, or not be real."""
     for towards, end in ((-1, domain.low), (1, domain.high)):
         outermost = outermost_of(inside, towards, course)
@@ -298,7 +298,7 @@ def check_open_ends(course: Curve, domain: Domain, inside: list[Candidate], best
         check_beyond(course, domain, beyond, best, towards, word)
 
 
-def outermost_of(inside: list[Candidate], towards: int, course: Curve) -> Candidate | None:
+def outermost_of(inside: list[Extremum], towards: int, course: Curve) -> Extremum | None:
     """The last root on one side; None where there is none."""
     found = inside[0] if inside else None
     for place in inside[1:]:
@@ -311,7 +311,7 @@ def outermost_of(inside: list[Candidate], towards: int, course: Curve) -> Candid
 
 
 def check_beyond(
-    course: Curve, domain: Domain, beyond: Formula, best: Candidate | None, towards: int, word: str
+    course: Curve, domain: Domain, beyond: Formula, best: Extremum | None, towards: int, word: str
 ) -> None:
     """Refuse where, from a place `beyond` the last root on, the quantity comes to better values than the best one."""
     letter, side = course.letter, 1 if word == "largest" else -1
@@ -347,7 +347,7 @@ def value_far_out(course: Curve, domain: Domain, towards: int) -> Formula | None
     return ZERO if len(upper) < len(lower) else upper[-1] / lower[-1]
 
 
-def ceases(course: Curve, root: Candidate, end: Formula | None) -> bool:
+def ceases(course: Curve, root: Extremum, end: Formula | None) -> bool:
     """Whether a quantity vanishes at the last root and is not real at the end beyond it: there it ceases."""
     return end is not None and root.value == ZERO and course.at(end) is None
 
@@ -361,7 +361,7 @@ def probe(course: Curve, root: Formula, towards: int, domain: Domain) -> Formula
     return root + towards
 
 
-def why_best(course: Curve, places: list[Candidate], best: Candidate, word: str) -> Words:
+def why_best(course: Curve, places: list[Extremum], best: Extremum, word: str) -> Words:
     """All places with the values there: "M = 0 at x = 0, M = 0 at x = L: largest at x = L/3"."""
     if course.numbered:
         count = len(places)
