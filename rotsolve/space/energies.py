@@ -6,6 +6,7 @@ from __future__ import annotations
 from rotsolve.algebra.formula import HALF, ZERO, Formula, add, multiply
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.triple import NOTHING, Triple, cross_product, dot_product, square, square_of, vector_sum
+from rotsolve.core.writing import point_in_words
 from rotsolve.language.bodies import PointRef
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
@@ -26,6 +27,16 @@ def kinetic_energies(laws: SpaceLaws, name: str, which: str = "") -> tuple[Formu
         assert moment.onward is not None
         return kinetic_energies(moment.onward.before, name, "rotational")[0], travel
     return half_quadratic(laws.tensor(name, point), moment.attitude(name).omega), travel
+
+
+def energy_in_words(laws: SpaceLaws, name: str, terms: tuple[Formula, Formula], height: Formula = ZERO) -> str:
+    """The terms that an energy has, behind the point at rest about which all of it is rotation: " about its tip, ½ ω · I ω"."""
+    turning, travelling = terms
+    told = {"½ ω · I ω": turning, "½ M v²": travelling, "M g h": height}
+    said = " + ".join(words for words, value in told.items() if value != ZERO)
+    about = laws.about(name)[0] != laws.moment.arm(PointRef(name, CM)) if name and turning != ZERO else False
+    where = f" about {point_in_words(laws.about(name)[1])}" if about and laws.fixed(name) and height == ZERO else ""
+    return f"{where}, {said}" if said else where
 
 
 def power_of(push: ForceInSpace, moment: SpaceMoment) -> Formula:

@@ -29,7 +29,7 @@ from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import Path, Term
 from rotsolve.paths.meaning import Meaning, NotYet, label_of, path_text
 from rotsolve.space.arrangement import NODAL
-from rotsolve.space.energies import height_above, kinetic_energies, power_of
+from rotsolve.space.energies import energy_in_words, height_above, kinetic_energies, power_of
 from rotsolve.space.inertia import CM, in_axes, moment_along
 from rotsolve.space.telling import turns_untold
 from rotsolve.space.understood import refuse_dropped
@@ -199,31 +199,25 @@ class SpaceReader(VectorReader):
 
     def kinetic_energy(self, path: Path, term: Term) -> Meaning:
         """½ Σ I_ij ω_i ω_j about a point at rest; else about the centre of mass, and ½ M v²."""
-        names = [path.owner] if path.owner else list(self.held.order)
-        terms: list[Formula] = []
-        for name in names:
-            turning, travelling = kinetic_energies(self.dynamics, name, path.component or "")
-            terms += [turning, travelling]
-        formula: Formula = ZERO
-        for term_ in terms:
-            formula = add(formula, term_)
+        turning, travelling = self.turning_and_travelling(path)
         return Meaning(
-            formula,
+            add(turning, travelling),
             QUANTITIES["kinetic_energy"].dimension,
-            label="kinetic energy, ½ ω · I ω + ½ M v²",
+            label=f"kinetic energy{energy_in_words(self.dynamics, path.owner, (turning, travelling))}",
             law=KINETIC_ENERGY,
         )
 
+    def turning_and_travelling(self, path: Path) -> tuple[Formula, Formula]:
+        """The energy of rotation and that of travel, of a body or of all."""
+        names = [path.owner] if path.owner else list(self.held.order)
+        parts = [kinetic_energies(self.dynamics, name, path.component or "") for name in names]
+        return total([turning for turning, _ in parts]), total([travelling for _, travelling in parts])
+
     def energy(self, path: Path, term: Term) -> Meaning:
         """K + M g h, h from the point about which the body turns."""
-        gravity = self.problem.gravity
-        result = self.kinetic_energy(path, term).formula
-        for name in [path.owner] if path.owner else list(self.held.order):
-            if gravity is not None:
-                result = add(
-                    result, multiply(multiply(self.held.mass(name), gravity), height_above(self.dynamics, name))
-                )
-        return Meaning(result, QUANTITIES["energy"].dimension, label="energy, ½ ω · I ω + M g h")
+        terms, height = self.turning_and_travelling(path), self.potential_energy(path, term).formula
+        words = energy_in_words(self.dynamics, path.owner, terms, height)
+        return Meaning(add(add(*terms), height), QUANTITIES["energy"].dimension, label=f"energy{words}")
 
     def inertia(self, path: Path, term: Term) -> Meaning:
         """nᵀ I n about a direction, in the body's own axes; about its axis where none is named."""
