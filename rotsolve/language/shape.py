@@ -51,6 +51,7 @@ class Shape(Element, frozen=True):
     seen: ClassVar[bool] = (
         False  # whether its measure is what is seen along its axis, and its content that times its length
     )
+    regular: ClassVar[str] = ""  # its word where all its sides are alike, so that it is the same about all axes
     noun: ClassVar[str] = ""  # what it is called beside its moment of inertia, if not by its word
 
     def moment(self, mass: Formula) -> Formula:
@@ -93,6 +94,10 @@ class Shape(Element, frozen=True):
     def outline(self) -> tuple[Place, ...]:
         """The corners or ends with which it may stand on something, in its own axes; none of what is round or a point."""
         return ()
+
+    def is_regular(self) -> bool:
+        """Whether all its sides are alike, and it has a word for that."""
+        return bool(self.regular) and len(set(getattr(self, "sides", ()))) == 1
 
     def rooms(self) -> Iterator[Limit]:
         """What has to be for its sizes to fit each other: of two radii the inner one is smaller."""

@@ -66,7 +66,7 @@ def distance_words(parts: list[Formula], square: Formula) -> Words:
 
 def noun(piece: RigidPiece) -> str:
     """What a piece is called: "solid disc"; its name where it has no shape to speak of."""
-    word = piece.shape.word
+    word = piece.shape.regular if piece.shape.is_regular() else piece.shape.word
     if piece.tensor is None or word in ("particle", ""):
         return spoken(piece.name)
     return f"solid {word}" if word in ("disc", "cylinder", "sphere", "cone") else word
@@ -77,8 +77,10 @@ def about_axis(piece: RigidPiece, entry: str) -> str:
     tensor = piece.tensor
     if tensor is None or entry not in ONE_AXIS:
         return ""
-    if tensor.xx == tensor.yy == tensor.zz:
-        return " about a diameter" if piece.shape.round else " about any axis through its centre"
+    if piece.shape.is_regular():
+        return " about any axis through its centre"
+    if piece.shape.spherical:
+        return " about a diameter"
     if entry == "zz":
         return " about its centre" if piece.shape.flat and not piece.shape.outer else " about its axis"
     return f" about its {entry[0]} axis"

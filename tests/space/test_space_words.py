@@ -136,7 +136,7 @@ def test_the_law_of_rotation_says_that_it_tells_the_torque() -> None:
 def test_only_what_is_round_has_diameters_and_squares_of_moments_have_no_angle_in_their_unit() -> None:
     solution = solve(CUBE)
     labels = [line.law for line in laws(solution)]
-    assert "moment of inertia, cuboid about any axis through its centre" in labels
+    assert "moment of inertia, cube about any axis through its centre" in labels
     assert any(label == "moment of inertia, solid sphere about a diameter" for label in labels)
     units = {
         answer.name: answer.unit.text if hasattr(answer.unit, "text") else str(answer.unit)

@@ -69,6 +69,7 @@ def of_squares(part: Formula, sides: tuple[Formula, ...]) -> InertiaTensor:
 
 class Cuboid(Shape, frozen=True):
     word = "cuboid"
+    regular = "cube"
     backed = True
     about = "uniform box: width along x, height along y, depth along z"
     spread = "volume"

@@ -1,0 +1,69 @@
+"""What laws and questions in space are called: a label says what stands beside it, and no more."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.core.derivation import LawLine
+from rotsolve.pipeline import solve
+from rotsolve.solution import Solution
+
+TOP = """
+up: z
+given: {{I_1: 5 kg m^2, I_3: 1 kg m^2, M: 3 kg, l: 1 m, w: 4 rad/s}}
+bodies: {{top: {{mass: M, inertia: {{principal: [I_1, I_1, I_3], about: tip}}, points: {{tip: [0, 0, -l]}}, axis: z}}}}
+connections: {{pin: {{ball: top.tip}}}}
+states: {{now: {{top.tilt: 60 deg, top.precession: 2 rad/s, top.nutation: 0 rad/s, top.spin: w}}}}
+find: {{{find}}}
+"""
+FREE = """
+up: z
+given: {{a: 2 m, b: 1 m, M: 3 kg, w: 4 rad/s, v: 2 m/s}}
+bodies: {{box: {{shape: cuboid, mass: M, sides: {sides}}}}}
+states: {{now: {{box.angular_velocity: {turning}, box.velocity: {going}}}}}
+find: {{{find}}}
+"""
+
+
+def law_lines(solution: Solution) -> list[LawLine]:
+    return [line for section in solution.derivation.sections for line in section.laws]
+
+
+def labels_in(scene: str, **parts: str) -> list[str]:
+    return [line.law for line in law_lines(solve(scene.format(**parts)))]
+
+
+def free(find: str, turning: str = "[w, w, 0]", going: str = "[0, 0, 0]", sides: str = "[a, a, a]") -> list[str]:
+    return labels_in(FREE, find=find, turning=turning, going=going, sides=sides)
+
+
+# energies
+
+
+@pytest.mark.parametrize(
+    ("turning", "going", "find", "label"),
+    [
+        ("[w, w, 0]", "[v, 0, 0]", "box.kinetic_energy", "kinetic energy, ½ ω · I ω + ½ M v²"),
+        ("[w, w, 0]", "[0, 0, 0]", "box.kinetic_energy", "kinetic energy, ½ ω · I ω"),
+        ("[0, 0, 0]", "[v, 0, 0]", "box.kinetic_energy", "kinetic energy, ½ M v²"),
+        ("[w, w, 0]", "[v, 0, 0]", "box.kinetic_energy.rotational", "kinetic energy, ½ ω · I ω"),
+        ("[w, w, 0]", "[v, 0, 0]", "box.kinetic_energy.translational", "kinetic energy, ½ M v²"),
+        ("[w, w, 0]", "[v, 0, 0]", "kinetic_energy", "kinetic energy, ½ ω · I ω + ½ M v²"),
+    ],
+)
+def test_an_energy_is_called_by_the_terms_that_it_has(turning: str, going: str, find: str, label: str) -> None:
+    assert label in free(f"K: {find}", turning, going)
+
+
+def test_about_a_point_at_rest_all_of_the_energy_is_rotation() -> None:
+    assert "kinetic energy about its tip, ½ ω · I ω" in labels_in(TOP, find="K: top.kinetic_energy")
+    assert "energy, ½ ω · I ω + M g h" in labels_in(TOP, find="E: top.energy")
+
+
+# shapes
+
+
+def test_only_a_cuboid_of_equal_sides_is_a_cube_and_the_same_about_all_axes() -> None:
+    find = "I: box.inertia_tensor.yy"
+    assert "moment of inertia, cube about any axis through its centre" in free(find)
+    assert "moment of inertia, cuboid about its y axis" in free(find, sides="[a, b, a]")
