@@ -15,7 +15,7 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, Equation, Law
 from rotsolve.core.facts import BodyFacts, Facts, signed, square
-from rotsolve.core.quantity import POINT, QUANTITIES
+from rotsolve.core.quantity import BEARINGS, OF_BEARINGS, POINT, QUANTITIES
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
@@ -98,7 +98,8 @@ def label_of(path: Path, term: Term | None) -> str:
     if path.component in ("rotational", "translational"):
         word = f"{path.component} {word}"
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
-    of_point = path.point is not None and POINT in QUANTITIES[path.quantity].owners
+    with_points = POINT in QUANTITIES[path.quantity].owners or path.quantity in OF_BEARINGS
+    of_point = path.point is not None and with_points
     owner = spoken_point(path) if of_point else spoken(path.owner)
     about = f" about {spoken_about(term.about)}" if term is not None and term.about is not None else ""
     if named and owner:
@@ -122,7 +123,7 @@ def spoken_point(path: Path) -> str:
     """The owner and point of a path in words."""
     name = spoken(path.owner)
     at = f"point at {to_text(path.argument)}" if path.argument is not None else path.point
-    point = {"cm": "centre of mass", None: ""}.get(path.point, at)
+    point = "" if path.point is None else {**BEARINGS, "cm": "centre of mass"}.get(path.point, at)
     return f"the {name}'s {point}" if point else name
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import BODY, FELT, OF_BEARINGS, POINT, QUANTITIES, SPACE, SYSTEM, VECTORS, QuantityKind
+from rotsolve.core.quantity import BEARINGS, BODY, FELT, OF_BEARINGS, POINT, QUANTITIES, SPACE, SYSTEM, VECTORS, QuantityKind
 from rotsolve.core.symbols import PLACES, RATES
 from rotsolve.elements.shapes import WHEEL, rivals
 from rotsolve.language.grammar import SWINGS
@@ -270,7 +270,6 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
 
 
 SUMMED = ("momentum",)  # what the whole scene has a component of: `momentum.y`
-BEARINGS = ("bearing1", "bearing2")  # of a hinge in space
 OF_ENDS = (
     "tension",
 )  # what is told of the part of a connection at one of its ends; all else is of the whole, or on the body named last

@@ -37,6 +37,11 @@ def free(find: str, turning: str = "[w, w, 0]", going: str = "[0, 0, 0]", sides:
     return labels_in(FREE, find=find, turning=turning, going=going, sides=sides)
 
 
+def find_line(solution: Solution) -> str:
+    """What a page says to be asked."""
+    return next(line for line in solution.to("text", width=1000).splitlines() if line.startswith("Find"))
+
+
 # energies
 
 
@@ -67,3 +72,23 @@ def test_only_a_cuboid_of_equal_sides_is_a_cube_and_the_same_about_all_axes() ->
     find = "I: box.inertia_tensor.yy"
     assert "moment of inertia, cube about any axis through its centre" in free(find)
     assert "moment of inertia, cuboid about its y axis" in free(find, sides="[a, b, a]")
+
+
+# bearings
+
+SHAFT = """
+up: z
+given: {{M: 4 kg, R: 0.3 m, b: 0.5 m, w: 20 rad/s, e: 2 mm}}
+bodies: {{wheel: {{shape: disc, mass: M, radius: R, turned: {{about: y, by: 5 deg}}}}}}
+connections: {{shaft: {{hinge: wheel, along: z, bearings: [-b, b], angular_velocity: w}}}}
+states: {{now: {{wheel.angle: 0 deg}}}}
+find: {{{find}}}
+"""
+
+
+def test_the_force_of_one_bearing_names_it_and_that_of_both_names_the_hinge() -> None:
+    one, both = (solve(SHAFT.format(find=f"F: {asked}")) for asked in ("shaft.bearing2.force", "size of shaft.force"))
+    assert "of the shaft's bearing 2" in find_line(one) and "bearing" not in find_line(both)
+    assert any(line.law.startswith("force of the shaft's bearing 2") for line in law_lines(one))
+    assert not any("bearing" in line.law for line in law_lines(both))
+    assert "Lager 2 von shaft" in one.to("text", language="de")
