@@ -8,7 +8,18 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import BEARINGS, BODY, FELT, OF_BEARINGS, POINT, QUANTITIES, SPACE, SYSTEM, VECTORS, QuantityKind
+from rotsolve.core.quantity import (
+    BEARINGS,
+    BODY,
+    FELT,
+    OF_BEARINGS,
+    POINT,
+    QUANTITIES,
+    SPACE,
+    SYSTEM,
+    VECTORS,
+    QuantityKind,
+)
 from rotsolve.core.symbols import PLACES, RATES
 from rotsolve.elements.shapes import WHEEL, rivals
 from rotsolve.language.grammar import SWINGS

@@ -49,22 +49,33 @@ PRODUCTS = {"x": ("xy", "zx"), "y": ("xy", "yz"), "z": ("zx", "yz")}
 def principal(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> list[Found]:
     """The three moments with their axes, of a tensor whose letters are spelled out to see what vanishes or is alike; none where no axis
     shows."""
-
-    def nothing(value: Formula) -> bool:
-        return value == ZERO or vanishes(spelled(value))
-
-    free = [axis for axis in "xyz" if all(nothing(tensor.entry(word)) for word in PRODUCTS[axis])]
+    free = bare_axes(tensor, spelled, vanishes)
     if len(free) == 3:
         return [(tensor.entry(axis * 2), WAYS[axis]) for axis in "xyz"]
     if free:
         return [(tensor.entry(free[0] * 2), WAYS[free[0]]), *in_plane(tensor, free[0], spelled)]
-    alike = [tensor.xx - tensor.yy, tensor.yy - tensor.zz, tensor.xy - tensor.yz, tensor.yz - tensor.zx]
-    if all(map(nothing, alike)):
+    if all_alike(tensor, spelled, vanishes):
         third = ONE / sqrt(3 * ONE)
         lone = simplify(add(tensor.xx, 2 * tensor.xy))
         other = simplify(add(tensor.xx, negate(tensor.xy)))
         return [(lone, (third, third, third)), (other, None), (other, None)]
     return by_factors(tensor, spelled)
+
+
+def bare_axes(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> list[str]:
+    """The axes on which no product of inertia stands."""
+
+    def none(word: str) -> bool:
+        entry = tensor.entry(word)
+        return entry == ZERO or vanishes(spelled(entry))
+
+    return [axis for axis in "xyz" if all(map(none, PRODUCTS[axis]))]
+
+
+def all_alike(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> bool:
+    """Whether all three moments are the same, and all three products."""
+    gaps = (tensor.xx - tensor.yy, tensor.yy - tensor.zz, tensor.xy - tensor.yz, tensor.yz - tensor.zx)
+    return all(gap == ZERO or vanishes(spelled(gap)) for gap in gaps)
 
 
 def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
@@ -85,6 +96,16 @@ def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
 def by_factors(tensor: InertiaTensor, spelled: Spelled) -> list[Found]:
     """The three moments by the factors of det (I − λ 1), a linear one first, with its axis where it is alone; none where there is none."""
     rows = [triple([spelled(tensor.entry(word)) for word in words]) for words in ROWS]
+    found: list[Found] = []
+    for part, e in cubic_factors(rows):
+        roots = rising_roots(part, spelled)
+        alone = e == 1 and (len(roots) == 2 or not found)
+        found += [(root, lone_way(rows, root, spelled) if alone else None) for root in roots] * e
+    return found if len(found) == 3 else []
+
+
+def cubic_factors(rows: list[Triple]) -> list[tuple[Formula, int]]:
+    """The factors of det (I − λ 1) with how often each stands, those of the lowest degree first; none of a long tensor."""
     if sum(length(part) for row in rows for part in row) > FACTORED:
         return []
     moment = Symbol(MOMENT)
@@ -92,13 +113,10 @@ def by_factors(tensor: InertiaTensor, spelled: Spelled) -> list[Found]:
     problem = Fractions([dot_product(shifted[0], cross_product(shifted[1], shifted[2]))], extra=(MOMENT,))
     _, factors = problem.field.factor(problem.numerator())
     parts = [(problem.shaper.poly(part), e) for part, e in factors]
-    parts = [(part, e) for part, e in parts if MOMENT in part.symbols()]
-    found: list[Found] = []
-    for part, e in sorted(parts, key=lambda item: (degree(item[0], MOMENT) or 0, item[1])):
-        roots = rising_roots(part, spelled)
-        alone = e == 1 and (len(roots) == 2 or not found)
-        found += [(root, lone_way(rows, root, spelled) if alone else None) for root in roots] * e
-    return found if len(found) == 3 else []
+    return sorted(
+        ((part, e) for part, e in parts if MOMENT in part.symbols()),
+        key=lambda item: (degree(item[0], MOMENT) or 0, item[1]),
+    )
 
 
 def rising_roots(part: Formula, spelled: Spelled) -> list[Formula]:
@@ -166,8 +184,8 @@ def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> 
     return 1 if evaluate(ratio - ONE, {}).float > 0 else -1
 
 
-def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> Triple:
-    """The axis of the one moment that no other equals."""
+def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> tuple[Formula, Triple]:
+    """The one moment that no other equals, and its axis."""
 
     def nothing(value: Formula) -> bool:
         return vanishes(spelled(value))
@@ -177,5 +195,5 @@ def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Not
         others = [item for place, (item, _) in enumerate(found) if place != number]
         alone = way is not None and not any(nothing(moment - other) for other in others)
         if way is not None and alone and nothing(others[0] - others[1]):
-            return way
+            return moment, way
     raise NotYet(f"`{path_text(path)}`: no principal moment stands alone beside two that are equal", path.span)

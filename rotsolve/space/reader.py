@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, sqrt, total
 from rotsolve.algebra.units.dimension import ANGLE, Dimension
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINETIC_ENERGY, PART_OF_ROOTS, Equation
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
@@ -36,6 +37,7 @@ from rotsolve.space.understood import refuse_dropped
 from rotsolve.space.vector_reader import VectorReader, tidied_part
 
 PRINCIPAL = "principal moment of inertia, a root λ of det(I − λ 1) = 0"
+PRINCIPAL_AXIS = ", (I − λ 1) e = 0, |e| = 1"
 INERTIAL_NAMES = {
     "centrifugal": "centrifugal force on {body}, −m Ω × (Ω × r)",
     "euler": "Euler force on {body}, −m (dΩ/dt) × r",
@@ -72,12 +74,14 @@ class SpaceReader(VectorReader):
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         self.refuse_untold_turn(path, meaning.formula)
+        known_by = PRINCIPAL_AXIS if path.quantity == "principal_axis" else ""
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
         return replace(
             meaning,
             formula=self.held.signs.unbarred(meaning.formula),
-            label=meaning.label or inertial_label(path) or label_of(plainly_named(path), term),
+            label=meaning.label or inertial_label(path) or f"{label_of(plainly_named(path), term)}{known_by}",
             laws=tuple(laws),
+            said=meaning.said or (self.axis_ground(path, term) if known_by else ()),
         )
 
     def concerned(self, owner: str) -> tuple[str, ...]:
@@ -279,6 +283,7 @@ class SpaceReader(VectorReader):
     def principal_moments(self, path: Path, term: Term) -> Meaning:
         from rotsolve.space.principal import principal_moment
         from rotsolve.space.principal_cubic import nearly_alike, principal_by_cubic
+        from rotsolve.space.principal_factors import in_factors
 
         tensor, number = self.tensor_about(path, term), int((path.component or "1").split()[-1])
         spelled, signs = self.dynamics.tensors.spelled, self.moment.signs
@@ -296,7 +301,16 @@ class SpaceReader(VectorReader):
                 raise NotYet(message, path.span, "ask for `inertia_tensor`, or draw it along its axes")
             found = principal_by_cubic(tensor, number, partial(self.part_of_cubic, path.owner, term, parts))
         steps = (*self.dynamics.tensors.steps, *parts)
-        return Meaning(found, QUANTITIES["inertia"].dimension, label=PRINCIPAL, laws=steps)
+        ground = () if parts else in_factors(tensor, spelled, self.held.vanishes)
+        return Meaning(found, QUANTITIES["inertia"].dimension, label=PRINCIPAL, laws=steps, said=ground)
+
+    def axis_ground(self, path: Path, term: Term) -> Words:
+        """Of which principal moment the axis is asked that stands alone."""
+        from rotsolve.space.principal import lone_axis
+
+        tensor = self.tensor_about(path, term)
+        moment, _ = lone_axis(tensor, self.dynamics.tensors.spelled, path, self.held.vanishes)
+        return "λ = ", moment, ", which stands alone"
 
     def part_of_cubic(
         self,

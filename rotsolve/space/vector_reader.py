@@ -246,9 +246,8 @@ class VectorReader:
         from rotsolve.space.principal import lone_axis
 
         tensor = self.tensor_about(path, term)
-        return lone_axis(tensor, self.dynamics.tensors.spelled, path, self.held.vanishes), self.moment.own_axes(
-            path.owner
-        )
+        _, way = lone_axis(tensor, self.dynamics.tensors.spelled, path, self.held.vanishes)
+        return way, self.moment.own_axes(path.owner)
 
     # of connections and actions
 

@@ -1,0 +1,65 @@
+"""Ground of principal moments and axes: det(I − λ 1) = 0 in the factors of which the moments are roots, as a remark beside each."""
+
+from __future__ import annotations
+
+from functools import reduce
+
+from rotsolve.algebra.formula import Formula, Symbol, add, multiply, negate
+from rotsolve.core.derivation import Words
+from rotsolve.core.facts import square
+from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor
+from rotsolve.core.vectors.triple import triple
+from rotsolve.core.writing import with_powers
+from rotsolve.space.principal import (
+    BESIDE,
+    MOMENT,
+    ROWS,
+    Nothing,
+    Spelled,
+    all_alike,
+    bare_axes,
+    cubic_factors,
+)
+
+ROOT = Symbol("lambda")
+MOMENTS, PRODUCTS_OF = ENTRIES[:3], ENTRIES[3:]
+
+
+def in_factors(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> Words:
+    """det(I − λ 1) = 0 in factors, with what makes it so; nothing where the tensor is diagonal as it stands, where its cubic has no
+    factors, or where the scene has a λ of its own."""
+    entries = [tensor.entry(word) for word in ENTRIES]
+    free = bare_axes(tensor, spelled, vanishes)
+    if len(free) == len(MOMENTS) or any(ROOT.name in spelled(entry).symbols() for entry in entries):
+        return ()
+    if free:
+        return across_axis(tensor, free[0], spelled), " = 0"
+    if all_alike(tensor, spelled, vanishes):
+        return of_alike(tensor)
+    factors = cubic_factors([triple([spelled(tensor.entry(word)) for word in words]) for words in ROWS])
+    each = [part.substitute({MOMENT: ROOT}) for part, e in factors for _ in range(e)]
+    return (with_powers(reduce(multiply, each)), " = 0") if len(each) > 1 else ()
+
+
+def across_axis(tensor: InertiaTensor, axis: str, spelled: Spelled) -> Formula:
+    """(I_c − λ) ((I_a − λ) (I_b − λ) − I_ab²)."""
+    one, other, product = (spelled(tensor.entry(word)) for word in BESIDE[axis])
+    pair = add(with_powers(multiply(less_root(one), less_root(other))), negate(square(product)))
+    return multiply(less_root(tensor.entry(axis * 2)), pair)
+
+
+def of_alike(tensor: InertiaTensor) -> Words:
+    """(I_xx + 2 I_xy − λ) (I_xx − I_xy − λ)² = 0 of three moments that are alike, as their products are."""
+    lone, other = add(tensor.xx, 2 * tensor.xy), add(tensor.xx, negate(tensor.xy))
+    whole = multiply(less_root(lone), less_root(other) ** 2)
+    alike = [dict.fromkeys(tensor.entry(word) for word in words) for words in (MOMENTS, PRODUCTS_OF)]
+    said: list[str | Formula] = []
+    for row in alike:
+        equal = [part for entry in row for part in (" = ", entry)][1:]
+        said += [", " if said else ", as ", *equal] if len(row) > 1 else []
+    return (whole, " = 0", *said)
+
+
+def less_root(moment: Formula) -> Formula:
+    """I − λ."""
+    return add(moment, negate(ROOT))
