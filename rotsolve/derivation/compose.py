@@ -349,7 +349,9 @@ class DerivationComposer:
     def _sought(self) -> tuple[Words, ...]:
         """What is asked for, a vector once."""
         timeline = self.scene.configuration.timeline
-        return tuple(dict.fromkeys(sought_words(item.find, timeline) for item in self.search.in_order()))
+        conditional = {find.name: find for find in self.problem.finds if find.where is not None}
+        finds = (conditional.get(item.find.name, item.find) for item in self.search.in_order())
+        return tuple(dict.fromkeys(sought_words(find, timeline) for find in finds))
 
     def _conventions(self) -> tuple[Words, ...]:
         kinds = {key_of(name).kind for name in self.letters.names}

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import Symbol
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ZERO, Number, Symbol
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.core.derivation import Words
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.headings import moment_title
 from rotsolve.language.problem import ANY_TIME, Find, Term
@@ -16,20 +21,60 @@ SWINGS = ("small swings", "swings")  # modifiers that say of which motion a peri
 WITHIN = ("gravity", "net", "rotational", "translational")  # components that the name of a quantity has in it
 COUNTED = ("rotations", "translations")  # components that are quantities of their own
 
+CONDITIONS = {"stable": "is stable", "steady": "is steady"}  # of words behind `where`, as they are said
+
 
 def sought_words(find: Find, timeline: Timeline) -> Words:
-    """The letter of a question, within words where it asks for one quantity."""
-    letter = Symbol(find.group)
-    term = find.terms[0] if len(find.terms) == 1 and find.formula == PLAIN else None
-    if term is None or find.where is not None or find.choice is not None or term.other is not None:
-        return (letter,)
-    if not term.path.owner and term.path.quantity != "time":
+    """The letter of a question, within words where it asks for one quantity, or for what fulfils a condition."""
+    letter, condition = Symbol(find.group), condition_in_words(find, timeline)
+    if condition:
+        return (*of_condition(find, timeline), " for which ", *condition)
+    term = plain_term(find)
+    if term is None or find.where is not None:
         return (letter,)
     before, (word, owner) = part_asked(find, term), named(find, term)
     behind = f"{owner}{observed_in(term)}{moment_words(term, timeline)}"
     if before.endswith(" of the "):
         return (before.removesuffix("of the "), letter, f" of the {word}{behind}")
     return (f"{before}{word} ", letter, behind) if behind else (f"{before}{word} ", letter)
+
+
+def plain_term(find: Find) -> Term | None:
+    """The quantity of a question for one quantity alone that has a name; None of others."""
+    term = find.terms[0] if len(find.terms) == 1 and find.formula == PLAIN and find.choice is None else None
+    if term is None or term.other is not None or not (term.path.owner or term.path.quantity == "time"):
+        return None
+    return term
+
+
+def of_condition(find: Find, timeline: Timeline) -> Words:
+    """What is asked under a condition: "smallest value v_d of v", "largest F", "speed v of rod"."""
+    if find.terms:
+        return sought_words(replace(find, where=None), timeline)
+    letter, modifier = Symbol(find.group), f"{find.modifier} " if find.modifier else ""
+    if find.formula == letter:
+        return (modifier, letter) if modifier else (letter,)
+    return (f"{modifier}value ", letter, " of ", find.formula)
+
+
+def condition_in_words(find: Find, timeline: Timeline) -> Words:
+    """The condition of a question in words: "upright is stable", "x component of the impulse of pin in the hit = 0"; nothing where it has
+    none, or one that is no quantity alone."""
+    condition = find.where
+    if condition is None or (not find.terms and not isinstance(find.formula, Symbol)):
+        return ()
+    phrase = condition.phrase
+    if phrase is None:
+        return (f"{spoken(condition.owner)} {CONDITIONS.get(condition.word or '', condition.word)}",)
+    term = plain_term(phrase)
+    if term is None:
+        return ()
+    said = f"the {part_asked(phrase, term)}{''.join(named(phrase, term))}{observed_in(term)}{moment_words(term, timeline)}"
+    if condition.value is None:
+        return (f"{said} is {condition.word}",)
+    if isinstance(condition.value, Number) and condition.value != ZERO:
+        return (f"{said} = {unit_for(QUANTITIES[term.path.quantity].dimension).after(to_text(condition.value))}",)
+    return f"{said} = ", condition.value
 
 
 def named(find: Find, term: Term) -> tuple[str, str]:
