@@ -210,7 +210,9 @@ PENDULUM = Law("pendulum", "equation of motion of a pendulum")
 SMALL_SWINGS = Law("small swings", "small swings", cost=1)
 SWINGS = Law("period of swings", cost=1)
 STABILITY = Law("stability", "limit of stability, nothing drives it back")
-STEADY_LIMIT = Law("limit of steady precession", "limit of steady precession, both rates of precession are one")
+STEADY_LIMIT = Law(
+    "limit of steady precession", "limit of steady precession, both rates of precession are one", explained=True
+)
 
 # what the scene and its questions say
 

@@ -69,7 +69,9 @@ def condition_in_words(find: Find, timeline: Timeline) -> Words:
     term = plain_term(phrase)
     if term is None:
         return ()
-    said = f"the {part_asked(phrase, term)}{''.join(named(phrase, term))}{observed_in(term)}{moment_words(term, timeline)}"
+    said = (
+        f"the {part_asked(phrase, term)}{''.join(named(phrase, term))}{observed_in(term)}{moment_words(term, timeline)}"
+    )
     if condition.value is None:
         return (f"{said} is {condition.word}",)
     if isinstance(condition.value, Number) and condition.value != ZERO:

@@ -21,6 +21,8 @@ from rotsolve.core.equation import (
     RULE,
     RULE_OF_WAYS,
     SECOND_LAW,
+    STABILITY,
+    STEADY_LIMIT,
     STEADY_TRAVEL,
     STEADY_TURN,
     STRETCH,
@@ -37,6 +39,10 @@ from rotsolve.page.wording import enumerated
 
 FEWEST = 2  # laws of a derivation that needs a plan
 FOR = " for {}"
+LIMITS = {  # what wants a plan though it is one law
+    STABILITY.name: "what a small disturbance of the motion of {} does: at the limit nothing drives it back",
+    STEADY_LIMIT.name: "steady precession of {} by τ = Ω × L: at the limit both of its rates are one",
+}
 APART = frozenset(law.name for law in (INERTIA, INTEGRATED, PARALLEL_AXES, KINETIC_ENERGY_AT))
 TIES = frozenset(law.name for law in (RULE, RULE_OF_WAYS, STRETCH))  # what ties motions together
 SAID = {  # how a plan speaks of a law, with its bodies behind it where it is written for each; of others by their labels
@@ -63,13 +69,18 @@ def plan_of(derivation: Derivation) -> tuple[Phrase, ...]:
     """The plan, sentence by sentence; nothing where there is little to plan."""
     sections = [section for section in derivation.sections if section.laws]
     if sum(len(section.laws) for section in sections) < FEWEST:
-        return ()
+        return tuple(map(limit_planned, (law for section in sections for law in section.laws if law.name in LIMITS)))
     if len(sections) == 1:
         return tuple(plan_sentences(sections[0], derivation))
     found = [[] if section.supposed else found_in(section, derivation) for section in sections]
     before = [{one for own in found[:place] for one in own} for place in range(len(found))]
     fresh = [[one for one in own if one not in seen] for own, seen in zip(found, before, strict=True)]
     return tuple(plan_stage(*stage) for stage in zip(range(1, len(sections) + 1), sections, fresh, strict=True))
+
+
+def limit_planned(law: LawLine) -> Phrase:
+    """By what a limit is told, where that is all that there is."""
+    return (capital(LIMITS[law.name].format(and_joined(law.bodies or ("all",)))) + ".",)
 
 
 def plan_sentences(section: Section, derivation: Derivation) -> Iterator[Phrase]:

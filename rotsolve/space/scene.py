@@ -224,7 +224,8 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def put_in_order(self, equation: Equation) -> Equation:
         """An equation with its products in order."""
-        return replace(equation, left=self.in_order(equation.left), right=self.in_order(equation.right))
+        remark = tuple(self.in_order(part) if isinstance(part, Formula) else part for part in equation.remark)
+        return replace(equation, left=self.in_order(equation.left), right=self.in_order(equation.right), remark=remark)
 
     def in_order(self, formula: Formula) -> Formula:
         """A formula with its products in order, functions last, repeated factors as powers: I₁ Ω sin² θ for sin(θ) I₁ Ω sin θ."""
@@ -313,7 +314,7 @@ class SpaceEquations(SceneEquations, dict=True):
     def steady_limit(self, owner: str, state: str) -> Equation | None:
         """Where the steady precession of a body is just possible; None where it has none with two roots."""
         try:
-            return steady_limit(self.dynamics[state], owner)
+            return self.put_in_order(steady_limit(self.dynamics[state], owner))
         except NotYet:
             return None
 
@@ -331,7 +332,8 @@ class SpaceEquations(SceneEquations, dict=True):
             raise NotYet(
                 f"of which body the motion at `{condition.owner}` is {condition.word} nothing tells", condition.span
             )
-        return (steady_limit if condition.word == "steady" else limit_of)(dynamics, names[0])
+        limit = steady_limit if condition.word == "steady" else limit_of
+        return self.put_in_order(limit(dynamics, names[0]))
 
     def reader_in(self, phase: str) -> SpaceReader:
         """What paths mean at any time of a phase."""

@@ -10,7 +10,7 @@ eqs. 12.24 to 12.26).
 from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
-from rotsolve.core.derivation import Words
+from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import STABILITY, STEADY_LIMIT, Equation
 from rotsolve.core.facts import square
 from rotsolve.core.quantity import QUANTITIES
@@ -143,6 +143,10 @@ def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
             if dynamics.moment.signs.decide(dynamics.tensors.spelled(multiply(a, c))) == -1:
                 message = f"`{name}` has a steady precession at `{dynamics.moment.when}` however it spins: no spin is the least"
                 raise NotYet(message, help=HANGS)
-            roots: Words = ("the roots of ", gap, " = 0 for ", rate, " are equal")
-            return STEADY_LIMIT.equation(square(b), 4 * multiply(a, c), dynamics.moment.when, (name,), roots)
+            own, other = square(b), 4 * multiply(a, c)
+            right = law.right.substitute(spelled)
+            ground: Words = (f"{law.label}: ", law.left.substitute(spelled), " = ", right)
+            ground += (NEXT, *law.remark, NEXT) if law.remark else (NEXT,)
+            ground += ("for ", rate, " this is quadratic, with real roots while ", own, " ≥ ", other)
+            return STEADY_LIMIT.equation(own, other, dynamics.moment.when, (name,), ground)
     raise NotYet(f"`{name}` has no steady precession with two roots at `{dynamics.moment.when}`")

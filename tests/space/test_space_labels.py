@@ -92,3 +92,24 @@ def test_the_force_of_one_bearing_names_it_and_that_of_both_names_the_hinge() ->
     assert any(line.law.startswith("force of the shaft's bearing 2") for line in law_lines(one))
     assert not any("bearing" in line.law for line in law_lines(both))
     assert "Lager 2 von shaft" in one.to("text", language="de")
+
+
+# questions under a condition
+
+CONDITIONAL = """
+given: {{m: 2 kg, M: unknown, R: 0.2 m, A: 2 m/s^2}}
+bodies: {{block: {{mass: m, moves: down}}, disc: {{shape: disc, mass: M, radius: R, turns: clockwise}}}}
+connections: {{axle: {{axle: disc}}, string: {{string: [disc, block]}}}}
+find: {{{find}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("find", "said"),
+    [
+        ("M: M where block.acceleration = A", "M for which the acceleration of block = A"),
+        ("M_0: M where block.acceleration = 3 m/s^2", "value M₀ of M for which the acceleration of block = 3 m/s²"),
+    ],
+)
+def test_what_is_asked_under_a_condition_is_said_with_it(find: str, said: str) -> None:
+    assert said in find_line(solve(CONDITIONAL.format(find=find)))
