@@ -108,7 +108,7 @@ find: {{{find}}}
     ("find", "said"),
     [
         ("M: M where block.acceleration = A", "M for which the acceleration of block = A"),
-        ("M_0: M where block.acceleration = 3 m/s^2", "value M₀ of M for which the acceleration of block = 3 m/s²"),
+        ("M_0: M where block.acceleration = 3 m/s^2", "value M₀ of M for which the acceleration of block = a_block"),
     ],
 )
 def test_what_is_asked_under_a_condition_is_said_with_it(find: str, said: str) -> None:
