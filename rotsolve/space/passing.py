@@ -13,7 +13,8 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
+from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import BLOWS, CONSERVATION, MOMENTUM, RULE, TWISTS, Equation
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
@@ -32,13 +33,14 @@ from rotsolve.core.vectors.triple import (
     vector_sum,
     way_between,
 )
-from rotsolve.core.writing import point_in_words, spoken
+from rotsolve.core.writing import is_negative, point_in_words, spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE, NODE
 from rotsolve.space.energies import energy_of
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.sliding import free_of_force
 from rotsolve.space.working import of_work
 
@@ -101,7 +103,32 @@ def turning_tilts(name: str, interval: Interval, before: SpaceLaws, after: Space
         multiply(multiply(2 * tensor.xx, rate), multiply(spin, square_of_sine)),
     )
     words = f"energy and angular momentum between two tilts without nutation, {spoken(name)}"
-    yield MOMENTUM.equation(left, right, interval.name, (name,), words=words)
+    ground = ground_of_tilts((first, last), name, (tensor.xx, spin, lift))
+    yield MOMENTUM.equation(left, right, interval.name, (name,), ground, words=words)
+
+
+def ground_of_tilts(moments: tuple[SpaceMoment, SpaceMoment], name: str, data: Triple) -> Words:
+    """The energy and the angular momentum about the vertical at two tilts, from which the equation for these comes; `data` are I₁, I₃ ω₃
+    and M g l."""
+    across, spin, lift = data
+    energies, momenta = list[Formula](), list[Formula]()
+    cosines, rates = list[Formula](), list[Formula]()
+    for moment in moments:
+        tilt, rate = heading(moment.nodding(name).angles[1]), moment.nodding(name).rates[0]
+        turning, sine = multiply(HALF, multiply(across, square(rate))), square(tilt.sin())
+        energies.append(add(multiply(turning, sine), multiply(lift, tilt.cos())))
+        momenta.append(add(multiply(multiply(across, rate), sine), multiply(spin, tilt.cos())))
+        cosines.append(tilt.cos())
+        rates.append(rate)
+    gap, state = add(cosines[0], negate(cosines[1])), spoken(moments[1].when)
+    gap = negate(gap) if is_negative(gap) else gap
+    with_rate: Words = (", with the precession ", rates[1], f" at {state}") if rates[1].symbols() else ()
+    eliminated: Words = (rates[1], " eliminated, and ") if rates[1].symbols() else ()
+    return (
+        *("energy", *with_rate, ": ", energies[0], " = ", energies[1], NEXT),
+        *("angular momentum about the vertical: ", momenta[0], " = ", momenta[1], NEXT),
+        *("I₃ ω₃ stays: ", *eliminated, gap, " ≠ 0 divided out"),
+    )
 
 
 def of_energy(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:

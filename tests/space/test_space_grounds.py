@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from fractions import Fraction
+
 import pytest
 
+from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import coefficients, is_zero
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
 from rotsolve.core.derivation import LawLine
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
+WITHOUT = "between two tilts without nutation"
 CUBE = "{shape: cuboid, mass: M, sides: [a, a, a], points: {O: [-a/2, -a/2, -a/2]}}"
 PLATE = "{shape: rectangle, mass: M, sides: [a, b], points: {O: [-a/2, -b/2]}}"
 TWO_PLATES = (
@@ -27,6 +32,12 @@ find: {{I: body.principal_moments about body.O}}
 
 def law_lines_of(solution: Solution) -> list[LawLine]:
     return [line for section in solution.derivation.sections for line in section.laws]
+
+
+def number(formula: Formula, values: dict[str, float]) -> float:
+    """The number of a formula for given letters."""
+    exact = {name: Number(Fraction(value)) for name, value in values.items()}
+    return evaluate(formula.substitute(exact), {}).float
 
 
 def worked_out(formula: Formula, lines: list[LawLine]) -> Formula:
@@ -97,3 +108,40 @@ def test_the_limit_of_steady_precession_is_where_the_quadratic_of_its_law_has_on
 def test_a_limit_that_is_one_law_has_a_plan() -> None:
     page = solve(LEANING).to("text", width=1000)
     assert "Plan    Steady precession of top by τ = Ω × L" in page
+
+
+# from one end of a nutation to the other
+
+NODDING = """
+up: z
+given: {{M: 2 kg, l: 0.5 m, I_1: 1 kg m^2, I_3: 0.4 kg m^2, theta: {tilt}, w: 20 rad/s, p: 0.2 rad/s}}
+bodies: {{top: {{mass: M, inertia: {{principal: [I_1, I_1, I_3], about: tip}}, points: {{tip: [0, 0, -l]}}, axis: z}}}}
+connections: {{pin: {{ball: top.tip}}}}
+states:
+  start: {{top.tilt: {told}, top.axial_rate: w, top.precession: {rate}, top.nutation: 0}}
+  far: {{top.tilt: {end}}}
+find: {{theta_1: top.tilt at far}}
+"""
+
+
+@pytest.mark.parametrize(("end", "rate"), [("largest", "0"), ("largest", "p"), ("largest", "-p"), ("smallest", "10*p")])
+@pytest.mark.parametrize(("tilt", "told"), [("40 deg", "theta"), ("120 deg", "theta"), ("1 rad", "90 deg")])
+@pytest.mark.parametrize("law", [None, "lagrange"])
+def test_energy_and_angular_momentum_at_both_tilts_give_the_equation_for_them(
+    end: str, rate: str, tilt: str, told: str, law: str | None
+) -> None:
+    derivation = solve(NODDING.format(end=end, rate=rate, tilt=tilt, told=told), law=law).derivation
+    section = next(one for one in derivation.sections if any(WITHOUT in line.law for line in one.laws))
+    (line,) = (line for line in section.laws if WITHOUT in line.law)
+    energy, momentum, _ = section.remarks[-3:]
+    assert energy[0] == "energy" and momentum[0] == "angular momentum about the vertical: "
+    omega, *energies = (part for part in energy if isinstance(part, Formula))
+    momenta = [part for part in momentum if isinstance(part, Formula)]
+    assert isinstance(omega, Symbol)
+    c, b = coefficients(momenta[0] - momenta[1], omega.name) or (ZERO, ZERO)
+    by_momentum = (energies[0] - energies[1]).substitute({omega.name: -c / b})
+    values = {"M": 2, "l": 0.5, "I_1": 1, "I_3": 0.4, "w": 20, "p": 0.2, "g": 9.81, "theta": 0.7, "theta_1": 0.9}
+    first = values["theta"] if told == "theta" else math.pi / 2
+    gap = (math.cos(first) - math.cos(values["theta_1"])) / (2 * values["I_1"] * math.sin(values["theta_1"]) ** 2)
+    left, right, whole = (number(part, values) for part in (line.equation.left, line.equation.right, by_momentum))
+    assert whole == pytest.approx(gap * (left - right), rel=1e-9) and abs(whole) > 1e-3
