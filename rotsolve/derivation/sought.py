@@ -31,7 +31,8 @@ def sought_words(find: Find, timeline: Timeline) -> Words:
         return (*of_condition(find, timeline), " for which ", *condition)
     term = plain_term(find)
     if term is None or find.where is not None:
-        return (letter,)
+        spelled = find.where is None and find.choice is None and not find.terms and find.formula != letter
+        return (letter, " = ", find.formula) if spelled else (letter,)
     before, (word, owner) = part_asked(find, term), named(find, term)
     behind = f"{owner}{observed_in(term)}{moment_words(term, timeline)}"
     if before.endswith(" of the "):

@@ -60,6 +60,7 @@ class Meaning(Struct, frozen=True):
     moving: Vector = NOWHERE
     law: Law = DEFINITION
     laws: tuple[Equation, ...] = ()  # what this question alone speaks of
+    plain: bool = False  # whether its label only names it, and says no law
 
 
 def vector_size(vector: Vector) -> Formula:

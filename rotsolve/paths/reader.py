@@ -274,7 +274,8 @@ class PathReader(AtInstant, frozen=True):
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         words = meaning.words if any(meaning.words) else self._words(path)
         law = KINETIC_ENERGY if path.quantity == "kinetic_energy" else meaning.law
-        return replace(meaning, label=meaning.label or label_of(path, term), law=law, words=words)
+        label, plain = meaning.label or label_of(path, term), not meaning.label
+        return replace(meaning, label=label, plain=plain, law=law, words=words)
 
     def _in_the_plane(self, path: Path, found: Meant) -> Meant:
         """What is found, where it has the component that is asked: turns go about z, counterclockwise; all else lies in x and y."""

@@ -158,6 +158,13 @@ def find_label(find: Find, dimensions: Mapping[str, Dimension]) -> str:
     return f"share of the {spoken(lower.quantity)}" if lower is not None and lower.quantity in ENERGIES else "ratio"
 
 
+def label_within(meanings: Sequence[Meaning]) -> str:
+    """The law of the one quantity of which a `find` line is an expression; nothing where that is a letter of the laws, or has none."""
+    if len(meanings) != 1 or meanings[0].plain or isinstance(meanings[0].formula, Symbol):
+        return ""
+    return meanings[0].label
+
+
 def dimension_in(formula: Formula, dimensions: Mapping[str, Dimension]) -> Dimension | None:
     """The dimension of a part of a question, where it is known."""
     try:
@@ -239,7 +246,7 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
     known = known_dimensions(meanings, scene, earlier)
     dimension = own.dimension if own is not None else dimension_in(find.formula, known)
-    label = find_label(find, known)
+    label = find_label(find, known) or label_within([meaning for meaning, _ in meanings])
     share = label != "" and any(term.path.quantity == "kinetic_energy" for term in find.terms[-1:])
     question = Asked(
         find,
@@ -259,7 +266,8 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
         return question if own is None else replace(question, vector=own.vector, words=own.words)
     if given is not None:
         note = conversion(find, given)
-        return Asked(find, formula, question.letter, dimension, label="conversion of units" if note else "", said=note)
+        words = "conversion of units" if note else "" if own is None else own.label
+        return Asked(find, formula, question.letter, dimension, label=words, said=note)
     return question if own is None else of_one_path(question, own)
 
 

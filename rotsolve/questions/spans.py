@@ -239,8 +239,10 @@ def change_or_loss(term: Term, start: str, end: str, scene: SceneEquations) -> t
     earlier, later = (last, first) if term.modifier == "lost" else (first, last)
     if earlier.vector is not None and later.vector is not None and whole_vector(term.path):
         gap = tidy(later.vector - earlier.vector)
-        return Meaning(vector_size(gap), first.dimension, gap, label=label, law=first.law), section
-    return Meaning(later.formula - earlier.formula, first.dimension, label=label, law=first.law), section
+        return Meaning(vector_size(gap), first.dimension, gap, label=label, law=first.law, plain=first.plain), section
+    return Meaning(
+        later.formula - earlier.formula, first.dimension, label=label, law=first.law, plain=first.plain
+    ), section
 
 
 def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -> tuple[Meaning, str]:
@@ -254,7 +256,9 @@ def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -
         result = add(result, gained[1] - gained[0])
     word = term.path.quantity.replace("_", " ")
     label = f"{term.modifier.replace('lost', 'loss of')} {word}"
-    return Meaning(negate(result) if term.modifier == "lost" else result, ENERGY, label=label), intervals[-1].name
+    return Meaning(negate(result) if term.modifier == "lost" else result, ENERGY, label=label, plain=True), intervals[
+        -1
+    ].name
 
 
 def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquations) -> tuple[Meaning, str]:
@@ -275,7 +279,9 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
     single = path.quantity == "impulse" and len(intervals) == 1
     vector = blow(path, intervals[0].name, scene) if single else None
     words = ways_of_blow(path, intervals[0].name, scene) if single and vector is None else ("", "")
-    return Meaning(result, kind.dimension, vector, label=label_of(path, term), words=words), intervals[-1].name
+    return Meaning(result, kind.dimension, vector, label=label_of(path, term), words=words, plain=True), intervals[
+        -1
+    ].name
 
 
 def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Formula:
@@ -320,10 +326,10 @@ def of_point(term: Term, start: str, end: str, scene: SceneEquations) -> Meaning
     way = tidy(arms[1] - arms[0] + cartesian(*(part for part in moved if part is not None)))
     label = f"displacement of {spoken_point(path)}"
     if path.component in ("x", "y"):
-        return Meaning(way.along(RIGHT if path.component == "x" else UP), dimension, label=label)
+        return Meaning(way.along(RIGHT if path.component == "x" else UP), dimension, label=label, plain=True)
     if path.component is not None:
         raise NotYet(f"the {path.component} part of a displacement has no meaning", help="ask for `x` or `y`")
-    return Meaning(vector_size(way), dimension, way, label=label)
+    return Meaning(vector_size(way), dimension, way, label=label, plain=True)
 
 
 def way_of_reference(host: str, axis: Heading, start: str, end: str, scene: SceneEquations) -> Formula | None:

@@ -159,4 +159,4 @@ def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside
     kind, label = QUANTITIES[term.path.quantity], f"mean {term.path.quantity.replace('_', ' ')}"
     vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
     quotient = amount.formula / duration.formula
-    return Meaning(quotient, kind.dimension, vector, label=label, laws=amount.laws), section
+    return Meaning(quotient, kind.dimension, vector, label=label, laws=amount.laws, plain=True), section

@@ -74,12 +74,14 @@ class SpaceReader(VectorReader):
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         self.refuse_untold_turn(path, meaning.formula)
+        told = meaning.label or inertial_label(path)
         known_by = PRINCIPAL_AXIS if path.quantity == "principal_axis" else ""
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
         return replace(
             meaning,
             formula=self.held.signs.unbarred(meaning.formula),
-            label=meaning.label or inertial_label(path) or f"{label_of(plainly_named(path), term)}{known_by}",
+            label=told or f"{label_of(plainly_named(path), term)}{known_by}",
+            plain=not (told or known_by),
             laws=tuple(laws),
             said=meaning.said or (self.axis_ground(path, term) if known_by else ()),
         )

@@ -371,7 +371,7 @@ class SpaceEquations(SceneEquations, dict=True):
         formula = add(last, negate(first)) if word != "lost" else add(first, negate(last))
         laws = tuple(dict.fromkeys(law for end in ends for law in end.laws))
         label = f"change, {ends[0].label}" if word != "lost" else f"what is lost, {ends[0].label}"
-        return Meaning(formula, ends[0].dimension, label=label, laws=laws), term.end
+        return Meaning(formula, ends[0].dimension, label=label, laws=laws, plain=ends[0].plain), term.end
 
     def refuse_other_side(self, path: Path, term: Term) -> None:
         """Refuse the change of a tilt that is told beyond 0 to 180°, since the laws tell others within."""
@@ -389,14 +389,14 @@ class SpaceEquations(SceneEquations, dict=True):
         """√(Δx² + Δy² + Δz²) of a vector, |Δ| of a number."""
         if term.path.quantity not in DIRECTED or (term.path.component or "").split()[-1:] in ([axis] for axis in AXES):
             meaning, state = self.between(replace(term, modifier=CHANGES[0]))
-            return replace(meaning, formula=call("abs", meaning.formula), label="size of the change"), state
+            return replace(meaning, formula=call("abs", meaning.formula), label="size of the change", plain=True), state
         parts = []
         for axis in AXES:
             path = replace(term.path, component=" ".join(filter(None, (term.path.component, axis))))
             parts.append(self.between(replace(term, path=path, modifier=CHANGES[0])))
         meaning, state = parts[0]
         whole = tuple(part.formula for part, _ in parts)
-        return replace(meaning, formula=length_of(triple(whole)), label="size of the change"), state
+        return replace(meaning, formula=length_of(triple(whole)), label="size of the change", plain=True), state
 
     def _restating(self) -> Iterator[Equation]:
         """Lagrange's equations at each state, and what they keep over phases."""

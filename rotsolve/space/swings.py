@@ -1,8 +1,8 @@
 """Small swings in space: what a small disturbance of a steady motion does to a body that is held at a point, or on an axis.
 
 A symmetric top nods in the effective potential (p_φ − p_ψ cos θ)²/(2 I₁ sin² θ) + M g l cos θ. Its second derivative at a steady precession
-tells θ̈ = −((I₃ ω₃/I₁ − 2 φ̇ cos θ)² + φ̇² sin² θ) δθ; upright, with p_φ = p_ψ, it tells θ̈ = −((I₃ ω₃/2 I₁)² − M g l/I₁) θ, in a plane through
-the vertical that turns at I₃ ω₃/2 I₁ (Landau & Lifshitz, Mechanics, §35; Goldstein, Poole & Safko, Classical Mechanics, §5.7).
+tells θ̈ = −((I₃ ω₃/I₁ − 2 φ̇ cos θ)² + φ̇² sin² θ) δθ; upright, with p_φ = p_ψ, it tells θ̈ = −((I₃ ω₃/(2 I₁))² − M g l/I₁) θ, in a plane
+through the vertical that turns at I₃ ω₃/(2 I₁) (Landau & Lifshitz, Mechanics, §35; Goldstein, Poole & Safko, Classical Mechanics, §5.7).
 About an axis n with the centre of mass at r, I δφ̈ = −M g (ẑ · n × (n × r)) δφ. Swings of what is free, or rolls, are those of `stability`.
 """
 
@@ -145,14 +145,14 @@ def of_precession(laws: SpaceLaws, name: str) -> Meaning:
 
 
 def of_upright(laws: SpaceLaws, name: str) -> Meaning:
-    """λ² = ± M g l/I₁ − (I₃ ω₃/2 I₁)², the lower sign of a top whose axis is upside down."""
+    """λ² = ± M g l/I₁ − (I₃ ω₃/(2 I₁))², the lower sign of a top whose axis is upside down."""
     axial, across, lift = top_of(laws, name)
     if laws.moment.told(name, "spin") is not None and not laws.moment.rests(name):
         message = f"`{name}` is upright at `{laws.moment.when}`: its spin and its precession are one rotation there"
         raise NotYet(message, help=f"tell its `{name}.axial_rate`")
     turned = multiply(lift, heading(laws.moment.nodding(name).angles[1]).cos())
     slow = multiply(axial, laws.moment.attitude(name).omega[2]) / (2 * across)
-    words = f"{SMALL} through the vertical, in a plane that turns at I₃ ω₃/2 I₁: θ̈ = λ² θ"
+    words = f"{SMALL} through the vertical, in a plane that turns at I₃ ω₃/(2 I₁): θ̈ = λ² θ"
     return Meaning(negate(add(square(slow), negate(turned / across))), QUANTITIES["stability"].dimension, label=words)
 
 
