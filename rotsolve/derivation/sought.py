@@ -31,13 +31,18 @@ def sought_words(find: Find, timeline: Timeline) -> Words:
         return (*of_condition(find, timeline), " for which ", *condition)
     term = plain_term(find)
     if term is None or find.where is not None:
-        spelled = find.where is None and find.choice is None and not find.terms and find.formula != letter
-        return (letter, " = ", find.formula) if spelled else (letter,)
+        return (letter, " = ", find.formula) if of_earlier(find) else (letter,)
     before, (word, owner) = part_asked(find, term), named(find, term)
     behind = f"{owner}{observed_in(term)}{moment_words(term, timeline)}"
     if before.endswith(" of the "):
         return (before.removesuffix("of the "), letter, f" of the {word}{behind}")
     return (f"{before}{word} ", letter, behind) if behind else (f"{before}{word} ", letter)
+
+
+def of_earlier(find: Find) -> bool:
+    """Whether a question is an expression of givens and earlier answers."""
+    alone = isinstance(find.formula, Symbol) or bool(find.terms or find.modifier or find.where)
+    return not alone and find.choice is None
 
 
 def plain_term(find: Find) -> Term | None:

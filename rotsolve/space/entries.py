@@ -54,8 +54,11 @@ def is_linear(find: Find) -> bool:
     if find.formula == Symbol("#0"):
         return True
     none = dict.fromkeys(marks, ZERO)
-    told = total([find.formula.substitute({**none, mark: ONE}) * Symbol(mark) for mark in marks])
-    return bool(set(marks) & find.formula.symbols()) and is_zero(find.formula - told)
+    try:
+        told = total([find.formula.substitute({**none, mark: ONE}) * Symbol(mark) for mark in marks])
+        return bool(set(marks) & find.formula.symbols()) and is_zero(find.formula - told)
+    except ZeroDivisionError:  # one of them is a divisor
+        return False
 
 
 def entries_of(term: Term) -> tuple[str, ...]:

@@ -113,3 +113,28 @@ find: {{{find}}}
 )
 def test_what_is_asked_under_a_condition_is_said_with_it(find: str, said: str) -> None:
     assert said in find_line(solve(CONDITIONAL.format(find=find)))
+
+
+# expressions
+
+EARTH = """
+up: z
+given: {{I_1: 2 kg m^2, I_3: 3 kg m^2, w: 4 rad/s, q: 0.1 rad/s, M: 1 kg}}
+bodies: {{earth: {{mass: M, inertia: {{principal: [I_1, I_1, I_3]}}, axis: z}}}}
+states: {{now: {{earth.angular_velocity: [q, 0, w]}}}}
+find: {{{find}}}
+"""
+
+
+def test_an_expression_of_one_quantity_keeps_its_law_as_the_label() -> None:
+    (own,) = labels_in(EARTH, find="s: earth.spin")
+    assert labels_in(EARTH, find="s: -2*earth.spin") == [own]
+    assert labels_in(EARTH, find="s: earth.spin/earth.axial_rate") == ["ratio"]
+
+
+def test_what_is_a_given_is_called_by_its_quantity() -> None:
+    assert labels_in(EARTH, find="w_z: earth.angular_velocity.z in body axes")[-1] == "angular velocity of earth"
+
+
+def test_an_expression_of_earlier_answers_is_said_with_its_letter() -> None:
+    assert "s₂ = −s" in find_line(solve(EARTH.format(find="s: earth.spin, s_2: -s")))
