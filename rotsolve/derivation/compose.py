@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property, partial
 
@@ -26,7 +26,7 @@ from rotsolve.core.derivation import (
     Words,
     sentences,
 )
-from rotsolve.core.equation import ANGULAR_MOMENTUM, DEFINITION, ENERGY, LAGRANGE, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import COORDINATE, TIME, is_key, key_of
@@ -171,15 +171,6 @@ def in_sentences(equation: Equation) -> bool:
     return equation.family in SENTENCES or equation.law.explained
 
 
-def grounds_once(laws: Sequence[LawLine]) -> Iterator[LawLine]:
-    """The laws with the ground of what several questions of one kind come from beside the first of them alone."""
-    told = set[tuple[str, Words]]()
-    for law in laws:
-        again = law.name == DEFINITION.name and (law.law, law.remark) in told
-        told.add((law.law, law.remark))
-        yield replace(law, remark=()) if again else law
-
-
 class DerivationComposer:
     """Turns what a search found into a derivation."""
 
@@ -232,11 +223,22 @@ class DerivationComposer:
     # sections
 
     def _section(self, draft: Draft) -> Section:
-        laws = tuple(grounds_once([self._law(index) for index in draft.laws]))
+        laws = tuple(self._grounded_once(draft))
         moves = [move for step in draft.steps for move in (self._move(step), *self._slope(step))]
         moves += [move for chosen in draft.choices for move in comparisons(chosen, self.results)]
         forces = self.diagrams.lines(draft, self.letters.in_use, self.letters.words)
         return Section(section_title(draft.key, self.scene), forces, self._remarks(draft), laws, tuple(moves))
+
+    def _grounded_once(self, draft: Draft) -> Iterator[LawLine]:
+        """The laws of a section; of the components of one question the first alone has the ground of all beside it."""
+        wholes = {item.asked.letter: item.find.whole for item in self.search.answered if not item.asked.direct}
+        told = set[str]()
+        for index in draft.laws:
+            law, left = self._law(index), self.pool[index].left
+            whole = wholes.get(left.name, "") if isinstance(left, Symbol) else ""
+            yield replace(law, remark=()) if whole in told else law
+            if whole and law.remark:
+                told.add(whole)
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]

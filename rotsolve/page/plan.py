@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.derivation import Derivation, ForceLine, LawLine, Section
+from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Section
 from rotsolve.core.equation import (
     ANGULAR_MOMENTUM_IN_SPACE,
     BLOWS,
@@ -17,6 +17,7 @@ from rotsolve.core.equation import (
     NEWTON,
     PARALLEL_AXES,
     RATE_IN_AXES,
+    RATE_IN_STILL_AXES,
     ROTATION,
     RULE,
     RULE_OF_WAYS,
@@ -34,6 +35,7 @@ from rotsolve.core.equation import (
     WORK_AND_ENERGY,
 )
 from rotsolve.core.writing import and_joined
+from rotsolve.page.backing import Backing
 from rotsolve.page.blocks import Phrase
 from rotsolve.page.wording import enumerated
 
@@ -54,6 +56,7 @@ SAID = {  # how a plan speaks of a law, with its bodies behind it where it is wr
     BLOWS.name: "impulse and change of momentum for {}",
     TWISTS.name: "angular impulse and change of angular momentum for {}",
     RATE_IN_AXES.name: "the rate of the angular momentum in axes that turn, τ = dL/dt + Ω × L, for {}",
+    RATE_IN_STILL_AXES.name: "the rate of the angular momentum, τ = dL/dt, for {}",
     ANGULAR_MOMENTUM_IN_SPACE.name: "the angular momentum of {} by its components",
     **dict.fromkeys(
         (
@@ -72,10 +75,8 @@ def plan_of(derivation: Derivation) -> tuple[Phrase, ...]:
         return tuple(map(limit_planned, (law for section in sections for law in section.laws if law.name in LIMITS)))
     if len(sections) == 1:
         return tuple(plan_sentences(sections[0], derivation))
-    found = [[] if section.supposed else found_in(section, derivation) for section in sections]
-    before = [{one for own in found[:place] for one in own} for place in range(len(found))]
-    fresh = [[one for one in own if one not in seen] for own, seen in zip(found, before, strict=True)]
-    return tuple(plan_stage(*stage) for stage in zip(range(1, len(sections) + 1), sections, fresh, strict=True))
+    found = found_in(sections, derivation)
+    return tuple(plan_stage(*stage) for stage in zip(range(1, len(sections) + 1), sections, found, strict=True))
 
 
 def limit_planned(law: LawLine) -> Phrase:
@@ -116,27 +117,43 @@ def newtonian(section: Section) -> Iterator[str]:
     return (law.law for law in section.laws if law.family == NEWTON)
 
 
-def plan_stage(number: int, section: Section, found: Sequence[Formula]) -> Phrase:
+def plan_stage(number: int, section: Section, found: Sequence[Answer]) -> Phrase:
     """One stage of several, and what it is the first to find: "2. From after to top: the conservation of energy; this gives ω."."""
-    laws = principles(section.laws) or plain_labels(section.laws)
-    gives = ("; this gives ", *enumerated([(one,) for one in found])) if found else ()
+    laws, backing = principles(section.laws), Backing(section, is_principle)
+    own = [(answer.symbol,) for answer in found if not laws or any(map(backing.rests, symbols_told(answer)))]
+    gives = ("; this gives ", *enumerated(own)) if own else ()
     head = f"{number}. {section.title}{': ' if section.title else ''}"
-    return (f"{head}{and_joined(laws)}", *gives, ".")
+    return (f"{head}{and_joined(laws or plain_labels(section.laws))}", *gives, ".")
 
 
-def found_in(section: Section, derivation: Derivation) -> list[Formula]:
-    """The answers that a section finds."""
-    asked = [answer.symbol for answer in derivation.answers]
-    ends = [one.left for move in section.moves for one in move.chain[-1:]]
-    ends += [law.equation.left for law in section.laws]
-    return [symbol for symbol in asked if isinstance(symbol, Symbol) and symbol in ends]
+def found_in(sections: Sequence[Section], derivation: Derivation) -> list[list[Answer]]:
+    """The answers that each section finds: where its letter is told first, of a vector without one where its last component is."""
+    told = [set[Formula]() if section.supposed else letters_told(section) for section in sections]
+    found: list[list[Answer]] = [[] for _ in sections]
+    for answer in derivation.answers:
+        own = [place for place, ends in enumerate(told) if answer.symbol in ends]
+        parts = [place for place, ends in enumerate(told) if any(letter in ends for letter in symbols_told(answer))]
+        if own or parts:
+            found[own[0] if own else parts[-1]].append(answer)
+    return found
+
+
+def letters_told(section: Section) -> set[Formula]:
+    """The letters that the laws and steps of a section tell."""
+    ends = {move.chain[-1].left for move in section.moves if move.chain}
+    return {*ends, *(law.equation.left for law in section.laws)}
+
+
+def symbols_told(answer: Answer) -> list[Symbol]:
+    """The letters that stand for an answer in steps: its own, and those of its components."""
+    return [one.symbol for one in (answer, *answer.components) if isinstance(one.symbol, Symbol)]
 
 
 def principles(laws: Sequence[LawLine]) -> list[str]:
     """The laws of motion, conservation and kinematics, each once, those of the same bodies side by side."""
     bodies: dict[str, list[str]] = {}
     for law in laws:
-        if law.name not in TIES and (law.family or law.name in SAID):
+        if is_principle(law):
             own = bodies.setdefault(SAID.get(law.name) or law.law.split(", ")[0], [])
             own += [body for body in law.bodies[:1] if body not in own]
     alike: dict[tuple[str, ...], list[str]] = {}
@@ -148,6 +165,11 @@ def principles(laws: Sequence[LawLine]) -> list[str]:
         else and_joined(group).format(and_joined(bodies[group[0]] or ("",)))
         for own, group in alike.items()
     ]
+
+
+def is_principle(law: LawLine) -> bool:
+    """Whether a law is one of motion, conservation or kinematics, and not a tie or what a quantity is."""
+    return law.name not in TIES and bool(law.family or law.name in SAID)
 
 
 def ties_of(laws: Sequence[LawLine]) -> list[str]:

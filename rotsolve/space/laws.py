@@ -17,6 +17,7 @@ from rotsolve.core.equation import (
     ANGULAR_MOMENTUM_IN_SPACE,
     COUPLE_OF_BEARINGS,
     RATE_IN_AXES,
+    RATE_IN_STILL_AXES,
     RULE,
     SECOND_LAW,
     Equation,
@@ -220,8 +221,8 @@ class SpaceLaws:
                 continue
             right, relation = add(change, across), "="
             # what does not change in its axes turns with them
-            within = "Ω × L" if change == ZERO else "(dL/dt in the axes) + Ω × L"
-            rate = "dL/dt" if own.axes.rate == NOTHING else within
+            rate = "Ω × L" if change == ZERO else "(dL/dt in the axes) + Ω × L"
+            law = RATE_IN_STILL_AXES if own.axes.rate == NOTHING else RATE_IN_AXES
             remark: Words = ()
             if axis == "x" and own.axes.name == NODE:
                 left, right, remark = self.without_sine(name, left, right)
@@ -229,7 +230,7 @@ class SpaceLaws:
                 right, small = self.of_fast_spin(name, right)
                 remark, relation = small or remark, "≈" if small else relation
             along = self.along(name, axis)
-            yield RATE_IN_AXES.equation(
+            yield law.equation(
                 left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
             )
 
@@ -271,8 +272,8 @@ class SpaceLaws:
         torque = vector_sum(NOTHING, *(push.torque(place) for push in pushes if push.owner not in balls))
         left, right = (moment.tidy(dot_product(way, vector)) for vector in (torque, changed))
         where = f" about {point_in_words(point)}"
-        yield RATE_IN_AXES.equation(
-            left, right, moment.when, (name,), rate="dL/dt", about=where, axis="the line through both balls"
+        yield RATE_IN_STILL_AXES.equation(
+            left, right, moment.when, (name,), about=where, axis="the line through both balls"
         )
 
     def goes_on(self, name: str) -> bool:

@@ -25,7 +25,7 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, Dimension, product_rank
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATE_IN_AXES, RULE, Equation, Law
+from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATE_IN_AXES, RATES_OF_MOMENTUM, RULE, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
@@ -56,7 +56,7 @@ SIZE_OF_CHANGE = "size of change of"
 CHANGES = ("change of", "lost")
 PUSHING = ("force", "torque")
 TOLD_OF_BODIES = ("kinetic_energy", "energy", "speed", "momentum")
-ROTATING = (RATE_IN_AXES, LAGRANGE_EQUATION)  # what tells a steady precession
+ROTATING = (*RATES_OF_MOMENTUM, LAGRANGE_EQUATION)  # what tells a steady precession
 
 
 class SpaceEquations(SceneEquations, dict=True):

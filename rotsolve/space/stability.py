@@ -124,7 +124,7 @@ def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
 def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
     """Where a steady precession is just possible: the roots of I₁ cos θ Ω² − I₃ ω₃ Ω + M g l = 0 coincide."""
     from rotsolve.algebra.exact.normal import coefficients
-    from rotsolve.core.equation import ANGULAR_MOMENTUM_IN_SPACE, RATE_IN_AXES
+    from rotsolve.core.equation import ANGULAR_MOMENTUM_IN_SPACE, RATES_OF_MOMENTUM
 
     rate = dynamics.moment.ask("precession", name)
     laws = list(dynamics.equations())
@@ -135,7 +135,7 @@ def steady_limit(dynamics: SpaceLaws, name: str) -> Equation:
     }
     for law in laws:
         gap: Formula = (law.left - law.right).substitute(spelled)
-        if law.law != RATE_IN_AXES or not isinstance(rate, Symbol) or rate.name not in gap.symbols():
+        if law.law not in RATES_OF_MOMENTUM or not isinstance(rate, Symbol) or rate.name not in gap.symbols():
             continue
         found = coefficients(gap, rate.name)
         if found is not None and len(found) == 3:

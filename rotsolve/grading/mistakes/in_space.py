@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, negate
-from rotsolve.core.equation import RATE_IN_AXES, SECOND_LAW, Equation
+from rotsolve.core.equation import RATES_OF_MOMENTUM, SECOND_LAW, Equation, Law
 from rotsolve.core.passage import Alteration
 from rotsolve.grading.mistakes.mistake import Change, Made, bodies_and_parts, each_and_all
 from rotsolve.language.bodies import Turn
@@ -74,7 +74,7 @@ def opposite_torque(scene: Scene) -> Made:
     """−Στ = dL/dt: what the body does to its bearings for what they do to it, or r × F the wrong way round."""
     if scene.problem.space:
         for names, who in each_and_all(body.name for body in scene.problem.bodies):
-            altered = Alteration(equation=side_changed(RATE_IN_AXES.name, names, torque=True))
+            altered = Alteration(equation=side_changed(RATES_OF_MOMENTUM, names, torque=True))
             yield f"the torque on {who} was given the wrong sense", Change(altered=altered)
 
 
@@ -82,15 +82,15 @@ def centre_kept(scene: Scene) -> Made:
     """Σ F = 0 for Σ F = m a."""
     if scene.problem.space:
         for names, who in each_and_all(body.name for body in scene.problem.bodies):
-            altered = Alteration(equation=side_changed(SECOND_LAW.name, names, torque=False))
+            altered = Alteration(equation=side_changed((SECOND_LAW,), names, torque=False))
             yield f"the acceleration of the centre of mass of {who} was left out", Change(altered=altered)
 
 
-def side_changed(law: str, names: Collection[str], *, torque: bool) -> Callable[[Equation], Equation]:
+def side_changed(laws: Collection[Law], names: Collection[str], *, torque: bool) -> Callable[[Equation], Equation]:
     """A law of some bodies with its left side, the torque, the other way, or with nothing on its right side."""
 
     def changed(equation: Equation) -> Equation:
-        if equation.law.name != law or not set(equation.bodies) <= set(names):
+        if equation.law not in laws or not set(equation.bodies) <= set(names):
             return equation
         return replace(equation, left=negate(equation.left)) if torque else replace(equation, right=ZERO)
 
