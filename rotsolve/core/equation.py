@@ -138,6 +138,7 @@ POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μ�
 
 ANGULAR_MOMENTUM_IN_SPACE = Law("angular momentum in space", "angular momentum, {body}{about}, along {axis}", cost=1)
 COUPLE_OF_BEARINGS = Law("couple of bearings", "couple of the bearings of {owner}, along {axis}", NEWTON, 2)
+SIZE_OF_MOMENTUM = Law("size of the angular momentum", "size of the angular momentum, {body}", cost=1)
 RATE_IN_AXES = Law("rate of angular momentum in axes", "τ = {rate}, {body}{about}, along {axis}", NEWTON, 3)
 RATE_IN_STILL_AXES = Law(
     "rate of angular momentum in axes that stay", "τ = dL/dt, {body}{about}, along {axis}", NEWTON, 3

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product
+from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product, Symbol
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
-from rotsolve.core.symbols import is_key, key_of
+from rotsolve.core.symbols import MOMENTUM_SIZE, is_key, key_of
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Path, Term
@@ -43,6 +43,8 @@ def magnitude(formula: Formula) -> Formula:
     """|x|; of a multiple of a root or a size the same, of a number without its minus."""
     if isinstance(formula, Number):
         return Number(abs(formula.value))
+    if isinstance(formula, Symbol) and is_key(formula.name) and key_of(formula.name).kind == MOMENTUM_SIZE:
+        return formula
     parts = formula.factors if isinstance(formula, Product) else (formula,)
     bare = all(
         part.function in ("abs", "sqrt") if isinstance(part, Call) else isinstance(part, Number) and part.value > 0

@@ -9,7 +9,11 @@ from collections.abc import Callable
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, add, call, multiply, negate, sqrt
+from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM
+from rotsolve.core.equation import SIZE_OF_MOMENTUM, Equation
 from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.symbols import MOMENTUM_SIZE
 from rotsolve.core.vectors.tensor import AXES
 from rotsolve.core.vectors.triple import (
     NOTHING,
@@ -19,10 +23,10 @@ from rotsolve.core.vectors.triple import (
     Z,
     cross_product,
     dot_product,
+    is_axis,
     length_of,
     rotated,
     square,
-    square_of,
 )
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
@@ -53,11 +57,21 @@ def about_own_momentum(laws: SpaceLaws, path: Path) -> Meaning:
     across = (along[1], along[2], along[0])
     axial, other = entry_along(tensor, along), entry_along(tensor, across)
     letters, _ = laws.letters_of(name, tensor, own, CM)
-    found = RATES.get(path.quantity)
-    if found is None:
+    dimension = QUANTITIES[path.quantity].dimension
+    if path.quantity == "spin":  # ω₃ − φ̇ cos θ with cos θ = I₃ ω₃/L
+        share = add(ONE, negate(axial / other))
+        label = "ψ̇ = ω₃ − φ̇ cos θ, φ̇ cos θ = (L/I₁)(I₃ ω₃/L)"
+        return Meaning(multiply(dot_product(own.omega, along), share), dimension, label=label)
+    if path.quantity not in BY_SIZE:
         raise NotYet(f"`{path_text(path)}` of a free body is not solved yet", path.span)
-    formula, label = found(axial, other, letters, dot_product(own.omega, along), along)
-    return Meaning(formula, QUANTITIES[path.quantity].dimension, label=label)
+    size, defined = size_as_letter(laws, name, letters)
+    if path.quantity == "precession":
+        return Meaning(
+            size / other, dimension, label="its axis goes round its angular momentum, φ̇ = L/I₁", laws=defined
+        )
+    cosine = simplify(dot_product(letters, along) / size)
+    label = "angle of its axis from its angular momentum"
+    return Meaning(Call("acos", (cosine,)), dimension, label=label, laws=defined)
 
 
 def refuse_unfree(laws: SpaceLaws, path: Path) -> None:
@@ -76,26 +90,17 @@ def refuse_unfree(laws: SpaceLaws, path: Path) -> None:
         raise NotYet(message, path.span, NEEDS.format(name))
 
 
-def precession(
-    axial: Formula, across: Formula, momentum: Triple, along_axis: Formula, axis: Triple
-) -> tuple[Formula, str]:
-    """L/I₁, about L."""
-    return length_of(momentum) / across, "its axis goes round its angular momentum, φ̇ = L/I₁"
+BY_SIZE = ("precession", "tilt")  # what is told by the size of the angular momentum
 
 
-def spin(axial: Formula, across: Formula, momentum: Triple, along_axis: Formula, axis: Triple) -> tuple[Formula, str]:
-    """ω₃ − φ̇ cos θ with cos θ = I₃ ω₃/L."""
-    share = add(ONE, negate(axial / across))
-    return multiply(along_axis, share), "ψ̇ = ω₃ − φ̇ cos θ, φ̇ cos θ = (L/I₁)(I₃ ω₃/L)"
-
-
-def tilt(axial: Formula, across: Formula, momentum: Triple, along_axis: Formula, axis: Triple) -> tuple[Formula, str]:
-    """The angle of its axis from L."""
-    cosine = simplify(dot_product(momentum, axis) / sqrt(square_of(momentum)))
-    return Call("acos", (cosine,)), "angle of its axis from its angular momentum"
-
-
-RATES = {"precession": precession, "spin": spin, "tilt": tilt}
+def size_as_letter(laws: SpaceLaws, name: str, momentum: Triple) -> tuple[Formula, tuple[Equation, ...]]:
+    """The size of an angular momentum as a letter, with what defines it; of one along an axis the size of its only part."""
+    if is_axis(momentum) or momentum == NOTHING:
+        return length_of(momentum), ()
+    when = laws.moment.when
+    quantity = SceneQuantity(MOMENTUM_SIZE, name, when, "", "L", ANGULAR_MOMENTUM)
+    symbol = laws.moment.registry.ask(quantity)
+    return symbol, (SIZE_OF_MOMENTUM.equation(symbol, length_of(momentum), when, (name,)),)
 
 
 def in_euler_angles_of(moment: SpaceMoment, path: Path) -> Meaning:

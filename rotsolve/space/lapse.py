@@ -16,7 +16,7 @@ from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, ANGULAR_VELOCITY,
 from rotsolve.core.equation import IN_TIME, PART_IN_TIME, Equation
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME, has_quantities, phase_midst
+from rotsolve.core.symbols import MOMENTUM_SIZE, TIME, has_quantities, phase_midst
 from rotsolve.core.vectors.triple import (
     NOTHING,
     Rows,
@@ -153,7 +153,7 @@ class Lapse:
     def size_of_momentum(self, name: str, size: Formula) -> Formula:
         """|L| as a letter."""
         words = "size of the angular momentum, which stays in space"
-        return self.letter(name, "size of the angular momentum", "L", ANGULAR_MOMENTUM, size, words)
+        return self.letter(name, MOMENTUM_SIZE, "L", ANGULAR_MOMENTUM, size, words)
 
     def own_rows(self, name: str, start: Attitude) -> Rows:
         """What turns a body's own components into those of its axes at the earlier moment, the spin angle of node axes too."""

@@ -96,7 +96,7 @@ class SpaceReader(VectorReader):
 
     # vectors
 
-    def vector_meant(self, path: Path, term: Term) -> Formula:
+    def vector_meant(self, path: Path, term: Term) -> Formula | Meaning:
         """A component of a vector along the axes that are asked for, or its size."""
         if self.stays(path, term):
             assert self.moment.onward is not None
@@ -105,9 +105,24 @@ class SpaceReader(VectorReader):
         asked = self.asked_axes(path, term)
         component = (path.component or "").split()[-1:] or [""]
         if component[0] not in AXES:
-            return self.moment.tidy(length_of(vector))
+            return self.shared_size(path, term) or self.moment.tidy(length_of(vector))
         found = axes.to(asked, vector)
         return tidied_part(found[AXES.index(component[0])])
+
+    def shared_size(self, path: Path, term: Term) -> Meaning | None:
+        """The size of an angular momentum as a letter, where the scene asks for what is told by it as well; None of others."""
+        from rotsolve.space.free import BY_SIZE, size_as_letter
+
+        asked = (item.path for find in self.problem.finds for item in find.terms)
+        shared = any(item.owner == path.owner and item.quantity in BY_SIZE for item in asked)
+        name, moment = path.owner, self.moment
+        if path.quantity != "angular_momentum" or term.about is not None or not shared or self.held.of_body(name):
+            return None
+        if moment.nods(name) or path.point is not None:
+            return None
+        momentum, _ = self.angular_momentum(path, term)
+        size, laws = size_as_letter(self.dynamics, name, momentum)
+        return Meaning(size, QUANTITIES[path.quantity].dimension, laws=laws) if laws else None
 
     def stays(self, path: Path, term: Term) -> bool:
         """Whether an angular momentum is asked that has stayed in space since the state before, or its part along the vertical."""

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
+from rotsolve.algebra.formula import Symbol
 from rotsolve.core.derivation import LawLine
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
@@ -138,3 +141,32 @@ def test_what_is_a_given_is_called_by_its_quantity() -> None:
 
 def test_an_expression_of_earlier_answers_is_said_with_its_letter() -> None:
     assert "s₂ = −s" in find_line(solve(EARTH.format(find="s: earth.spin, s_2: -s")))
+
+
+# what is found is used
+
+BOTH = (
+    "L: size of earth.angular_momentum, p: earth.precession",
+    "p: earth.precession, L: size of earth.angular_momentum",
+)
+
+
+@pytest.mark.parametrize("find", BOTH)
+def test_the_rate_about_the_angular_momentum_is_told_by_its_letter(find: str) -> None:
+    solution = solve(EARTH.format(find=find))
+    told = {line.law: line.equation for line in law_lines(solution)}
+    rate = told["its axis goes round its angular momentum, φ̇ = L/I₁"]
+    assert rate.right.symbols() == {"L", "I_1"} and Symbol("L") == told["size of the angular momentum, earth"].left
+    assert float(solution.answers["p"].value) == pytest.approx(math.hypot(2 * 0.1, 3 * 4) / 2, rel=1e-3)
+    assert float(solution.answers["L"].value) == pytest.approx(math.hypot(2 * 0.1, 3 * 4), rel=1e-3)
+
+
+def test_a_tilt_from_the_angular_momentum_is_told_by_its_letter_too() -> None:
+    solution = solve(EARTH.format(find="a: earth.tilt in deg"))
+    assert float(solution.answers["a"].value) == pytest.approx(math.degrees(math.atan2(0.2, 12)), rel=1e-3)
+    assert any(line.law == "size of the angular momentum, earth" for line in law_lines(solution))
+
+
+def test_an_angular_momentum_along_the_axis_needs_no_letter_of_its_size() -> None:
+    scene = EARTH.format(find="p: earth.precession").replace("[q, 0, w]", "[0, 0, w]")
+    assert not any(line.law == "size of the angular momentum, earth" for line in law_lines(solve(scene)))
