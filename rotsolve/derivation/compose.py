@@ -232,13 +232,12 @@ class DerivationComposer:
     def _grounded_once(self, draft: Draft) -> Iterator[LawLine]:
         """The laws of a section; of the components of one question the first alone has the ground of all beside it."""
         wholes = {item.asked.letter: item.find.whole for item in self.search.answered if not item.asked.direct}
-        told = set[str]()
+        first: dict[tuple[str, Words], int] = {}
         for index in draft.laws:
             law, left = self._law(index), self.pool[index].left
             whole = wholes.get(left.name, "") if isinstance(left, Symbol) else ""
-            yield replace(law, remark=()) if whole in told else law
-            if whole and law.remark:
-                told.add(whole)
+            again = whole and first.setdefault((whole, law.remark), law.number) != law.number
+            yield replace(law, remark=()) if again else law
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]

@@ -73,6 +73,14 @@ class SceneEquations(Struct, dict=True):
             self.stated += statements.take()
             self.told += statements.told
 
+    def in_order(self, formula: Formula) -> Formula:
+        """A formula with its products in the order in which its laws are written."""
+        return formula
+
+    def put_in_order(self, equation: Equation) -> Equation:
+        """An equation with its products in that order."""
+        return equation
+
     def conventions(self, used: Collection[Equation]) -> Iterator[Words]:
         """What is to be said of its axes before the equations that are used."""
         return iter(())

@@ -219,7 +219,14 @@ def question_for(
     terms = [term for term in find.terms if term.path.quantity in OSCILLATING and planar]
     swings = tuple((scene.swing(term), term.path.quantity) for term in terms)
     question, altered = quantity_asked(find, scene, earlier, beside), scene.configuration.alteration
+    question = written_in_order(question, scene)
     return replace(question if altered is None else rewritten(question, altered), swings=swings)
+
+
+def written_in_order(question: Asked, scene: SceneEquations) -> Asked:
+    """The question with the products in its formula, and in what it alone speaks of, as the laws of the scene write theirs."""
+    steps, laws = (tuple(map(scene.put_in_order, told)) for told in (question.definitions, question.laws))
+    return replace(question, formula=scene.in_order(question.formula), definitions=steps, laws=laws)
 
 
 def rewritten(question: Asked, altered: Alteration) -> Asked:

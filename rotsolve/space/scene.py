@@ -14,6 +14,7 @@ from rotsolve.algebra.formula import (
     ZERO,
     Call,
     Formula,
+    Negative,
     Number,
     Power,
     Product,
@@ -233,15 +234,20 @@ class SpaceEquations(SceneEquations, dict=True):
         def change(node: Formula) -> Formula:
             if not isinstance(node, Product):
                 return node
-            return with_powers(reduce(multiply, sorted(node.factors, key=self.place_in_product)))
+            bare = [part.operand if isinstance(part, Negative) else part for part in node.factors]
+            whole = with_powers(reduce(multiply, sorted(bare, key=self.place_in_product)))
+            turned = sum(isinstance(part, Negative) for part in node.factors) % 2
+            return negate(whole) if turned else whole
 
         return formula.transform(change)
 
     def place_in_product(self, factor: Formula) -> tuple[int, int]:
-        """Where a factor stands: numbers, letters by what they measure, what is in brackets, the L of Ω L, functions."""
+        """Where a factor stands: numbers, letters by what they measure, what is in brackets, the L of Ω L, functions, sines first."""
         base = factor.base if isinstance(factor, Power) else factor
+        if isinstance(base, Call):
+            return 4, 0 if base.function == "sin" else 1
         if not isinstance(base, Symbol):
-            return (0 if isinstance(base, Number) else 4 if isinstance(base, Call) else 2), 0
+            return 0 if isinstance(base, Number) else 2, 0
         quantity = self.registry.quantities.get(base.name)
         if quantity is None:
             return 1, product_rank(self.given_dimensions.get(base.name))
@@ -504,7 +510,7 @@ class SpaceEquations(SceneEquations, dict=True):
             yield from (self.put_in_order(one) for one in laws)
         for dynamics in self.dynamics.values():
             yield from self.told_otherwise(dynamics)
-        yield from self.tensors.steps
+        yield from map(self.put_in_order, self.tensors.steps)
 
 
 def first_of_each(laws: Iterable[Equation]) -> list[Equation]:

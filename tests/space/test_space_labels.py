@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Call, Power, Product, Symbol
 from rotsolve.core.derivation import LawLine
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
@@ -170,3 +170,31 @@ def test_a_tilt_from_the_angular_momentum_is_told_by_its_letter_too() -> None:
 def test_an_angular_momentum_along_the_axis_needs_no_letter_of_its_size() -> None:
     scene = EARTH.format(find="p: earth.precession").replace("[q, 0, w]", "[0, 0, w]")
     assert not any(line.law == "size of the angular momentum, earth" for line in law_lines(solve(scene)))
+
+
+# products
+
+TURNED = """
+up: z
+given: {{M: 4 kg, R: 0.3 m, a: 5 deg, w: 20 rad/s}}
+bodies: {{wheel: {{parts: {{disc: {{shape: disc, mass: M, radius: R, at: [0, 0, 0], turned: {{about: y, by: a}}}}}}}}}}
+states: {{now: {{wheel.angular_velocity: [0, 0, w]}}}}
+find: {{{find}}}
+"""
+
+
+@pytest.mark.parametrize(
+    "find", ["I: wheel.inertia_tensor.zx", "K: wheel.kinetic_energy.rotational", "x: wheel.x_axis.x*cos(a)*w"]
+)
+def test_functions_stand_behind_letters_and_sines_in_front_of_cosines(find: str) -> None:
+    for line in law_lines(solve(TURNED.format(find=find))):
+        nodes = (part for side in (line.equation.left, line.equation.right) for part in side.walk(Product))
+        for node in (part for part in nodes if isinstance(part, Product)):
+            bases = [part.base if isinstance(part, Power) else part for part in node.factors]
+            places = [("sin", "cos").index(part.function) + 1 if isinstance(part, Call) else 0 for part in bases]
+            assert places == sorted(places), node
+
+
+def test_a_number_that_is_put_in_alone_is_not_repeated() -> None:
+    page = solve(EARTH.format(find="s: earth.spin, s_2: -s")).to("text")
+    assert "s₂ = −s = 2 rad/s" in page
