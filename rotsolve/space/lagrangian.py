@@ -141,7 +141,7 @@ def by_lagrange_in_space(scene: SpaceEquations) -> Iterator[Equation]:
             ends = motions.putting_in(before), motions.putting_in(after)
             yield from equations_for(KEPT, BetweenMoments(motions.motion, *ends, interval.name, motions.names))
             for name in (name for name in motions.names if left_alone(before, name)):
-                for found in turning_tilts(name, interval, before, after):
+                for found in map(scene.put_in_order, turning_tilts(name, interval, before, after)):
                     words = (*lagrangian_words(motions.motion), NEXT, *found.remark)
                     yield TURNING_TILTS.equation(found.left, found.right, interval.name, (name,), words)
 
