@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import multiple_of
+from rotsolve.algebra.certified.ball import Certified, multiple_of
 from rotsolve.algebra.certified.sign import sign_within
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
@@ -191,6 +191,12 @@ def unit_of_energy(search: Search) -> tuple[str, Formula]:
     return ("J", ONE) if unit is None else (unit.text, unit.factor)
 
 
+def in_unit(number: Certified | None, unit: Formula) -> str:
+    """A certified number in a unit, in few digits."""
+    assert number is not None
+    return (number if unit == ONE else multiple_of(number, ONE / unit)).text(DIGITS)
+
+
 def energy_lost(search: Search) -> Iterator[Words]:
     """ "in the hit the kinetic energy falls from 8.12 J to 3.04 J, by 62.5 %", of events; in letters the share that is lost, if short."""
     if search.scene.configuration.problem.space:
@@ -208,10 +214,7 @@ def energy_lost(search: Search) -> Iterator[Words]:
             yield (f"{said}stays the same",)
         elif all(number is not None and number.sign in (0, 1) for number in numbers):
             unit, scale = unit_of_energy(search)
-            told = (numbers[0], scale), (numbers[1], scale), (numbers[2], ONE)
-            one, two, lost = (
-                multiple_of(number, ONE / factor).text(DIGITS) for number, factor in told if number is not None
-            )
+            (one, two), lost = [in_unit(number, scale) for number in numbers[:2]], in_unit(numbers[2], ONE)
             yield (f"{said}falls from {one} {unit} to {two} {unit}, by {lost} %",)
         elif search.signs.sign(share) == 1 and length(share) <= SHORT:
             yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")

@@ -146,7 +146,7 @@ class InsertedNumbers:
         except (NotShown, Undefined):
             return ()
         lone = isinstance(put_in.operand if isinstance(put_in, Negative) else put_in, Decimal)
-        if lone and answer.unit == coherent_unit(answer):  # the number itself, if with more digits
+        if lone and answer.unit == self.coherent.of_answer(answer):  # the number itself, if with more digits
             return ()
         text = to_text(put_in)
         if len(text) > LONGEST or text == number or not any(isinstance(node, Decimal) for node in put_in.walk()):

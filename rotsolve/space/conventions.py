@@ -9,7 +9,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, ZERO
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import BLOWS, RATE_IN_AXES, SECOND_LAW, TWISTS, Equation, Law
+from rotsolve.core.equation import BLOWS, RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, Equation, Law
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import AS_DRAWN, AXES, NOTHING, Triple, is_axis, triple
 from rotsolve.core.writing import spoken
@@ -21,7 +21,7 @@ from rotsolve.space.moment import SpaceMoment
 if TYPE_CHECKING:
     from rotsolve.space.scene import SpaceEquations
 
-IN_COMPONENTS = (RATE_IN_AXES, SECOND_LAW, TWISTS, BLOWS)  # laws along the axes of a body
+IN_COMPONENTS = (*RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, BLOWS)  # laws along the axes of a body
 LONG = 40  # nodes of three directions in space beyond which they are not written out
 
 
@@ -36,7 +36,7 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
         if any(turned_untold(scene, laws.moment, name) for laws in scene.dynamics.values()):
             yield (f"ψ = 0 of {spoken(name)}, as nothing tells its spin angle",)
         lies = standing_axes(scene, name) if written(IN_COMPONENTS, name, used) else ()
-        turns = turning_axes(scene, name) if written((RATE_IN_AXES,), name, used) else ()
+        turns = turning_axes(scene, name) if written(RATES_OF_MOMENTUM, name, used) else ()
         if lies or turns:
             yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
     for (name, _), gaps in scene.held.askew.items():

@@ -26,7 +26,7 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, Dimension, product_rank
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATE_IN_AXES, RATES_OF_MOMENTUM, RULE, Equation, Law
+from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATES_OF_MOMENTUM, RULE, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
