@@ -39,8 +39,17 @@ LONG, MUCH = 6, 1e3  # laps for which a gap grows, or closes more slowly, and ho
 
 
 def followed(first: Node, state: State) -> FollowedPhase:
-    """The motion from a node to the next state."""
-    return NextState(first, state).phase()
+    """The motion from a node to the next state; where it stops it only comes to a place, which rounding may pass by, and its rate passes
+    through nothing."""
+    try:
+        return NextState(first, state).phase()
+    except Astray:
+        coming = NextState(first, state)
+        stopping = [gauge for gauge in coming.gauges if gauge.rests and abs(gauge.value(first)) > HOLDS]
+        if not stopping or len(coming.gauges) < 2:
+            raise
+        coming.gauges.sort(key=lambda gauge: gauge not in stopping)
+        return coming.phase()
 
 
 def stays(first: Node, state: State) -> bool:
@@ -338,11 +347,8 @@ def gives(function: Callable[[Node], float], lap: Lap, known: Sequence[tuple[flo
 
 
 def finely(found: list[Gauge], first: Node) -> list[Gauge]:
-    """What a state says alone with a size that is small where little is left of it at first: a slow speed that is to vanish; of several
-    lines first the one of a rate that is nothing there."""
-    if len(found) > 1:  # where it stops it only comes to a place; the rate passes through nothing
-        return sorted(found, key=lambda gauge: not (gauge.rests and abs(gauge.value(first)) > HOLDS))
-    if not found or found[0].passing:
+    """What a state says alone with a size that is small where little is left of it at first: a slow speed that is to vanish."""
+    if len(found) != 1 or found[0].passing:
         return found
     begun = SLOW * abs(found[0].value(first))
     return [replace(found[0], size=min(found[0].size, begun))] if begun else found
