@@ -123,6 +123,15 @@ class JointedBodies(Struct, frozen=True, dict=True):
         """The joints that hold a point of a body, not those on which it only rolls."""
         return tuple(joint for joint in self.of_body(name) if not (joint.rolls or joint.flat))
 
+    def held_on(self, name: str) -> str:
+        """What a body is on, in words: a `screw`, an `axle`, the joints `l` and `r`."""
+        words = {item.name: item.spatial_word or item.word for item in self.problem.connections}
+        own = [joint.owner for joint in self.supports(name)]
+        if len(own) > 1:
+            return f"the joints {' and '.join(f'`{owner}`' for owner in own)}"
+        word = words[own[0]] if own else ""
+        return f"{'an' if word[:1] in 'aeiou' else 'a'} `{word}`"
+
     def rolling(self, name: str) -> Joint | None:
         """The contact on which a body rolls that nothing else holds."""
         own = self.of_body(name)

@@ -58,7 +58,7 @@ from rotsolve.space.attitude import (
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.leaning import LeaningMoment
 from rotsolve.space.rolling import Rolling
-from rotsolve.space.sliding import slid
+from rotsolve.space.sliding import screwed, slid
 
 
 class SpaceMoment(LeaningMoment):
@@ -89,6 +89,7 @@ class SpaceMoment(LeaningMoment):
             if spins or self.held.wheel(carrier) or base.own != AS_DRAWN:
                 base = in_own_axes(base, spun)
         if not joint.turning:
+            self.refuse_otherwise(name)
             return hinged_on(base, self.turned(name), Z, HingeTurn())
         return self._about_axis(name, joint, base, bool(carrier))
 
@@ -192,15 +193,27 @@ class SpaceMoment(LeaningMoment):
     def in_own(self, rows: Rows, told: tuple[Triple, str, str], name: str) -> Triple:
         """A vector that a state tells, in a body's own axes."""
         vector, axes, _ = told
-        return vector if axes in (BODY, name) else rotated(transposed(rows), vector)
+        if axes in (BODY, name):
+            return vector
+        return rotated(transposed(rows), self.axes_told(name, axes).to(IN_SPACE, vector))
+
+    def axes_told(self, name: str, axes: str) -> Axes:
+        """The axes along which a state tells how a body turns; refused are those of what stands as that body does, or comes after it."""
+        if axes == NODE:
+            return self._node_axes(name)
+        later = self.held.order[self.held.order.index(name) :]
+        if axes in later:
+            message = (
+                f"how `{name}` turns is told along the axes of `{axes}`, of which it is not told yet how it stands"
+            )
+            line = self.line(name, "angular_velocity", "x") or self.line(name, "angular_acceleration", "x")
+            help = "tell it along the axes of space, or `in body axes`"
+            raise Unsolvable(message, span=None if line is None else line.span, help=help)
+        return self.named_axes(axes, name)
 
     def _about_axis(self, name: str, joint: Joint, base: Attitude, on_body: bool) -> Attitude:
         """A body on a hinge or an axle."""
-        self.refuse_otherwise(name, "axle" if joint.aligned else "hinge", ("spin", "spin_angle") if on_body else ())
-        told = self.line(name, "angular_velocity", "x")
-        if told is not None:
-            message = f"`{name}` is on a `{'axle' if joint.aligned else 'hinge'}`: its angular velocity is one number, about the axis"
-            raise Unsolvable(message, span=told.span, help=f"write `{name}.angular_velocity: 3 rad/s`")
+        self.refuse_otherwise(name, ("spin", "spin_angle") if on_body and joint.aligned else ())
         direction = self.direction(name, joint)
         axis = self.held.axis(name) if self.held.wheel(name) else None
         word = "spin" if on_body and joint.aligned else "angular_velocity"
@@ -226,15 +239,24 @@ class SpaceMoment(LeaningMoment):
             lost = self.lost(name)
         return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
 
-    def refuse_otherwise(self, name: str, word: str, taken: tuple[str, ...]) -> None:
-        """Refuse what a state tells, by Euler angles or the vertical, of how a body on a hinge stands or turns."""
+    def refuse_otherwise(self, name: str, taken: tuple[str, ...] = ()) -> None:
+        """Refuse what a state tells, by Euler angles, the vertical or a vector, of how a body stands or turns that a joint holds about one
+        axis or about none."""
         words = [own for own in NODAL if own not in taken]
         found = [line for own in words if (line := self.line(name, own)) is not None]
         upright = self.line(name, "vertical", "x")
+        joint, held = self.held.main(name), self.held.held_on(name)
+        turns = joint is not None and bool(joint.turning)
         for line in found if upright is None else (*found, upright):
             assert line.path is not None
-            message = f"`{name}` is on a `{word}`: a state tells its `angle` and its `angular_velocity`, not its `{line.path.quantity}`"
+            told = "that tells how it stands and turns"
+            told = "a state tells its `angle` and its `angular_velocity`" if turns else told
+            message = f"`{name}` is on {held}: {told}, not its `{line.path.quantity}`"
             raise Unsolvable(message, span=line.span, help="leave it out")
+        told_round = self.line(name, "angular_velocity", "x") if turns else None
+        if told_round is not None:
+            message = f"`{name}` is on {held}: its angular velocity is one number, about the axis"
+            raise Unsolvable(message, span=told_round.span, help=f"write `{name}.angular_velocity: 3 rad/s`")
 
     def hinge_angle(self, name: str, joint: Joint) -> Formula | None:
         """How far a body is turned about its hinge or axle: as it is driven, or told, or by the letter for what the time that has passed
@@ -306,14 +328,15 @@ class SpaceMoment(LeaningMoment):
             words = (word, "angular_velocity") if joint.aligned else (word,)
             told = (self.told(name, item) for item in words)
             rate = ZERO if self.rests(name) else next((item for item in told if item is not None), None)
-            if rate is None and self.stands_on_carrier(name, joint):
-                rate = ZERO
+            if rate is None:
+                rate = ZERO if self.stands_on_carrier(name, joint) else screwed(joint, self, "velocity")
         elif faster is None:
             faster = differentiate(rate, TIME)
         if rate is None:
             rate = self.ask(word, name)
         if faster is None:
             given = self.told(name, "angular_acceleration")
+            given = given if given is not None else screwed(joint, self, "acceleration")
             faster = given if given is not None else self.rate_of(word, name)
         if self.state.steady and not self.held.vanishes(faster):
             message = (

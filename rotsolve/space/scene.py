@@ -49,6 +49,7 @@ from rotsolve.space.passing import conserved, through
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.reader import SpaceReader, plainly_named
 from rotsolve.space.stability import limit_of, steady_limit
+from rotsolve.space.understood import refuse_dropped_told
 
 if TYPE_CHECKING:
     from rotsolve.equations.swing import Swing
@@ -493,6 +494,8 @@ class SpaceEquations(SceneEquations, dict=True):
         self.refuse_varying()
         self.refuse_without()
         self.refuse_turned()
+        lines = (line for state in self.configuration.problem.states for line in state.conditions)
+        refuse_dropped_told(lines, lambda name: (joint := self.held.main(name)) is not None and bool(joint.turning))
         for body in self.held.bodies.values():
             self.held.refuse_drawn_otherwise(body)
         for dynamics in (*self.dynamics.values(), *self.running.values()):

@@ -56,6 +56,17 @@ def sliding_rate(joint: Joint, moment: MovingBodies, word: str) -> Formula:
     return moment.ask(word, joint.owner, "sliding", letter="u" if word == "velocity" else "udot")
 
 
+def screwed(joint: Joint, moment: MovingBodies, word: str) -> Formula | None:
+    """How fast a screw turns (`velocity`), or how fast that grows (`acceleration`), where the state tells how the point that it holds goes
+    along it: s = 2π u/p; None where it tells no such thing, or tells it otherwise than against what carries the screw."""
+    name, carrier = joint.body.owner, joint.carrier.owner
+    frame = carrier if carrier in moment.held.bodies else ""
+    if joint.pitch is None or joint.body.point is None or not moment.told_against(name, word, joint.body.point, frame):
+        return None
+    told = moment.vector_told(name, word, joint.body.point)
+    return None if told is None else part_on_slide(joint, moment, word, told, NOTHING) / lead(joint.pitch)
+
+
 def swung(joint: Joint, moment: MovingBodies, word: str) -> Triple:
     """How the centre of mass of a body on a sleeve moves as it turns about the point that slides: s n × c, (ṡ n × + s n × s n ×) c."""
     name = joint.body.owner
@@ -78,7 +89,7 @@ def part_on_slide(
     """
     name, carrier = joint.body.owner, joint.carrier.owner
     vector, _, relative = told
-    line = moment.line(name, word, "x")
+    line = moment.line(name, word, "x", joint.body.point) or moment.line(name, word, "x")
     span = None if line is None else line.span
     if relative != (carrier if carrier in moment.held.bodies else ""):
         raise Unsolvable(
@@ -88,8 +99,11 @@ def part_on_slide(
         )
     way = unit_along(joint.sliding[0], moment.held.signs.positive)
     if not all(map(moment.held.vanishes, cross_product(way, way_between(turned, vector)))):
-        held = f"{name}.{joint.body.point}" if turned != NOTHING else name
-        help = "tell a vector along that" if held == name else f"tell how that point slides, `{held}.{word}: [x, y, z]`"
+        whole = joint.body.point is None or moment.line(name, word, "x", joint.body.point) is None
+        held = name if whole and turned == NOTHING else f"{name}.{joint.body.point}"
+        help = "tell a vector along that"
+        if whole and turned != NOTHING:
+            help = f"tell how that point slides, `{held}.{word}: [x, y, z]`"
         raise Unsolvable(f"`{held}` can only slide along `{joint.owner}`", span=span, help=help)
     return dot_product(way, vector)
 

@@ -157,6 +157,15 @@ class TellingMoment:
         parts = [ZERO if line is None or line.value is None else line.value for line in lines]
         return (parts[0], parts[1], parts[2]), found[0].axes, found[0].relative
 
+    def told_against(self, owner: str, word: str, point: str | None, frame: str) -> bool:
+        """Whether the state tells a vector of a body as seen from another one (from the ground by '') and along the axes of that."""
+        paths = [(line, line.path) for line in self.state.conditions if line.path is not None]
+        found = [line for line, path in paths if (path.owner, path.quantity, path.point) == (owner, word, point)]
+        return bool(found) and all(
+            line.relative == frame and line.axes in ("", frame or "space") and line.path and line.path.component in AXES
+            for line in found
+        )
+
     def vector_kept(self, owner: str, word: str) -> tuple[Triple, str, str] | None:
         """What the state tells of how a body stands or where it is; through an event as before."""
         told = self.vector_told(owner, word)

@@ -1,15 +1,17 @@
-"""Understood: which clauses of a question have a meaning in space for which quantities; any other is refused by its name."""
+"""Understood: which clauses of a question, and of a line of a state, have a meaning in space for which quantities; any other is refused by
+its name."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from msgspec.structs import replace
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIRECTED, INERTIAL
 from rotsolve.core.vectors.tensor import ENTRIES
 from rotsolve.core.vectors.triple import AXES
-from rotsolve.language.problem import Path, Term
+from rotsolve.language.problem import Condition, Path, Term
 from rotsolve.paths.meaning import NotYet, path_text
 
 ABOUT = frozenset(  # what may be asked about a point
@@ -17,6 +19,8 @@ ABOUT = frozenset(  # what may be asked about a point
 )
 ALONG = frozenset(("inertia", "gyration"))  # what may be asked along a direction
 RELATIVE = frozenset(("velocity", "speed", "acceleration", "force"))  # what may be asked relative to a body
+TOLD_RELATIVE = ("position", "velocity", "acceleration")  # what a state may tell relative to a body
+TURNING = ("angular_velocity", "angular_acceleration")
 IN_AXES = frozenset((*DIRECTED, "inertia_tensor"))  # what may be asked along axes
 WORDS = {  # of scalars: what may stand behind their names
     "kinetic_energy": frozenset(("rotational", "translational")),
@@ -59,3 +63,30 @@ def dropped(path: Path, term: Term) -> Iterator[str]:
         yield f"in {term.axes} axes"
     if term.by is not None:
         yield f"by {term.by}"
+
+
+def refuse_dropped_told(lines: Iterable[Condition], hinged: Callable[[str], bool]) -> None:
+    """Refuse a line of a state of which a frame or axes mean nothing in space; `hinged` are bodies that turn about one axis in what carries
+    them.
+    """
+    for line in lines:
+        if line.path is None:
+            continue
+        word, axes = line.path.quantity, line.axes
+        text = f"{'.'.join(filter(None, (line.path.owner, line.path.point)))}.{word}"
+        if line.relative and word not in TOLD_RELATIVE:
+            message = f"a state tells how a body goes `relative to {line.relative}`, not its `{word}`"
+            help = f"leave `relative to {line.relative}` out"
+            if word in TURNING and hinged(line.path.owner):
+                help = (
+                    f"write `{text}: 3 rad/s{'^2' if word == TURNING[1] else ''}`: that counts against what carries it"
+                )
+            elif word in TURNING:
+                help = f"write `{text}: [x, y, z]` as it is in space"
+            raise Unsolvable(message, span=line.span, help=help)
+        along = line.relative or {"position": "space", "vertical": "body"}.get(word, "")
+        if along and axes not in ("", along, *([line.path.owner] if along == "body" else ())):
+            seen = f"{text} relative to {along}" if line.relative else text
+            whose = {"space": "space", "body": "its body"}.get(along, f"`{along}`")
+            help = f"leave `in {axes} axes` out, and tell its components along those"
+            raise Unsolvable(f"`{seen}` is told along the axes of {whose}", span=line.span, help=help)

@@ -390,3 +390,81 @@ find: {{w: nut.angular_velocity}}
     turned = math.radians(20)
     found = [part.value.float for part in parts if part.value]
     assert found == pytest.approx([3 * math.cos(turned), 3 * math.sin(turned), 7])
+
+
+HELD = (
+    HEAD
+    + """bodies:
+  arm: {shape: rod, mass: 1 kg, length: 1 m, points: {P: [0.3 m, 0, 0]}}
+  nut: {mass: 0.5 kg, inertia: {principal: [0.02 kg m^2, 0.03 kg m^2, 0.025 kg m^2]}, points: {H: [0.1 m, 0, 0], K: [-0.1 m, 0, 0]}}
+connections: {hub: {hinge: arm.start, along: z, angular_velocity: 3 rad/s}, JOINTS}
+states: {now: {arm.angle: 90 deg, LINE}}
+find: {w: nut.angular_velocity}
+"""
+)
+TURNING = {  # joints about whose axis a body turns, and how a message calls them
+    "k: {hinge: [arm.P, nut.H], along: x}": "a `hinge`",
+    "k: {sleeve: [arm.P, nut.H], along: x}": "a `sleeve`",
+    "k: {screw: [arm.P, nut.H], along: x, pitch: 2 mm}": "a `screw`",
+    "k: {axle: [arm.P, nut], along: x}": "an `axle`",
+    "k: {ball: nut.H}, l: {ball: nut.K}": "the joints `k` and `l`",
+}
+KEEPING = {"k: {slide: [arm.P, nut.H], along: x}": "a `slide`", "k: {clamp: [arm.P, nut.H]}": "a `clamp`"}
+
+
+@pytest.mark.parametrize(("joints", "words"), (TURNING | KEEPING).items())
+def test_what_a_joint_tells_is_refused_by_the_name_of_that_joint(joints: str, words: str) -> None:
+    told = {"nut.tilt: 30 deg": "`tilt`", "'nut.angular_velocity': [1 rad/s, 0, 0]": "one number, about the axis"}
+    for line, said in told.items():
+        if joints in TURNING or "tilt" in line:
+            with pytest.raises(Unsolvable, match=f"`nut` is on {words}: .*{said}"):
+                solve(HELD.replace("JOINTS", joints).replace("LINE", line))
+
+
+@pytest.mark.parametrize("joints", TURNING)
+def test_the_one_number_that_is_written_instead_is_read(joints: str) -> None:
+    told = HELD.replace("JOINTS", joints).replace("LINE", "nut.angular_velocity: 3 rad/s")
+    assert solve(told).complete().derivation.confirmed[0].holds is True
+
+
+SEEN = {  # lines of a state with a frame or axes that mean nothing for them
+    "'nut.angular_velocity relative to arm': [1 rad/s, 0, 0]": "not its `angular_velocity`",
+    "'nut.angular_acceleration relative to arm': [1 rad/s^2, 0, 0]": "not its `angular_acceleration`",
+    "nut.kinetic_energy relative to arm: 2 J": "not its `kinetic_energy`",
+    "nut.velocity relative to arm in space axes: [1 m/s, 0, 0]": "told along the axes of `arm`",
+    "nut.position relative to arm in space axes: [1 m, 0, 0]": "told along the axes of `arm`",
+    "nut.position in arm axes: [1 m, 0, 0]": "told along the axes of space",
+    "nut.vertical in arm axes: [0, 0, 1]": "told along the axes of its body",
+}
+
+
+@pytest.mark.parametrize("line", SEEN)
+def test_a_frame_or_axes_that_nothing_reads_are_refused(line: str) -> None:
+    with pytest.raises(Unsolvable, match=SEEN[line]):
+        solve(HELD.replace(", JOINTS", "").replace("LINE", line))
+
+
+@pytest.mark.parametrize("joints", ["", ", k: {ball: nut.H}", ", k: {ball: [arm.P, nut.H]}"])
+@pytest.mark.parametrize("word", ["velocity", "acceleration"])
+def test_how_a_body_turns_is_told_along_the_axes_of_another_one(joints: str, word: str) -> None:
+    """The x axis of the arm lies along y."""
+    unit = "rad/s" if word == "velocity" else "rad/s^2"
+    told = f"'nut.angular_{word} in arm axes': [15 {unit}, 0, 0]"
+    told += ", nut.angular_velocity: [0, 0, 0]" if word == "acceleration" else ""
+    scene = (
+        HELD.replace(", JOINTS", joints)
+        .replace("LINE", told)
+        .replace("w: nut.angular_velocity", f"w: nut.angular_{word}")
+    )
+    scene = scene.replace("states:", "actions: {c: {couple: any, on: nut}}\nstates:")
+    derivation = solve(scene).complete().derivation
+    found = [part.value.float for part in derivation.answers[0].components if part.value]
+    assert found == pytest.approx([0, 15, 0])
+    assert derivation.confirmed[0].holds is True
+
+
+def test_two_bodies_are_not_told_along_the_axes_of_each_other() -> None:
+    told = "'nut.angular_velocity in arm axes': [1 rad/s, 0, 0], 'arm.angular_velocity in nut axes': [1 rad/s, 0, 0]"
+    scene = HELD.replace("hinge: arm.start, along: z, angular_velocity: 3 rad/s", "ball: arm.start")
+    with pytest.raises(Unsolvable, match="of which it is not told yet how it stands"):
+        solve(scene.replace(", JOINTS", "").replace("arm.angle: 90 deg, LINE", told))

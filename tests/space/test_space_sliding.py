@@ -87,6 +87,29 @@ CASES = {  # a scene, and what is known of it by hand
         "find: {v: nut.velocity, a: nut.acceleration, al: nut.angular_acceleration, F: thread.force, T: thread.torque}\n",
         {"v": (0, 0, 8 * LEAD), "a": (0, 0, -PULL * LEAD), "al": (0, 0, -PULL)},
     ),
+    "a nut on an arm that is driven, told by how the point held at its rim goes: s = 2π u/R": (
+        on_arm(
+            "bead: {shape: cylinder, mass: m, radius: R, length: 2*R, points: {e: [0, R, 0]}}",
+            "guide: {screw: [arm.P, bead.e], along: x, pitch: R}",
+            "0",
+            DRIVEN,
+        )
+        + "states: {now: {bead.e.velocity relative to arm: [u, 0, 0]}}\n"
+        "find: {w_b: bead.angular_velocity, v: bead.velocity, a: bead.acceleration, F: guide.force, T: guide.torque}\n",
+        {"w_b": (30 * math.pi, 0, 3), "v": (1.5 + 0.3, 3, -3 * math.pi)},
+    ),
+    "a nut pressed on an arm at rest, told by how the point held goes faster: 2π (u̇)/R": (
+        on_arm(
+            "bead: {shape: cylinder, mass: m, radius: R, length: 2*R, points: {e: [0, R, 0]}}",
+            "guide: {screw: [arm.P, bead.e], along: x, pitch: R}",
+            "0",
+            ", angular_velocity: 0 rad/s",
+        )
+        + "actions: {push: {couple: any, on: bead}}\n"
+        "states: {now: {bead.e.velocity relative to arm: [u, 0, 0], bead.e.acceleration relative to arm: [b*R, 0, 0]}}\n"
+        "find: {al: bead.angular_acceleration, v: bead.velocity}\n",
+        {"al": (4 * math.pi, 0, 0), "v": (1.5, 0, -3 * math.pi)},
+    ),
     "a nut struck at its rim": (
         GIVEN
         + NUT
@@ -136,6 +159,16 @@ REFUSED = {  # a scene, and what is said of it
         on_arm(BEAD, SLIDE, "0", DRIVEN)
         + "states: {now: {bead.velocity relative to arm: [u, u, 0]}}\nfind: {F: guide.force}\n",
         "`bead` can only slide along `guide`",
+    ),
+    "a point of a screw that is told to go across it": (
+        on_arm(
+            "bead: {shape: sphere, mass: m, radius: R, points: {e: [0, R, 0]}}",
+            "guide: {screw: [arm.P, bead.e], along: x, pitch: R}",
+            "0",
+            DRIVEN,
+        )
+        + "states: {now: {bead.e.velocity relative to arm: [u, u, 0]}}\nfind: {F: guide.force}\n",
+        "`bead.e` can only slide along `guide`",
     ),
     "a velocity that is not that along the slide": (
         on_arm(BEAD, SLIDE, "0", DRIVEN) + "states: {now: {bead.velocity: [u, 0, 0]}}\nfind: {F: guide.force}\n",
