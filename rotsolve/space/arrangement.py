@@ -23,8 +23,10 @@ from rotsolve.core.vectors.triple import (
     Y,
     Z,
     cross_product,
+    is_axis,
     minus,
     tidied,
+    triple,
     vector_sum,
     way_between,
 )
@@ -152,11 +154,24 @@ class JointedBodies(Struct, frozen=True, dict=True):
             message = f"two balls on `{one.carrier.owner}`, a body of its own, are not solved as a hinge in space"
             help = f"write `{one.owner}: {{hinge: [{one.carrier.owner}, …], along: [x, y, z]}}` along the line through both"
             raise Unsolvable(message, span=other.body.span, help=help)
-        line = tidied(way_between(self.spot(one.body), self.spot(other.body)))
-        if all(map(self.vanishes, line)):
+        line = self.line_of(one, other)
+        if line == NOTHING:
             message = f"`{one.owner}` and `{other.owner}` hold the same point of `{name}`"
             raise Unsolvable(message, span=other.body.span, help="leave one of them out")
-        return replace(one, free=False, turning=(line,))
+        return replace(one, free=False, turning=(self.pointed(line),))
+
+    def line_of(self, one: Joint, other: Joint) -> Triple:
+        """The way from the point that one joint holds to that of another, in the axes of their body; what vanishes by the numbers is left
+        out, so that the laws know what lies along an axis."""
+        line = tidied(way_between(self.spot(one.body), self.spot(other.body)))
+        return triple([ZERO if self.vanishes(part) else part for part in line])
+
+    def pointed(self, way: Triple) -> Triple:
+        """A direction along an axis as that axis, where its sense is told."""
+        sides = [self.signs.decide(part) if part != ZERO and is_axis(way) else 0 for part in way]
+        if not is_axis(way) or None in sides:
+            return way
+        return triple([ZERO if not side else ONE if side > 0 else negate(ONE) for side in sides])
 
     def carrier(self, name: str) -> str:
         """The body that carries another; '' for what the ground holds, or nothing."""

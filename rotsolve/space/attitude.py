@@ -105,7 +105,8 @@ class Axes(Struct, frozen=True):
         """A vector of these axes in the components of others; refused where nothing tells how one of them stands."""
         if (self.rows, self.lost) == (other.rows, other.lost) or vector == NOTHING:
             return vector
-        if self.base is not None and (self.base, self.lost) == (other.base, other.lost):
+        bases = [axes.rows if axes.base is None else axes.base for axes in (self, other)]
+        if bases[0] == bases[1] and self.lost == other.lost:
             return rotated(transposed(other.turned), rotated(self.turned, vector))
         return rotated(transposed(other.standing), rotated(self.standing, vector))
 

@@ -45,6 +45,7 @@ from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
 from rotsolve.space.rolling import Rolling
 from rotsolve.space.thin import unspun
+from rotsolve.space.two_balls import names_along
 
 NODE_NAMES = {"x": "e₁", "y": "e₂", "z": "e₃"}
 
@@ -186,15 +187,19 @@ class SpaceLaws:
         for push in pushes:
             forces = vector_sum(forces, push.along(axes))
         wanted = [moment.tidy(part) for part in moment.acceleration_along(axes, PointRef(name, CM))]
-        for axis, left, right in zip(AXES, forces, wanted, strict=True):
+        for axis, left, right in zip(self.names_of(axes), forces, wanted, strict=True):
             if left != ZERO or right != ZERO:
-                words = f", along {NODE_NAMES[axis] if axes.name == NODE else axis}"
+                words = f", along {axis}"
                 yield SECOND_LAW.equation(left, multiply(mass, right), moment.when, (name,), component=words)
 
     def newton_axes(self, name: str) -> Axes:
         """The axes in which Newton's second law is written."""
         joints = self.moment.held.of_body(name)
         return self.pushes.reaction_axes(joints[0]) if joints else self.moment.named_axes("space", name)
+
+    def names_of(self, axes: Axes) -> tuple[str, ...]:
+        """What the three axes along which forces are written are called."""
+        return tuple(NODE_NAMES.values()) if axes.name == NODE else names_along(axes)
 
     def momentum(self, name: str, point: str) -> Triple:
         """L = I ω about a point, in the axes of the body, as formulas of the letters of its tensor."""

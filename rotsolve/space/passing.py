@@ -42,6 +42,7 @@ from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.sliding import free_of_force
+from rotsolve.space.two_balls import names_along
 from rotsolve.space.working import of_work
 
 Pairing = tuple[Formula, Formula]
@@ -177,12 +178,19 @@ def own_momentum(laws: SpaceLaws, name: str) -> Triple:
 
 
 class Shock(Struct, frozen=True):
-    """An impulse on a body at an arm from its reference, and an angular impulse; `nothing` are sums of their parts that vanish."""
+    """An impulse on a body at an arm from its reference, and an angular impulse; `nothing` are sums of their parts that vanish, `across` is
+    the part of the impulse that has a torque, where it is not the whole of it."""
 
     push: Triple
     arm: Triple
     twist: Triple = NOTHING
     nothing: tuple[Formula, ...] = ()
+    across: Triple | None = None
+
+    @property
+    def torque_from(self) -> Triple:
+        """The part of the impulse that has a torque."""
+        return self.push if self.across is None else self.across
 
 
 def through(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
@@ -208,7 +216,15 @@ def laws_of_blow(
     centres = [laws.moment.velocity(PointRef(name, CM)) for laws in (before, after)]
     gained = scaled_by(held.mass(name), way_between(centres[0], centres[1]))
     ways = [f", along {before.along(name, axis)}" for axis in AXES]
-    for way, left, right in zip(ways, vector_sum(*(item.push for item in shocks)), gained, strict=True):
+    pushed, line = vector_sum(*(item.push for item in shocks)), before.pushes.line_axes(name)
+    along = ways
+    if line is not None:
+        along = [f", along {axis}" for axis in before.names_of(line)]
+        pushed, gained = (
+            triple([before.moment.tidy(part) for part in before.moment.axes(name).to(line, vector)])
+            for vector in (pushed, gained)
+        )
+    for way, left, right in zip(along, pushed, gained, strict=True):
         if left != right:
             blow = BLOWS.equation(left, right, interval.name, (name,))
             yield replace(blow, label=blow.label + way)
@@ -219,7 +235,7 @@ def laws_of_blow(
         return
     momenta_ = [laws.momentum(name, point) for laws in (before, after)]
     turning = vector_sum(
-        *(vector_sum(cross_product(way_between(place, item.arm), item.push), item.twist) for item in shocks)
+        *(vector_sum(cross_product(way_between(place, item.arm), item.torque_from), item.twist) for item in shocks)
     )
     where = f" about {point_in_words(point)}"
     for way, left, right in zip(ways, turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
@@ -242,8 +258,12 @@ def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:
 def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:
     """The impulse of a joint on the body that it holds, at the point held, and its angular impulse across the axis."""
     moment = laws.moment
-    push = triple([moment.ask("impulse", joint.owner, axis) for axis in AXES])
-    arm = moment.arm(joint.body)
+    line = laws.pushes.line_axes(joint.body.owner)
+    push = laws.pushes.letters("impulse", joint, names=AXES if line is None else names_along(line))
+    arm = laws.pushes.place(joint)
+    if line is not None:
+        own = moment.axes(joint.body.owner)
+        return Shock(line.to(own, push), arm, across=line.to(own, (ZERO, *push[1:])))
     if joint.free or moment.held.pointlike(joint.body.owner):
         push, nothing = free_of_force(joint, moment, push, NOTHING)
         return Shock(push, arm, nothing=nothing)

@@ -31,6 +31,7 @@ from rotsolve.space.attitude import IN_SPACE, NODE, Axes
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.sliding import free_of_force
 from rotsolve.space.telling import turns_untold
+from rotsolve.space.two_balls import ON_LINE, along_line, names_along, place_on_line
 
 FREELY = "{} turns freely about its axis"
 
@@ -117,12 +118,20 @@ class Pushes:
         if joint.free and axes.name == NODE and nods and turns_untold(self.moment.nodding(name).angles[0]):
             return axes
         hangs = bool(axes.lost) and self.gravity is not None and self.moment.vector_kept(name, "vertical") is None
-        return IN_SPACE if nods or joint.rolls or hangs else axes
+        if nods or joint.rolls or hangs:
+            return IN_SPACE
+        return self.line_axes(name) or axes
 
-    def letters(self, word: str, joint: Joint, mark: str = "") -> Triple:
+    def line_axes(self, name: str) -> Axes | None:
+        """The axes along the oblique line through two balls that hold a body; None of others."""
+        main, held = self.moment.held.main(name), self.moment.held
+        if main is None or len(held.supports(name)) < 2:
+            return None
+        return along_line(held, name, self.moment.axes(name), self.moment.direction(name, main))
+
+    def letters(self, word: str, joint: Joint, mark: str = "", names: tuple[str, ...] = AXES) -> Triple:
         """Three letters for a force or couple of a joint."""
-        x, y, z = (self.moment.ask(word, joint.owner, f"{axis}{mark}") for axis in AXES)
-        return (x, y, z)
+        return triple([self.moment.ask(word, joint.owner, f"{axis}{mark}") for axis in names])
 
     def by_joint(self, joint: Joint) -> Iterator[ForceInSpace]:
         """What a joint does to the body that it holds."""
@@ -135,7 +144,7 @@ class Pushes:
         if joint.bearings:
             yield from self._by_bearings(joint)
             return
-        force, place = self.letters("force", joint), self.place(joint)
+        force, place = self.letters("force", joint, names=names_along(axes)), self.place(joint)
         untwisted = joint.free or joint.rolls or self.moment.held.pointlike(name)
         couple = NOTHING if untwisted else self.couple(joint)
         force, nothing = free_of_force(joint, self.moment, force, couple)
@@ -143,7 +152,10 @@ class Pushes:
             "" if joint.pitch is None else ": it gives no power"
         )
         self.conditions += [(words, part) for part in nothing]
-        if couple == NOTHING:
+        if axes.name == ON_LINE:  # what pushes along the line may be moved along it
+            yield ForceInSpace(joint.owner, name, (force[0], ZERO, ZERO), axes, NOTHING, own)
+            yield ForceInSpace(joint.owner, name, (ZERO, *force[1:]), axes, place, own)
+        elif couple == NOTHING:
             yield ForceInSpace(joint.owner, name, force, axes, place, own)
         elif axes == own:
             yield ForceInSpace(joint.owner, name, force, axes, place, own, couple)
@@ -157,7 +169,8 @@ class Pushes:
             from rotsolve.space.rolling import lowest
 
             return lowest(joint, self.moment)
-        return self.moment.arm(joint.body)
+        on_line = place_on_line(self.moment.held, joint)
+        return self.moment.arm(joint.body) if on_line is None else on_line
 
     def direction(self, joint: Joint) -> Triple | None:
         """The axis of a joint, in the axes of its body."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Mapping
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Formula, Sum
+from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol
 from rotsolve.core.quantity import INERTIAL
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.tensor import InertiaTensor
@@ -19,6 +19,7 @@ from rotsolve.core.vectors.triple import (
     cross_product,
     minus,
     scaled_by,
+    triple,
     vector_sum,
 )
 from rotsolve.language.bodies import PointRef
@@ -28,6 +29,7 @@ from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.passing import joint_shock
+from rotsolve.space.two_balls import letter_along
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
 
@@ -254,26 +256,33 @@ class VectorReader:
     def joint_force(self, path: Path, term: Term) -> Seen:
         """The force of a connection on the body that it holds, or of one of its bearings."""
         name = self.body_of(path)
-        self.refuse_shared(name, path, term)
         pushes = [push for push in self.dynamics.pushes.on(name) if push.owner == path.owner and push.force != NOTHING]
         if path.point is not None:
             pushes = [push for number, push in enumerate(pushes, 1) if path.point == f"bearing{number}"]
         if len(pushes) == 1:
-            return pushes[0].force, pushes[0].axes
-        return self.forces_of(name, path.owner), self.moment.axes(name)
+            return self.told_apart(path, term, self.dynamics, pushes[0].force), pushes[0].axes
+        return self.told_apart(path, term, self.dynamics, self.forces_of(name, path.owner)), self.moment.axes(name)
 
-    def refuse_shared(self, name: str, path: Path, term: Term) -> None:
-        """Refuse the part of a force along the line through two balls, of which the laws tell only the sum for both."""
-        main = self.held.main(name)
-        supports = self.held.supports(name)
+    def told_apart(self, path: Path, term: Term, laws: SpaceLaws, vector: Triple) -> Triple:
+        """The force or impulse of one of two balls without its part along the line through both, of which the laws tell only the sum.
+
+        Refused where that is asked for.
+        """
+        name = self.body_of(path)
+        main, supports = self.held.main(name), self.held.supports(name)
         if len(supports) < 2 or main is None or path.owner not in [joint.owner for joint in supports]:
-            return
+            return vector
         component = (path.component or "").split()[-1:] or [""]
-        line = self.moment.axes(name).to(self.asked_axes(path, term), self.moment.direction(name, main))
+        own, way = laws.moment.axes(name), laws.moment.direction(name, main)
+        line = own.to(self.asked_axes(path, term), way)
         if component[0] not in AXES or not self.held.vanishes(line[AXES.index(component[0])]):
-            both = " and ".join(f"`{joint.owner}`" for joint in supports)
-            message = f"`{path_text(path)}` is statically indeterminate: along the line through {both} only the sum of their forces is told"
+            both, word = " and ".join(f"`{joint.owner}`" for joint in supports), path.quantity
+            said = f"along the line through {both} only the sum of their {word}s is told"
+            message = f"`{path_text(path)}` is statically indeterminate: {said}"
             raise NotYet(message, path.span, "ask for a component across that line, `in body axes` where it turns")
+        letter = letter_along(laws.pushes.line_axes(name) or own, way)
+        along = laws.moment.ask(path.quantity, path.owner, letter) if letter else ZERO
+        return triple([part.substitute({along.name: ZERO}) if isinstance(along, Symbol) else part for part in vector])
 
     def joint_impulse(self, path: Path, term: Term) -> Seen:
         """The impulse of a joint on the body that it holds, or of a blow itself, in the event that leads to this moment."""
@@ -283,7 +292,8 @@ class VectorReader:
             raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
         if joint is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
-        return joint_shock(joint, self.moments[before.when]).push, before.axes(joint.body.owner)
+        laws = self.moments[before.when]
+        return self.told_apart(path, term, laws, joint_shock(joint, laws).push), before.axes(joint.body.owner)
 
     def forces_of(self, name: str, owner: str) -> Triple:
         """What one connection, action or gravity pushes a body with, in the axes of the body."""
