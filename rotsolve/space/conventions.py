@@ -17,7 +17,7 @@ from rotsolve.space.attitude import NODE
 from rotsolve.space.coincidences import coincidences
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.two_balls import line_words
+from rotsolve.space.two_balls import words_of_line
 
 if TYPE_CHECKING:
     from rotsolve.space.scene import SpaceEquations
@@ -42,7 +42,7 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
             yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
     for (name, _), gaps in scene.held.askew.items():
         yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
-    yield from line_words(scene.held, used)
+    yield from words_of_line(scene.held, used)
     yield from coincidences(scene.configuration.signs, scene.configuration.problem.givens)
 
 

@@ -31,7 +31,7 @@ from rotsolve.space.attitude import IN_SPACE, NODE, Axes
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.sliding import free_of_force
 from rotsolve.space.telling import turns_untold
-from rotsolve.space.two_balls import ON_LINE, along_line, names_along, place_on_line
+from rotsolve.space.two_balls import ON_LINE, axes_on_line, names_along, place_on_line
 
 FREELY = "{} turns freely about its axis"
 
@@ -127,7 +127,7 @@ class Pushes:
         main, held = self.moment.held.main(name), self.moment.held
         if main is None or len(held.supports(name)) < 2:
             return None
-        return along_line(held, name, self.moment.axes(name), self.moment.direction(name, main))
+        return axes_on_line(held, name, self.moment.axes(name), self.moment.direction(name, main))
 
     def letters(self, word: str, joint: Joint, mark: str = "", names: tuple[str, ...] = AXES) -> Triple:
         """Three letters for a force or couple of a joint."""

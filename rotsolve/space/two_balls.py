@@ -57,7 +57,7 @@ def place_on_line(held: JointedBodies, joint: Joint) -> Triple | None:
     return NOTHING if joint.owner == balls[0].owner else held.line_of(*balls[:2])
 
 
-def along_line(held: JointedBodies, name: str, own: Axes, way: Triple) -> Axes | None:
+def axes_on_line(held: JointedBodies, name: str, own: Axes, way: Triple) -> Axes | None:
     """The axes along n, u and v of a body on two balls of which the line lies along none of its own axes; None of others."""
     if len(held.supports(name)) < 2 or is_axis(way):
         return None
@@ -78,7 +78,7 @@ def letter_along(axes: Axes, way: Triple) -> str:
     return next((name for name, part in zip(AXES, way, strict=True) if part != ZERO), "") if is_axis(way) else ""
 
 
-def line_words(held: JointedBodies, used: Iterable[Equation]) -> Iterator[Words]:
+def words_of_line(held: JointedBodies, used: Iterable[Equation]) -> Iterator[Words]:
     """Along which directions the forces of two balls are written, where their line lies along no axis of the body."""
     letters = {key_of(name) for law in used for name in law.symbols() if is_key(name)}
     for name in held.order:
