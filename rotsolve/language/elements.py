@@ -367,6 +367,11 @@ class Connection(ActingElement, frozen=True):
         """Whether its forces are as large as it takes even in an event."""
         return True
 
+    def first_rate(self) -> tuple[Connection, PointRef, Formula] | None:
+        """Of what drives a body with a rate that is told as one number, and with an acceleration besides that changes it: the same without
+        that rate, what it turns, and the rate, which it has at first."""
+        return None
+
     def joint_in_space(self) -> Joint | None:
         """How it holds a body in space; None for what is no joint."""
         return None

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rotsolve.algebra.calculus.integral import integrate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, ANGULAR_VELOCITY, Dimension
@@ -102,8 +103,8 @@ class Lapse:
         return still and moment.nods(name) and not self.held.falls(name) and self.alone(name)
 
     def hinged(self, name: str) -> bool:
-        """Whether a body turns about a fixed axis with a constant angular acceleration."""
-        return self.acceleration(name) is not None
+        """Whether a body turns about a fixed axis with a constant angular acceleration, or as it is driven by a formula of time."""
+        return self.acceleration(name) is not None or self.driven_way(name) is not None
 
     # Euler angles of a steady precession
 
@@ -263,13 +264,16 @@ class Lapse:
         )
 
     def about_hinge(self, name: str) -> Iterator[Equation]:
-        """ω = ω₀ + α t and φ = φ₀ + ω₀ t + ½ α t²."""
+        """ω = ω₀ + α t and φ = φ₀ + ω₀ t + ½ α t²; as it is driven by a formula of time, their integrals."""
         joint, time, faster = self.held.main(name), self.passed(), self.acceleration(name)
-        assert joint is not None and time is not None and faster is not None
+        assert joint is not None and time is not None
+        if faster is None:
+            yield from self.as_driven(name, joint)
+            return
         first, when = self.before.moment, self.later.when
-        rate = first.driven(name, joint, "angular_velocity")[0]
+        rate = first.rate_on(name, joint)
         steady = "turns steadily" if faster == ZERO else "constant angular acceleration"
-        later = self.later.driven(name, joint, "angular_velocity")[0]
+        later = self.later.rate_on(name, joint)
         if "angular_velocity" not in dict(joint.drive):
             right = add(rate, multiply(faster, time))
             yield IN_TIME.equation(later, right, when, (name,), words=f"{steady}, ω = ω₀ + α t")
@@ -278,6 +282,40 @@ class Lapse:
             way = add(multiply(rate, time), multiply(multiply(HALF, faster), multiply(time, time)))
             own = self.later.ask("angle", name)
             yield IN_TIME.equation(own, add(angle, way), when, (name,), words=f"{steady}, angle turned")
+
+    @remembered
+    def driven_way(self, name: str) -> tuple[Formula, Formula] | None:
+        """How much faster a body turns that is driven by a formula of time, and how far it has turned: ∫ α dt, ∫ ω dt.
+
+        None of others, or where the integrals have no closed form.
+        """
+        joint, time, start = self.held.main(name), self.passed(), self.before.moment.clock()
+        drive = dict(joint.drive) if joint is not None and len(joint.drive) == 1 else {}
+        if joint is None or time is None or start is None or not goes_by_time([*drive.values()]):
+            return None
+        end, positive = add(start, time), self.later.positive
+        rate, gained = drive.get("angular_velocity"), None
+        if "angular_acceleration" in drive:
+            so_far = integrate(drive["angular_acceleration"], TIME, start, Symbol(TIME), positive=positive)
+            gained = integrate(drive["angular_acceleration"], TIME, start, end, positive=positive)
+            rate = None if so_far is None else add(self.before.moment.rate_on(name, joint), so_far)
+        way = None if rate is None else integrate(rate, TIME, start, end, positive=positive)
+        if way is None or ("angular_acceleration" in drive and gained is None):
+            return None
+        return (ZERO if gained is None else gained), way
+
+    def as_driven(self, name: str, joint: Joint) -> Iterator[Equation]:
+        """ω = ω₀ + ∫ α dt where that is driven, and φ = φ₀ + ∫ ω dt."""
+        found, first, when = self.driven_way(name), self.before.moment, self.later.when
+        assert found is not None
+        gained, way = found
+        if "angular_acceleration" in dict(joint.drive):
+            own, rate = (moment.rate_on(name, joint) for moment in (self.later, first))
+            yield IN_TIME.equation(own, add(rate, gained), when, (name,), words="as it is driven, ω = ω₀ + ∫ α dt")
+        angle = first.stood(name, "angle")
+        if angle is not None:
+            own = self.later.ask("angle", name)
+            yield IN_TIME.equation(own, add(angle, way), when, (name,), words="as it is driven, φ = φ₀ + ∫ ω dt")
 
     # flight
 

@@ -216,8 +216,7 @@ class SpaceMoment(LeaningMoment):
         self.refuse_otherwise(name, ("spin", "spin_angle") if on_body and joint.aligned else ())
         direction = self.direction(name, joint)
         axis = self.held.axis(name) if self.held.wheel(name) else None
-        word = "spin" if on_body and joint.aligned else "angular_velocity"
-        rate, faster = self.driven(name, joint, word)
+        rate, faster = self.driven(name, joint, self.rate_word(name, joint))
         if axis is not None:
             if not self.held.symmetric(name, axis):
                 help = "a wheel on an axle is symmetric about it; hold other bodies by a `hinge`"
@@ -316,7 +315,7 @@ class SpaceMoment(LeaningMoment):
         """How fast a body spins on the axle on which another one carries it; None of others."""
         joint = self.held.main(name)
         carried = joint is not None and joint.aligned and self.held.carrier(name) != ""
-        return self.driven(name, joint, "spin")[0] if carried and joint is not None else None
+        return self.rate_on(name, joint) if carried and joint is not None else None
 
     def driven(self, name: str, joint: Joint, word: str) -> tuple[Formula, Formula]:
         """The rate of a body about its hinge or axle and how fast that changes: as it is driven, as the state tells, else letters."""
@@ -346,6 +345,14 @@ class SpaceMoment(LeaningMoment):
                 message, span=joint.body.span, help="leave `steady: true` out, or its angular acceleration"
             )
         return self.now(rate), self.now(faster)
+
+    def rate_on(self, name: str, joint: Joint) -> Formula:
+        """How fast a body turns about its hinge or axle against what carries it."""
+        return self.driven(name, joint, self.rate_word(name, joint))[0]
+
+    def rate_word(self, name: str, joint: Joint) -> str:
+        """What that rate is called: the spin of a rotor on the axle of another body."""
+        return "spin" if joint.aligned and self.held.carrier(name) else "angular_velocity"
 
     def stands_on_carrier(self, name: str, joint: Joint) -> bool:
         """Whether a steady state tells that a body on a hinge does not turn against what carries it: its mass would lie otherwise."""

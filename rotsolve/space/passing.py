@@ -15,7 +15,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.equation import BLOWS, CONSERVATION, MOMENTUM, RULE, TWISTS, Equation
+from rotsolve.core.equation import BLOWS, BY_PLACE, CONSERVATION, MOMENTUM, RULE, TWISTS, Equation
+from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
 from rotsolve.core.vectors.triple import (
@@ -66,6 +67,7 @@ def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterat
     for name in before.moment.held.order:
         if after.moment.goes_on(name):
             continue
+        yield from driven_on(name, interval, before, after)
         if not left_alone(before, name):
             yield from of_work(name, interval, before, after)
             continue
@@ -76,6 +78,22 @@ def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterat
         for words, (first, last) in momenta(name, before, after):
             if first != last:
                 yield MOMENTUM.equation(first, last, interval.name, (name,), words=f"{words}, {spoken(name)}")
+
+
+def driven_on(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """ω² = ω₀² + 2 α (φ − φ₀) of a body that is driven with a constant angular acceleration from one angle to another."""
+    first, last = before.moment, after.moment
+    joint = first.held.main(name)
+    faster = dict(joint.drive).get("angular_acceleration") if joint is not None and len(joint.drive) == 1 else None
+    if joint is None or faster is None or TIME in faster.symbols():
+        return
+    angles = [moment.stood(name, "angle") for moment in (first, last)]
+    if angles[0] is None or angles[1] is None:
+        return
+    rates = [square(moment.rate_on(name, joint)) for moment in (first, last)]
+    gained = multiply(2 * faster, add(angles[1], negate(angles[0])))
+    words = "constant angular acceleration, ω² = ω₀² + 2 α Δφ"
+    yield BY_PLACE.equation(rates[1], add(rates[0], gained), interval.name, (name,), words=words)
 
 
 def turning_tilts(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:

@@ -48,7 +48,7 @@ def chosen(
         refuse_either_sense(told, roots, scene, numbers, f"write `smallest {name}` or `largest {name}` under `find`")
     if key.kind == "tilt":
         return tilted(name, roots, scene, numbers)
-    if key.kind in TURNED and not key.component and len(roots) > 1:
+    if turned_through(key, scene) and not key.component and len(roots) > 1:
         return first_there(name, roots, scene, numbers)
     if key.kind in SIGNED and len(roots) > 1:
         refuse_either_sense(name, roots, scene, numbers)
@@ -119,10 +119,18 @@ def refuse_level_unspun(owner: str, laws: SpaceLaws, problem: Problem) -> None:
     raise NoSteadyMotion(message, span=moment.state.span, help=help, lines=problem.lines, file=problem.file)
 
 
+def turned_through(key: SymbolKey, scene: SceneEquations) -> str:
+    """How far a body is turned by a rate; the spin of a rotor on an axle turns it by its angle, as a hinge does. '' of other quantities."""
+    if key.kind != "spin":
+        return TURNED.get(key.kind, "")
+    joint = scene.held.main(key.owner)  # type: ignore[attr-defined]
+    return "angle" if joint is not None and joint.aligned else ""
+
+
 def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
     """The rate with which a body comes to an angle or a tilt the first time: towards it from where it was, whatever it did between."""
     key = key_of(name)
-    owner, state, word = key.owner, key.when, TURNED[key.kind]
+    owner, state, word = key.owner, key.when, turned_through(key, scene)
     before = scene.configuration.timeline.before(state)
     if before is None or before.event is not None:
         refuse_either_sense(name, roots, scene, numbers)

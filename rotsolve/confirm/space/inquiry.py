@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property, partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -414,8 +415,9 @@ class Inquiry:
         """A function of time at the moment at which it is looked at: as all is driven then, else as the motion leads to it."""
         if self.driven:
             ways = manners_of(Rig(self.problem, {**self.rig.numbers, TIME: NOW}), State(ANY_TIME), self.put)
-        else:
-            ways = self.running(term.during)
+            with suppress(LeftOpen):  # how far something is turned hangs on the motion that leads to it
+                return self.modified(distinct([told_by(way, term) for way in ways]), term)
+        ways = self.running(term.during)
         return self.modified(distinct([told_by(way, term) for way in ways]), term)
 
     def modified(self, found: Sequence[float], term: Term) -> list[float]:

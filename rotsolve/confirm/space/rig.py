@@ -37,7 +37,7 @@ from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Joint, PointRef
-from rotsolve.language.problem import Condition, Problem, State
+from rotsolve.language.problem import ANY_TIME, Condition, Problem, State
 
 AXES = ("x", "y", "z")
 NODAL = ("precession_angle", "tilt", "spin_angle", "precession", "nutation", "spin", "axial_rate")
@@ -212,7 +212,7 @@ class Lines:
         before = {event.to: event.from_ or "" for event in self.rig.problem.events}
         while name in before:
             name = before[name]
-        return name in names[1:]
+        return name in (*names[1:], ANY_TIME)
 
     def line(self, owner: str, word: str, component: str = "", point: str | None = None) -> Condition | None:
         for line in self.lines:

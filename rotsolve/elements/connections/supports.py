@@ -26,7 +26,7 @@ from rotsolve.core.facts import (
 )
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
-from rotsolve.core.symbols import combined, pace_of
+from rotsolve.core.symbols import TIME, combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Joint, PointRef, Ride
@@ -59,6 +59,12 @@ class Driven(Connection, frozen=True):
 
     def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
         yield from ((rate, ref) for ref in self.held() for rate in (self.angular_velocity, self.angular_acceleration))
+
+    def first_rate(self) -> tuple[Connection, PointRef, Formula] | None:
+        rate, held = self.angular_velocity, self.held()
+        if rate is None or not held or TIME in rate.symbols() or self.angular_acceleration in (None, ZERO):
+            return None
+        return replace(self, angular_velocity=None), held[-1], rate
 
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
         values = [(word, value) for word in TURNING if (value := getattr(self, word)) is not None]

@@ -1,0 +1,132 @@
+"""Hinges in space that are driven: by an angular acceleration that stays, from a rate at the first state, or by a formula of time.
+
+Values by hand: ω = ω₀ + α t, φ = φ₀ + ω₀ t + ½ α t², ω² = ω₀² + 2 α Δφ, and their integrals.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve import SceneError, Unsolvable, solve
+
+PAIR = "angular_velocity: 2 rad/s, angular_acceleration: ALPHA rad/s^2"
+START = "table.angle: 0.3 rad"
+THERE = "th: table.angle at b, w: table.angular_velocity at b, e: table.x_axis at b, F: axis.force at b"
+LEVEL = (  # a joint on the ground, and what carries it
+    "bodies: {table: {shape: rectangle, mass: 2 kg, sides: [60 cm, 40 cm]}}\n"
+    "connections: {axis: {hinge: table.corner1, along: [3/5, 4/5, 0], DRIVE}}\n"
+)
+CASES = {  # the drive, the first state, the others, and at b the angle and the rate, whether the motion up to there is confirmed
+    "with a rate besides, for a time": (PAIR.replace("ALPHA", "1"), START, "b: {time: 0.5 s}", 1.425, 2.5, True),
+    "slower, for so long that it turns back": (PAIR.replace("ALPHA", "-1"), START, "b: {time: 5 s}", -2.2, -3, True),
+    "with a rate besides, to an angle": (
+        PAIR.replace("ALPHA", "1"),
+        START,
+        "b: {table.angle: 0.6 rad}",
+        0.6,
+        math.sqrt(4.6),
+        True,
+    ),
+    "slower, to an angle that it comes to on its way back": (
+        PAIR.replace("ALPHA", "-1"),
+        START,
+        "b: {table.angle: 0 rad}",
+        0,
+        -math.sqrt(4.6),
+        True,
+    ),
+    "by an acceleration alone, to an angle": (
+        "angular_acceleration: 1 rad/s^2",
+        f"{START}, table.angular_velocity: 2 rad/s",
+        "b: {table.angle: 0.6 rad}",
+        0.6,
+        math.sqrt(4.6),
+        True,
+    ),
+    "by a rate that goes by the time": (
+        "angular_velocity: 2 rad/s*cos(n*time)",
+        START,
+        "b: {time: 0.5 s}",
+        0.3 + 2 / 3 * math.sin(1.5),
+        2 * math.cos(1.5),
+        False,
+    ),
+    "by an acceleration that goes by the time": (
+        "angular_acceleration: 2 rad/s^2*cos(n*time)",
+        f"{START}, table.angular_velocity: 1 rad/s",
+        "b: {time: 0.5 s}",
+        0.8 + 2 / 9 * (1 - math.cos(1.5)),
+        1 + 2 / 3 * math.sin(1.5),
+        False,
+    ),
+    "by an acceleration that goes by the time, from a clock that shows another time": (
+        "angular_acceleration: 2 rad/s^3*time",
+        f"{START}, table.angular_velocity: 1 rad/s, time: 1 s",
+        "m: {time: 0.25 s}, b: {time: 0.5 s}",
+        0.3 + (1.75**3 - 1) / 3,
+        1.75**2,
+        False,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_where_a_drive_has_turned_its_body_to_is_told(name: str) -> None:
+    drive, first, others, angle, rate, followed = CASES[name]
+    scene = f"up: z\ngiven: {{n: 3 rad/s}}\n{LEVEL.replace('DRIVE', drive)}states: {{a: {{{first}}}, {others}}}\n"
+    derivation = solve(f"{scene}find: {{{THERE}}}\n").complete().derivation
+    turned, speed, own, _ = derivation.answers
+    assert turned.value is not None
+    assert turned.value.float == pytest.approx(angle, rel=1e-12, abs=1e-12)
+    parts = [part.value.float for part in speed.components if part.value is not None]
+    assert parts == pytest.approx([0.6 * rate, 0.8 * rate, 0], rel=1e-12, abs=1e-12)
+    axis = [part.value.float for part in own.components if part.value is not None]
+    cos, sin = math.cos(angle), math.sin(angle)
+    assert axis == pytest.approx([0.36 + 0.64 * cos, 0.48 * (1 - cos), -0.8 * sin], rel=1e-12, abs=1e-12)
+    assert all(item.holds is not False for item in derivation.confirmed)
+    if followed:
+        assert all(item.holds is True for item in derivation.confirmed), [item.why for item in derivation.confirmed]
+
+
+@pytest.mark.parametrize("drive", ["angular_velocity: 2 rad/s", PAIR.replace("ALPHA", "-1")])
+def test_the_angle_at_any_time_is_confirmed(drive: str) -> None:
+    scene = f"up: z\n{LEVEL.replace('DRIVE', drive)}states: {{a: {{{START}}}, b: {{time: 9 s}}}}\n"
+    derivation = (
+        solve(f"{scene}find: {{th: table.angle at any time, w: table.angular_velocity.x at any time}}\n")
+        .complete()
+        .derivation
+    )
+    assert [item.holds for item in derivation.confirmed] == [True, True]
+
+
+def test_a_rotor_that_an_axle_carries_is_driven_faster() -> None:
+    """s² = 4 + 2 · 0.6 of the rotor against the arm, about which the arm's own rate stands square."""
+    scene = """up: z
+bodies: {arm: {shape: rod, mass: 1 kg, length: 1 m}, disc: {shape: disc, mass: 1 kg, radius: 0.1 m}}
+connections:
+  hub: {hinge: arm.start, along: z, angular_velocity: 3 rad/s}
+  axle: {axle: [arm.end, disc], along: x, angular_velocity: 2 rad/s, angular_acceleration: 1 rad/s^2}
+states: {a: {disc.angle: 0 rad, arm.angle: 0 rad}, b: {disc.angle: 0.6 rad, arm.angle: 90 deg}}
+find: {s: disc.spin at b, w: disc.angular_velocity at b}
+"""
+    spin, whole = solve(scene).complete().derivation.answers
+    assert spin.value is not None
+    assert spin.value.float == pytest.approx(math.sqrt(5.2))
+    assert [part.value.float for part in whole.components if part.value] == pytest.approx([0, math.sqrt(5.2), 3])
+
+
+def test_an_angle_to_which_a_drive_never_comes_is_refused() -> None:
+    scene = f"up: z\n{LEVEL.replace('DRIVE', PAIR.replace('ALPHA', '-1'))}states: {{a: {{{START}}}, b: {{table.angle: 3 rad}}}}\n"
+    with pytest.raises(Unsolvable, match="never reached"):
+        solve(f"{scene}find: {{w: table.angular_velocity at b}}\n").complete()
+
+
+def test_a_rate_and_an_acceleration_with_an_event_between_are_refused() -> None:
+    scene = (
+        f"up: z\n{LEVEL.replace('DRIVE', PAIR.replace('ALPHA', '1'))}states: {{a: {{}}, b: {{}}, c: {{time: 1 s}}}}\n"
+    )
+    hit = "events: {hit: {impulse: 1 N s, on: table.center, direction: z, from: a, to: b}}\n"
+    with pytest.raises(SceneError, match="at which state it has that rate nothing tells"):
+        solve(f"{scene}{hit}find: {{w: table.angular_velocity at c}}\n")
