@@ -114,7 +114,6 @@ class SpaceEquations(SceneEquations, dict=True):
         """What the laws speak of at one moment."""
         problem = self.configuration.problem
         moment = SpaceMoment(self.held, self.registry, state, self.configuration)
-        moment.timed = self.timed
         pushes = Pushes(moment, problem.gravity, problem.actions)
         altered = self.configuration.alteration
         written = SpaceLaws if altered is None or altered.in_space is None else altered.in_space

@@ -33,7 +33,6 @@ class TellingMoment:
         self.at = state.name  # as the keys of its quantities say it
         self.before: TellingMoment | None = None  # the moment before an event that leads to this one
         self.onward: Onward | None = None  # what happens from the state before on, where times are told
-        self.timed = False  # whether the scene tells the time of a state, or asks for functions of time
         self.first = True  # whether the scene begins with it
         self.later = False  # whether time has passed since the first state
         self.used: set[int] = set()  # the lines of the state that something has read, by their places
@@ -75,15 +74,15 @@ class TellingMoment:
         return value if clock is None else value.substitute({TIME: clock})
 
     def clock(self) -> Formula | None:
-        """The running time at this moment: its letter in the midst of a phase; at the first state as told, else 0 where others tell theirs;
-        at a later one that of the state before and what has passed since, through an event as before."""
+        """The running time: its letter in the midst of a phase; at the first state as told, else 0; at a later one that of the
+        state before and what has passed since, through an event as before."""
         if phase_midst(self.at):
             return Symbol(TIME)
         if self.before is not None:
             return self.before.clock()
         told = self.state.time_told
         if self.first:
-            return told if told is not None else ZERO if self.timed else None
+            return ZERO if told is None else told
         start = None if self.onward is None else self.onward.before.moment.clock()
         return None if told is None or start is None else add(start, told)
 

@@ -130,3 +130,34 @@ def test_a_rate_and_an_acceleration_with_an_event_between_are_refused() -> None:
     hit = "events: {hit: {impulse: 1 N s, on: table.center, direction: z, from: a, to: b}}\n"
     with pytest.raises(SceneError, match="at which state it has that rate nothing tells"):
         solve(f"{scene}{hit}find: {{w: table.angular_velocity at c}}\n")
+
+
+LIFT = (
+    "given: {A: 3 m/s^3, L: 60 cm, g: 9.8 m/s^2}\n"
+    "bodies: {cart: {mass: 0, position: [A*time^3 + A*(2 s)*time^2, 0 m, 0 m]}, rod: {shape: rod, mass: 1 kg, length: L}}\n"
+    "connections: {pin: {hinge: [cart, rod.start], along: y}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("states", "clock"),
+    {
+        "": 0,
+        "states: {a: {STANDS}}": 0,
+        "states: {a: {STANDS}, b: {rod.angle: 100 deg}}": 0,
+        "states: {a: {STANDS, time: 1 s}}": 1,
+        "states: {a: {STANDS, time: 1 s}, b: {rod.angle: 100 deg}}": 1,
+    }.items(),
+)
+def test_the_clock_shows_nothing_at_the_first_state_unless_it_tells_its_time(states: str, clock: int) -> None:
+    """α = 3 (g cos θ + a sin θ)/(2 L) with a = A (6 t + 4 s)."""
+    stands = "rod.angle: 60 deg, rod.angular_velocity: 0 rad/s"
+    scene = f"up: z\n{LIFT}{states.replace('STANDS', stands)}\nfind: {{al: rod.angular_acceleration.y{' at a' * bool(states)}}}\n"
+    derivation = solve(scene).complete().derivation
+    angle = math.radians(60 if states else 0)
+    pushed = 3 * (6 * clock + 4)
+    assert derivation.answers[0].value is not None
+    assert derivation.answers[0].value.float == pytest.approx(
+        3 * (9.8 * math.cos(angle) + pushed * math.sin(angle)) / 1.2
+    )
+    assert derivation.confirmed[0].holds is True

@@ -85,26 +85,20 @@ class Inquiry:
         return next(state for state in states if state.name == name)
 
     def rig_at(self, state: State | None) -> Rig:
-        """The rig at the time of a state, where it is told."""
-        clock = None if state is None else self.clock(state)
+        """The rig at the time of a state, where it is told; of a scene that names no state at 0, as at its first one."""
+        clock = 0.0 if state is None else self.clock(state)
         return self.rig if clock is None else Rig(self.problem, {**self.rig.numbers, TIME: clock})
-
-    @cached_property
-    def timed(self) -> bool:
-        """Whether times pass from the first state on, which then is at 0: a later one tells its time, or functions of time are asked."""
-        later = any(time_after(state) is not None for state in self.problem.states[1:])
-        return later or any(find.runs for find in self.problem.finds)
 
     def clock(self, state: State) -> float | None:
         """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as
-        told, else 0 where times pass."""
+        told, else 0."""
         told, states = time_after(state), self.problem.states
         event = self.event_to(state.name)
         if event is not None:
             return self.clock(next(item for item in states if item.name == event.from_))
         start = self.clock(states[states.index(state) - 1]) if state is not states[0] else 0.0
         if told is None or start is None:
-            return 0.0 if state is states[0] and self.timed else None
+            return 0.0 if state is states[0] else None
         return start + self.rig.value(told)
 
     @cached_property
