@@ -39,6 +39,7 @@ from rotsolve.motion.rigid import RigidPiece, part_spot, pieces
 ANGLES = ("precession_angle", "tilt", "spin_angle")
 RATES = ("precession", "nutation", "spin")
 NODAL = (*ANGLES, *RATES, "axial_rate")
+ABOUT_MOMENTUM = {"precession", "spin"}  # which a free body has about its angular momentum where no tilt is told
 FASTER = {  # of what leads a body: what tells how fast it changes, and by how many derivatives by time
     "position": (("velocity", 1), ("acceleration", 2)),
     "velocity": (("acceleration", 1),),
@@ -195,9 +196,18 @@ class JointedBodies(Struct, frozen=True, dict=True):
 
     @cached_property
     def nodding(self) -> frozenset[str]:
-        """The bodies of which some state tells a tilt, or a rate about the vertical or their axis."""
-        lines = (line for state in self.problem.states for line in state.conditions)
-        return frozenset(line.path.owner for line in lines if line.path is not None and line.path.quantity in NODAL)
+        """The bodies of which some state tells a tilt, or a rate about the vertical or their axis.
+
+        Not those that nothing holds and of which the states tell no more than the rates about their angular momentum.
+        """
+        words: dict[str, set[str]] = {}
+        for path in (line.path for state in self.problem.states for line in state.conditions):
+            if path is not None and path.quantity in NODAL:
+                words.setdefault(path.owner, set()).add(path.quantity)
+        steady = any(state.steady for state in self.problem.states)
+        return frozenset(
+            name for name, told in words.items() if steady or self.of_body(name) or not told <= ABOUT_MOMENTUM
+        )
 
     def named_point(self, name: str, point: str) -> PointRef:
         """A point of a body by its name, that at which it is held with its place: `at` of `rod.at(x)`."""

@@ -69,7 +69,8 @@ class Flight:
         if any(body.moved and not rig.led_evenly(name) for name, body in rig.bodies.items()):
             raise NotConfirmed("a prescribed motion on the way to its state")
         lines = [line.path for line in (*state.conditions, *start.stance.lines.lines)]
-        self.nodding = {path.owner for path in lines if path is not None and path.quantity in NODAL}
+        spoken = {path.owner for path in lines if path is not None and path.quantity in NODAL}
+        self.nodding = spoken - rig.about_momentum
         self.free = [name for name in rig.bodies if all(joint.body.owner != name for joint in rig.joints.values())]
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
         self.origins = {name: self.start_angle(name) for name in rig.bodies}

@@ -266,9 +266,11 @@ class Inquiry:
             numbers = [Reading(way.worlds[0]).number(Term(line.path)) for way in ways]
             least = min(numbers, default=0.0) if line.word == "smallest" else max(numbers, default=0.0)
             yield from (way for way, number in zip(ways, numbers, strict=True) if number == least)
-        elif line.path.quantity in TIED:
+        elif line.path.quantity in TIED and not (
+            line.path.quantity in NODAL and line.path.owner in self.rig.about_momentum
+        ):
             yield from ways
-        elif line.path.quantity not in READ or line.value is None or line.relative:
+        elif line.path.quantity not in (*READ, *NODAL) or line.value is None or line.relative:
             raise NotConfirmed(f"a line about `{line.path.quantity}`")
         else:
             told = self.rig.value(line.value)

@@ -42,6 +42,7 @@ from rotsolve.language.problem import ANY_TIME, Condition, Problem, State
 AXES = ("x", "y", "z")
 NODAL = ("precession_angle", "tilt", "spin_angle", "precession", "nutation", "spin", "axial_rate")
 ANGLES, RATES = NODAL[:3], NODAL[3:6]
+ROUND_MOMENTUM = {"precession", "spin"}  # which a free body has about its angular momentum where no tilt is told
 TRAVEL = ("position", "velocity", "acceleration")
 THIN = 1e-12  # of the largest moment of inertia: none
 NOW = 0.37  # seconds: the time at which what is a formula of time is looked at, where no state tells another
@@ -80,6 +81,19 @@ class Rig:
     @cached_property
     def gravity(self) -> float:
         return 0.0 if self.problem.gravity is None else self.value(self.problem.gravity)
+
+    @cached_property
+    def about_momentum(self) -> frozenset[str]:
+        """The bodies that nothing holds and of which the states tell no more than the rates about their angular momentum."""
+        words: dict[str, set[str]] = {}
+        for path in (line.path for state in self.problem.states for line in state.conditions):
+            if path is not None and path.quantity in NODAL:
+                words.setdefault(path.owner, set()).add(path.quantity)
+        held = {joint.body.owner for joint in self.joints.values()}
+        steady = any(state.steady for state in self.problem.states)
+        return frozenset(
+            name for name, told in words.items() if not steady and name not in held and told <= ROUND_MOMENTUM
+        )
 
     # bodies
 
@@ -254,9 +268,8 @@ class Lines:
 
     def nods(self, name: str) -> bool:
         """Whether the state speaks of a body's tilt, precession or spin."""
-        return name in self.nodding or any(
-            line.path is not None and line.path.quantity in NODAL for line in self.of(name)
-        )
+        spoken = any(line.path is not None and line.path.quantity in NODAL for line in self.of(name))
+        return name in self.nodding or (spoken and name not in self.rig.about_momentum)
 
 
 def touching(joint: Joint) -> bool:
