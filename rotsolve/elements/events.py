@@ -150,6 +150,10 @@ class Fixes(Event, frozen=True):
     word = "fixes"
     about = "a point of a moving body is suddenly held; from then on the body turns about it"
     quantities = ("force", "impulse")
+    instead = (
+        "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
+        " and `BODY.P.velocity: [0, 0, 0]` in the state after it; `direction: y` and `BODY.P.velocity.y: 0` stop it one way"
+    )
     fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
 
     def check(self, scene: Surroundings) -> None:

@@ -410,6 +410,7 @@ class Event(Element, frozen=True):
     later: ClassVar[bool] = False
     planar: ClassVar[bool] = True
     spatial: ClassVar[bool] = False
+    instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     bodily: ClassVar[bool] = False
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)

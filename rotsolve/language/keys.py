@@ -15,7 +15,7 @@ class Key(Struct, frozen=True):
     """What a YAML key takes: its kind, its meaning in words, and the limits of its value.
 
     `later` marks a key whose physics is not there yet: it is read and validated, then refused by name; `space`
-    one that only scenes in space have, `plane` one that they do not have.
+    one that only scenes in space have, `plane` one that they do not have, and `instead` tells how they say the same.
     `letter` is the textbook letter of a number written in place; `limits` is positive, nonnegative, fraction, acute or empty;
     `refers` are the kinds of things that a name may name; `varies` allows a formula of `time` and of paths of bodies.
     """
@@ -30,6 +30,7 @@ class Key(Struct, frozen=True):
     later: bool = False
     space: bool = False
     plane: bool = False
+    instead: str = ""
     letter: str = ""
     limits: str = ""
     refers: tuple[str, ...] = ()

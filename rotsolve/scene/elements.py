@@ -42,7 +42,7 @@ def read_keys(scope: Scope, cls: type[Element], name: str, entries: dict[str, tu
         if declared.space and not scope.space:
             in_space_only(scope, key, word)
         if declared.plane and scope.space:
-            in_plane_only(scope, key, word)
+            in_plane_only(scope, key, word, declared.instead)
         found = read_value(scope, declared, node, word, name)
         if found is not None:
             result[attributes[word]] = found
@@ -322,7 +322,8 @@ def check_world(scope: Scope, place: Node, cls: Any) -> None:
         scope.later(place, cls.word)
     elif scope.space and not cls.spatial:
         word = getattr(cls, "spatial_word", "")
-        in_plane_only(scope, place, cls.word, f"write `{word}`: it says the same in space" if word else "")
+        help = f"write `{word}`: it says the same in space" if word else getattr(cls, "instead", "")
+        in_plane_only(scope, place, cls.word, help)
     elif not scope.space and not cls.planar:
         in_space_only(scope, place, cls.word)
 

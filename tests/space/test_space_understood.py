@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from rotsolve.core.faults import SceneError, Unsolvable
@@ -58,6 +60,70 @@ def test_a_key_of_the_plane_is_refused(word: str) -> None:
     with pytest.raises(SceneError) as caught:
         solve(scene)
     assert f"`{word}` is for scenes in the plane" in str(caught.value)
+
+
+CAUGHT = """{up}gravity: none
+given: {{{given}}}
+bodies: {{rod: {{shape: rod, mass: 2 kg, length: 1 m}}}}
+states: {{before: {{rod.velocity: {velocity}, rod.angular_velocity: {turning}}}, after: {{{stopped}}}}}
+events: {{catch: {{{event}, from: before, to: after}}}}
+find: {{om: rod.angular_velocity{part} at after}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "event", "stopped", "up"),
+    [
+        ("J: unknown, p: unknown, q: unknown", "direction: [p, 1, q]", "[0, 0, 0]", "0.5 m/s"),
+        ("J: unknown", "direction: y", "0 m/s", "0"),
+    ],
+)
+def test_what_the_help_writes_for_a_point_that_is_held_is_the_same(
+    given: str, event: str, stopped: str, up: str
+) -> None:
+    """A rod that goes across with 3 m/s and turns at 2 rad/s, held at its start: I ω′ = I_cm ω + M v l/2, ω′ = (2/6 + 3)/(2/3) = 5."""
+    flat = CAUGHT.format(
+        up="",
+        part="",
+        given="J: N s",
+        velocity="[1 m/s, 3 m/s]",
+        turning="2 rad/s",
+        stopped="",
+        event="fixes: rod.start",
+    ).replace("given: {J: N s}\n", "")
+    plane = solve(flat).derivation.answers[0].value
+    word = "rod.start.velocity.y" if stopped == "0 m/s" else "rod.start.velocity"
+    spatial = CAUGHT.format(
+        up="up: z\n",
+        part=".z",
+        given=given,
+        velocity=f"[1 m/s, 3 m/s, {up}]",
+        turning="[0, 0, 2 rad/s]",
+        stopped=f"{word}: {stopped}",
+        event=f"impulse: J, on: rod.start, {event}",
+    )
+    found = solve(spatial).complete().derivation.answers[0].value
+    assert plane is not None and found is not None
+    assert found.float == pytest.approx(plane.float) and found.float == pytest.approx(5)
+    with pytest.raises(SceneError, match=r"an unknown impulse stops a point"):
+        solve(flat.replace("[1 m/s, 3 m/s]", "[1 m/s, 3 m/s, 0]").replace("gravity", "up: z\ngravity", 1))
+
+
+def test_a_couple_against_the_motion_is_the_friction_of_a_hinge() -> None:
+    """As in the plane: ω² = 9 − 2 · 6 · 0.5, α = −2/(1/3)."""
+    scene = """{up}gravity: none
+bodies: {{arm: {{shape: rod, mass: 1 kg, length: 1 m}}}}
+connections: {{pin: {{hinge: arm.start{more}}}}}
+{actions}states: {{a: {{arm.angular_velocity: 3 rad/s, arm.angle: 0 rad}}, b: {{arm.angle: 0.5 rad}}}}
+find: {{w: arm.angular_velocity{z} at b}}
+"""
+    flat = solve(scene.format(up="", more=", friction_torque: 2 N m", actions="", z="")).derivation.answers[0].value
+    rub = "actions: {rub: {couple: -2 N m, on: arm}}\n"
+    spatial = solve(scene.format(up="up: z\n", more=", along: z", actions=rub, z=".z")).derivation.answers[0].value
+    assert flat is not None and spatial is not None
+    assert flat.float == pytest.approx(spatial.float) and spatial.float == pytest.approx(math.sqrt(3))
+    with pytest.raises(SceneError, match="a couple against that does the same"):
+        solve(scene.format(up="up: z\n", more=", along: z, friction_torque: 2 N m", actions="", z=".z"))
 
 
 def test_a_body_that_is_led_round_is_not_solved_when_time_has_passed() -> None:

@@ -40,7 +40,13 @@ class Driven(Connection, frozen=True):
     quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "angle", "angular_velocity", "angular_acceleration")
 
     friction_torque: Formula | None = amount(
-        "friction torque, against the motion", "torque", "tau", "nonnegative", default=None, plane=True
+        "friction torque, against the motion",
+        "torque",
+        "tau",
+        "nonnegative",
+        default=None,
+        plane=True,
+        instead="while it turns one way, a couple against that does the same: `actions: {rub: {couple: -2 N m, on: BODY}}`",
     )
     angle: Formula | None = amount("driven angle", "angle", "theta", varies=True, default=None)
     angular_velocity: Formula | None = amount(
