@@ -191,6 +191,8 @@ class Isolation(Textbook, kw_only=True):
     def _together(self, side: Formula, name: str) -> Formula:
         terms: list[Formula] = []
         for term in side.terms if isinstance(side, Sum) else ():
+            if name in term.symbols() and is_zero(term, self.positive):  # as ½ I (w − w)²
+                continue
             alike = [
                 other for other in terms if holds_square(term, name) and isinstance(self.simplify(term / other), Number)
             ]

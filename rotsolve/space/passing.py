@@ -44,7 +44,7 @@ from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.sliding import free_of_force
 from rotsolve.space.two_balls import names_along
-from rotsolve.space.working import of_work
+from rotsolve.space.working import of_rotor, of_work
 
 Pairing = tuple[Formula, Formula]
 
@@ -68,6 +68,7 @@ def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterat
         if after.moment.goes_on(name):
             continue
         yield from driven_on(name, interval, before, after)
+        yield from of_rotor(name, interval, before, after)
         if not left_alone(before, name):
             yield from of_work(name, interval, before, after)
             continue

@@ -10,9 +10,10 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate
 from rotsolve.core.drive import TURNING
-from rotsolve.core.equation import CONSERVATION, WORK_AND_ENERGY, Equation
+from rotsolve.core.equation import CONSERVATION, MOMENTUM, WORK_AND_ENERGY, Equation
 from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.triple import NOTHING, Triple, Z, dot_product, scaled_by, vector_sum, way_between
+from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE
@@ -29,7 +30,7 @@ def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) 
     joint = held.main(name)
     if joint is None or held.of_body(name) != (joint,) or not turns_undriven(joint):
         return
-    carrier, clamped = held.bodies.get(joint.carrier.owner), clamps_on(before, name)
+    carrier, clamped = held.bodies.get(joint.carrier.owner), carried_with(before, name)
     members = (name, *(clamp.body.owner for clamp in clamped or ()))
     pushes = [
         [push for member in members for push in laws.pushes.on(member) if push.owner in driving(laws)]
@@ -53,16 +54,43 @@ def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) 
         yield WORK_AND_ENERGY.equation(add(first, work), last, interval.name, members)
 
 
-def clamps_on(laws: SpaceLaws, name: str) -> list[Joint] | None:
-    """The clamps by which bodies are fast on one, and on those; None where something that it carries moves on it, or is held besides."""
+def carried_with(laws: SpaceLaws, name: str) -> list[Joint] | None:
+    """The clamps by which bodies are fast on one, and on those, and the axles on which rotors turn freely, each with its axial rate kept.
+
+    None where something else that it carries moves on it, or is held besides.
+    """
     held, found = laws.moment.held, []
     for joint in (joint for joint in held.joints if joint.carrier.owner == name):
         moves = joint.turning or joint.sliding or joint.free or joint.rolls or joint.flat or joint.drive
-        further = None if moves else clamps_on(laws, joint.body.owner)
+        further = [] if keeps_axial_rate(laws, joint) else None if moves else carried_with(laws, joint.body.owner)
         if further is None or held.of_body(joint.body.owner) != (joint,):
             return None
         found += [joint, *further]
     return found
+
+
+def keeps_axial_rate(laws: SpaceLaws, joint: Joint) -> bool:
+    """Whether a joint is the axle of a rotor that is the same all round it, which carries nothing and on which but its weight nothing acts.
+
+    No torque acts along the axle, so that ω along it stays, whatever carries it does (Euler's equation with I₁ = I₂).
+    """
+    held, name = laws.moment.held, joint.body.owner
+    if not joint.aligned or joint.drive or held.carrier(name) == "" or held.of_body(name) != (joint,):
+        return False
+    acted = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
+    carries = any(other.carrier.owner == name for other in held.joints)
+    return held.wheel(name) and not (acted or carries)
+
+
+def of_rotor(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """ω₃ of a rotor along the axle on which another body carries it, against the ground, which stays."""
+    joint = before.moment.held.main(name)
+    if joint is None or not keeps_axial_rate(before, joint):
+        return
+    own = [laws.moment.attitude(name) for laws in (before, after)]
+    first, last = (dot_product(item.about, item.omega) for item in own if item.about is not None)
+    words = f"ω along its axle, about which no torque acts, {spoken(name)}"
+    yield MOMENTUM.equation(first, last, interval.name, (name,), words=words)
 
 
 def place_from_hinge(laws: SpaceLaws, name: str, push: ForceInSpace) -> Triple:
