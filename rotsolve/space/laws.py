@@ -43,7 +43,7 @@ from rotsolve.space.attitude import AXIAL, NODE, Attitude, Axes
 from rotsolve.space.inertia import CM, Tensors, in_axes, product
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
-from rotsolve.space.rolling import Rolling
+from rotsolve.space.rolling import Rolling, shape_that_rolls
 from rotsolve.space.thin import unspun
 from rotsolve.space.two_balls import names_along
 
@@ -82,7 +82,7 @@ class SpaceLaws:
             if not joint.rolls or held.bodies[name].moved:
                 continue
             try:
-                slipping = self.slip(joint)
+                slipping, goes_on = self.slip(joint), self.slip_rate(joint)
             except Unsolvable as error:
                 self.unwritten[name] = error
                 continue
@@ -93,6 +93,33 @@ class SpaceLaws:
                 if part != ZERO:
                     words = f"{spoken(name)} rolls: the touching point {goes}"
                     yield RULE.equation(part, ZERO, moment.when, (name,), words=words)
+            for part in goes_on:
+                if part != ZERO:
+                    words = f"{spoken(name)} goes on rolling: the touching point stays at rest"
+                    yield RULE.equation(part, ZERO, moment.when, (name,), words=words)
+
+    def slip_rate(self, joint: Joint) -> Triple:
+        """How fast that changes, α × r + ω × ṙ, of what a ball joint holds at a fixed point besides; nothing where the state is steady.
+
+        r goes with the lowest point of a wheel, Ω × r, and with the centre h of a ball, ω × h.
+        """
+        moment, name = self.moment, joint.body.owner
+        held = moment.held.main(name)
+        if (
+            held is None
+            or not held.free
+            or not self.fixed(name)
+            or moment.state.steady
+            or joint.carrier.owner in moment.held.bodies
+        ):
+            return NOTHING
+        own, arm = moment.attitude(name), self.pushes.place(joint)
+        carried = cross_product(own.axes.rate, arm)
+        if shape_that_rolls(joint, moment).spherical:
+            carried = cross_product(own.omega, moment.arm(joint.body))
+        elif own.axes.name != NODE:
+            return NOTHING
+        return vector_sum(cross_product(own.alpha, arm), cross_product(own.omega, carried))
 
     def slip(self, joint: Joint) -> Triple:
         """The velocity of the touching point of what rolls against the surface, as far as it is not told by how the body turns."""

@@ -37,7 +37,10 @@ FREELY = "{} turns freely about its axis"
 
 
 class ForceInSpace(Struct, frozen=True):
-    """A force (or none) on a body, and a couple, each along some `axes`; `arm` is where it acts, from the body's reference, in its own."""
+    """A force (or none) on a body, and a couple, each along some `axes`; `arm` is where it acts, from the body's reference, in its own.
+
+    `there` is the same along the axes of the force, where the numbers tell what of it is nothing: along it the force has no torque.
+    """
 
     owner: str
     body: str
@@ -46,6 +49,7 @@ class ForceInSpace(Struct, frozen=True):
     arm: Triple
     own: Axes
     couple: Triple = NOTHING
+    there: Triple | None = None
 
     def along(self, axes: Axes) -> Triple:
         """The force in the components of other axes."""
@@ -53,6 +57,9 @@ class ForceInSpace(Struct, frozen=True):
 
     def torque(self, about: Triple) -> Triple:
         """r × F + M about a point, from the reference, in the axes of the body."""
+        if self.there is not None and about == NOTHING:
+            turning = self.axes.to(self.own, cross_product(self.there, self.force))
+            return vector_sum(turning, self.axes.to(self.own, self.couple))
         arm = way_between(about, self.arm)
         turning = NOTHING if arm == NOTHING else cross_product(arm, self.along(self.own))
         return vector_sum(turning, self.axes.to(self.own, self.couple))
@@ -156,7 +163,8 @@ class Pushes:
             yield ForceInSpace(joint.owner, name, (force[0], ZERO, ZERO), axes, NOTHING, own)
             yield ForceInSpace(joint.owner, name, (ZERO, *force[1:]), axes, place, own)
         elif couple == NOTHING:
-            yield ForceInSpace(joint.owner, name, force, axes, place, own)
+            there = self.seen_place(joint, place, axes)
+            yield ForceInSpace(joint.owner, name, force, axes, place, own, there=there)
         elif axes == own:
             yield ForceInSpace(joint.owner, name, force, axes, place, own, couple)
         else:
@@ -171,6 +179,13 @@ class Pushes:
             return lowest(joint, self.moment)
         on_line = place_on_line(self.moment.held, joint)
         return self.moment.arm(joint.body) if on_line is None else on_line
+
+    def seen_place(self, joint: Joint, place: Triple, axes: Axes) -> Triple | None:
+        """Where something rolls that is held besides, along the axes of its force; None of others."""
+        if not joint.rolls or not self.moment.held.supports(joint.body.owner):
+            return None
+        seen = self.moment.axes(joint.body.owner).to(axes, place)
+        return triple([ZERO if self.moment.held.vanishes(part) else self.moment.tidy(part) for part in seen])
 
     def direction(self, joint: Joint) -> Triple | None:
         """The axis of a joint, in the axes of its body."""

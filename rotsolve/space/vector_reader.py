@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from msgspec.structs import replace
 
@@ -270,19 +270,40 @@ class VectorReader:
         """
         name = self.body_of(path)
         main, supports = self.held.main(name), self.held.supports(name)
+        self.refuse_along_to_touching(path, term, laws)
         if len(supports) < 2 or main is None or path.owner not in [joint.owner for joint in supports]:
             return vector
-        component = (path.component or "").split()[-1:] or [""]
         own, way = laws.moment.axes(name), laws.moment.direction(name, main)
-        line = own.to(self.asked_axes(path, term), way)
-        if component[0] not in AXES or not self.held.vanishes(line[AXES.index(component[0])]):
-            both, word = " and ".join(f"`{joint.owner}`" for joint in supports), path.quantity
-            said = f"along the line through {both} only the sum of their {word}s is told"
-            message = f"`{path_text(path)}` is statically indeterminate: {said}"
-            raise NotYet(message, path.span, "ask for a component across that line, `in body axes` where it turns")
+        self.refuse_along(path, own.to(self.asked_axes(path, term), way), [joint.owner for joint in supports])
         letter = letter_along(laws.pushes.line_axes(name) or own, way)
         along = laws.moment.ask(path.quantity, path.owner, letter) if letter else ZERO
         return triple([part.substitute({along.name: ZERO}) if isinstance(along, Symbol) else part for part in vector])
+
+    def refuse_along(self, path: Path, line: Triple, owners: Sequence[str]) -> None:
+        """Refuse what is asked of one of two joints along the line through both, which is told along the axes that the question names."""
+        component = (path.component or "").split()[-1:] or [""]
+        if component[0] in AXES and self.held.vanishes(line[AXES.index(component[0])]):
+            return
+        both, word = " and ".join(f"`{owner}`" for owner in owners), path.quantity
+        said = f"along the line through {both} only the sum of their {word}s is told"
+        message = f"`{path_text(path)}` is statically indeterminate: {said}"
+        raise NotYet(message, path.span, "ask for a component across that line, `in body axes` where it turns")
+
+    def refuse_along_to_touching(self, path: Path, term: Term, laws: SpaceLaws) -> None:
+        """Refuse the part of a force along the line from a ball on the ground to where its body rolls: the laws tell only the sum."""
+        name, ground = self.body_of(path), self.held.bodies
+        joints = [joint for joint in self.held.of_body(name) if joint.free or joint.rolls]
+        if (
+            len(joints) != 2
+            or joints != list(self.held.of_body(name))
+            or path.owner not in [item.owner for item in joints]
+        ):
+            return
+        ball, contact = joints
+        if not (ball.free and contact.rolls) or ball.carrier.owner in ground or contact.carrier.owner in ground:
+            return
+        away = laws.moment.axes(name).to(self.asked_axes(path, term), laws.pushes.place(contact))
+        self.refuse_along(path, away, (ball.owner, contact.owner))
 
     def joint_impulse(self, path: Path, term: Term) -> Seen:
         """The impulse of a joint on the body that it holds, or of a blow itself, in the event that leads to this moment."""
