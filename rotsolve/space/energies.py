@@ -48,14 +48,16 @@ def power_of(push: ForceInSpace, moment: SpaceMoment) -> Formula:
 
 
 def height_above(laws: SpaceLaws, name: str) -> Formula:
-    """Of the centre of mass above the point about which the body turns, if that is at rest; of others that in space, as the state tells."""
+    """Of the centre of mass in space, as joints and the state tell it: above the point at which a joint holds it, where no place of that is
+    told."""
     moment = laws.moment
     if not laws.fixed(name):
         from rotsolve.space.places import point_from_start
 
         return moment.tidy(point_from_start(moment, PointRef(name, CM))[2])
-    arm = moment.arm(PointRef(name, CM))
-    return ZERO if arm == NOTHING else moment.tidy(dot_product(moment.up(name), arm))
+    joint, arm = moment.held.main(name), moment.arm(PointRef(name, CM))
+    base = joint.carrier.place[2] if joint is not None and joint.carrier.place is not None else ZERO
+    return base if arm == NOTHING else moment.tidy(add(base, dot_product(moment.up(name), arm)))
 
 
 def energy_of(laws: SpaceLaws, name: str, which: str = "") -> Formula:

@@ -126,8 +126,8 @@ class Rolling:
         if line is not None and not self.moment.held.vanishes(height - face):
             message = f"`{self.name}` does not touch `{frame.frame}` at that place"
             help = (
-                f"its z is that of the face and how high the centre of `{self.name}` stands above it, of what leans R sin θ, as a formula"
-                f" and not rounded; places count from where `{frame.frame}` is held"
+                f"its z is that of the face and how high the centre of mass of `{self.name}` stands above it, of what leans R sin θ, as"
+                f" a formula and not rounded; places count from where `{frame.frame}` is held"
             )
             raise Unsolvable(message, span=line.span, help=help)
 

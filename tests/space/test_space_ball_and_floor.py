@@ -38,7 +38,7 @@ def test_across_the_line_from_the_joint_to_the_floor_forces_are_told(more: str) 
 
 
 def test_a_couple_makes_it_go_round_faster() -> None:
-    """ω lies level along the line from O to the touching point: it is W R/r, and N is that without the couple, which stands square to it."""
+    """ω lies level from O to the touching point: it is W R/r, and N is that without the couple, which stands square to it."""
     acted = "actions: {push: {couple: [0, 0, c], on: lolly}}\n"
     asked = (
         "al: size of lolly.angular_acceleration, F: grip.force.x, N: grip.force.z, w: size of lolly.angular_velocity"

@@ -53,6 +53,13 @@ CASES = {  # a scene, and what is known of it by hand
         "connections: {h: {hinge: b.start, along: [0, 0, 1], angle: (3 rad/s)*time}}\nfind: {v: b.end.velocity, F: h.force}\n",
         {},
     ),
+    "all heights are those in space, of what hangs on a hinge at a told place as of what is clamped to it": (
+        "bodies: {rod: {shape: rod, mass: 2 kg, length: 1 m}, lump: {mass: 3 kg}}\n"
+        "connections: {h: {hinge: [[0, 0, 4 m], rod.start], along: y}, c: {clamp: [rod.end, lump]}}\n"
+        "states: {now: {rod.angle: 90 deg, rod.angular_velocity: 2 rad/s}}\n"
+        "find: {U: rod.potential_energy, V: lump.potential_energy, W: potential_energy, E: energy}\n",
+        {"U": (2 * 9.8 * 3.5,), "V": (3 * 9.8 * 3,), "W": (9.8 * 16,), "E": (9.8 * 16 + 4 / 3 + 6,)},
+    ),
     "the impulse of a hinge during a blow at the end of a rod: ω = 2 rad/s, M ω l/2 = 3 N s": (
         "gravity: none\nbodies: {b: {shape: rod, mass: 3 kg, length: 1 m}}\n"
         "connections: {h: {hinge: b.start, along: z}}\nstates: {before: {b.angular_velocity: 0 rad/s}, after: {}}\n"

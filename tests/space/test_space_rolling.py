@@ -146,6 +146,10 @@ REFUSED = {
         CIRCLE.replace("[r, 0, R]", "[r, 0, 0]"),
         "`ball` does not touch `table` at that place",
     ),
+    "a ball with a lump, of which the centre of mass stands lower than that of the ball": (
+        CIRCLE.replace("[r, 0, R]", "[r, 0, R - 1 mm]"),
+        "how high the centre of mass of `ball` stands above it",
+    ),
     "no place": (
         CIRCLE.replace('"ball.position relative to table": [r, 0, R], ', ""),
         "where `ball` is in `table` nothing tells",

@@ -333,7 +333,7 @@ class Reading:
         return self.kinetic_energy(path, term) + self.potential_energy(path, term)
 
     def potential_energy(self, path: Path, term: Term) -> float:
-        """m g h, h from the point at which a body is held to the ground; of others their height in space, as the state tells it."""
+        """m g h, h the height in space, from the point at which a body is held to the ground where no place of that is told."""
         names = [path.owner] if path.owner else list(self.rig.bodies)
         heavy = [name for name in names if self.rig.gravity and self.rig.solid(name).mass]
         return sum(self.rig.solid(name).mass * self.rig.gravity * self.height(name) for name in heavy)
@@ -341,7 +341,7 @@ class Reading:
     def height(self, name: str) -> float:
         joint = self.rig.on_ground(name)
         if joint is not None:
-            return -self.stance.arm(joint.body)[2]
+            return self.stance.place(name)[2]
         told = self.stance.lines.arrow_told(name, "position") is not None or not self.stance.lines.later
         if self.rig.main(name) is None and not (told or name in self.stance.put_so):
             raise NotConfirmed(f"how high `{name}` is")
