@@ -175,3 +175,21 @@ def test_what_has_no_direction_is_told_the_axes_there_are() -> None:
         read_line("3 i + 4", three)
     with pytest.raises(AnswerError, match="write i or j behind it"):
         read_line("3 i + 4", Names(frozenset("ma"), asked="F", components=2))
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    {
+        "3 i + 4 k": "(3, 0, 4)",
+        "3 q i − 4 k": "(3 q, 0, −4)",
+        "(3 i + 4 k) N": "(3, 0, 4) N",
+        "k i + 3 k": "(k, 0, 3)",
+        "2 k j + 3 q k": "(0, 2 k, 3 q)",
+        "(q + k) i + 3 k": "(q + k, 0, 3)",
+    }.items(),
+)
+def test_a_letter_of_the_scene_is_the_unit_vector_in_a_term_that_has_no_other(text: str, read: str) -> None:
+    """A stiffness k, and k̂: `3 i + 4 k` could mean nothing else. In the plane, where no third component is asked, k stays the letter."""
+    assert read_line(text, Names(frozenset("qks"), asked="F", components=3))[0].text == read
+    with pytest.raises(AnswerError, match="write i or j behind it"):
+        read_line("3 i + 4 k", Names(frozenset("mks"), asked="F", components=2))

@@ -128,7 +128,7 @@ class AnswerParser:
         if line.polar is not None:
             angle = self.pointed(list(line.angle))
             return polar_vector(self.pointed(line.tokens), angle, line.polar, self.forks)
-        axes = by_axes(line.tokens, self.names.letters)
+        axes = by_axes(line.tokens, self.names.letters, self.names.components)
         if axes is not None:
             return read_axes(self.text, axes, self.names.components, self.forks, self.value)
         listed = read_list(self.text, line.tokens, self.names.components, self.forks, self.value)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection
 from fractions import Fraction
-from itertools import combinations
+from itertools import accumulate, combinations, pairwise
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -235,15 +235,42 @@ def vector_of(parts: list[LineReading], unit: Unit | None) -> LineReading:
     return LineReading(VECTOR, shown, unit=unit, parts=quiet, remarks=remarks)
 
 
-def by_axes(tokens: list[Token], letters: frozenset[str]) -> list[Token] | None:
-    """The tokens with each unit vector by itself as an `axis`, called as in BASES; None where the line has none."""
+def by_axes(tokens: list[Token], letters: frozenset[str], asked: int = 2) -> list[Token] | None:
+    """The tokens with each unit vector by itself as an `axis`, called as in BASES; None where the line has none.
+
+    Where three components are `asked`, a letter of the scene that is called as one is the unit vector in a term that has no other.
+    """
     known = UNIT_VECTORS.keys() - letters
     if not letters.isdisjoint(AXES[:2]):
         known -= set(AXES)
     result = [
         part for token in tokens for part in (_split_axis(token, letters, known) if token.kind == "name" else [token])
     ]
-    return result if any(token.kind == "axis" for token in result) else None
+    if not any(token.kind == "axis" for token in result):
+        return None
+    return with_shadowed(result, letters) if asked == 3 else result
+
+
+def with_shadowed(tokens: list[Token], letters: frozenset[str]) -> list[Token]:
+    """The tokens with the last letter that is called as a unit vector as that, in each term of a sum that has none: k in `3 i + 4 k`."""
+    levels = list(accumulate((token.text in OPENING) - (token.text in CLOSING) for token in tokens))
+    base = next(level for level, token in zip(levels, tokens, strict=True) if token.kind == "axis")
+    signs = [
+        index
+        for index in range(1, len(tokens))
+        if levels[index] == base
+        and tokens[index].kind in "+-"
+        and tokens[index - 1].kind not in ("^", "/", "*", "+", "-")
+    ]
+    result = list(tokens)
+    for start, end in pairwise([0, *signs, len(tokens)]):
+        term = [index for index in range(start, end) if levels[index] == base]
+        named = [index for index in term if tokens[index].kind == "name" and tokens[index].text in letters]
+        hidden = [index for index in named if tokens[index].text in UNIT_VECTORS]
+        if hidden and not any(tokens[index].kind == "axis" for index in term):
+            old = tokens[hidden[-1]]
+            result[hidden[-1]] = Token("axis", UNIT_VECTORS[old.text], old.start, old.end)
+    return result
 
 
 def _split_axis(token: Token, letters: frozenset[str], known: Collection[str]) -> list[Token]:
