@@ -214,6 +214,10 @@ HARMONIC = Law("simple harmonic motion", "simple harmonic motion")
 PENDULUM = Law("pendulum", "equation of motion of a pendulum")
 SMALL_SWINGS = Law("small swings", "small swings", cost=1)
 SWINGS = Law("period of swings", cost=1)
+SMALL_DISTURBANCE = Law(
+    "small disturbance", family=NEWTON, cost=1
+)  # of a steady motion in space, by what its torques are then
+SMALL_NUTATION = Law("small nutation", family=ENERGY, cost=1)  # in the effective potential of the energy
 STABILITY = Law("stability", "limit of stability, nothing drives it back")
 STEADY_LIMIT = Law(
     "limit of steady precession", "limit of steady precession, both rates of precession are one", explained=True

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.equation import STABILITY, STEADY_LIMIT, Equation
+from rotsolve.core.equation import SMALL_DISTURBANCE, STABILITY, STEADY_LIMIT, Equation
 from rotsolve.core.facts import square
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.tensor import AXES
@@ -51,8 +51,9 @@ def growth(laws: SpaceLaws, path: Path) -> Meaning:
     above = multiply(add(moments[j], negate(moments[k])), add(moments[k], negate(moments[i])))
     formula = multiply(square(own.omega[k]), above / multiply(moments[i], moments[j]))
     a, b = AXES[i], AXES[j]
-    words = f"small ω_{a}, ω_{b} ∝ exp(λ t): I_{a} λ ω_{a} = (I_{b} − I_{axis}) ω ω_{b}, I_{b} λ ω_{b} = (I_{axis} − I_{a}) ω ω_{a}"
-    return Meaning(formula, QUANTITIES["stability"].dimension, label=words)
+    words = f"small disturbance, ω_{a}, ω_{b} ∝ exp(λ t): "
+    words += f"I_{a} λ ω_{a} = (I_{b} − I_{axis}) ω ω_{b}, I_{b} λ ω_{b} = (I_{axis} − I_{a}) ω ω_{a}"
+    return Meaning(formula, QUANTITIES["stability"].dimension, label=words, law=SMALL_DISTURBANCE)
 
 
 def refuse_pushed(laws: SpaceLaws, name: str) -> None:
@@ -89,8 +90,8 @@ def of_rolling(dynamics: SpaceLaws, name: str) -> Meaning:
     weight = multiply(multiply(mass, dynamics.pushes.gravity or ZERO), radius)
     righting = multiply(multiply(axial, add(axial, shift)), square(own.omega[2])) / across
     formula = add(weight, negate(righting)) / add(across, shift)
-    words = "small lean η ∝ exp(λ t): I₁ φ̇ = I₃ ω₃ η, (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇"
-    return Meaning(formula, QUANTITIES["stability"].dimension, label=words)
+    words = "small disturbance, a lean η ∝ exp(λ t): I₁ φ̇ = I₃ ω₃ η, (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇"
+    return Meaning(formula, QUANTITIES["stability"].dimension, label=words, law=SMALL_DISTURBANCE)
 
 
 def limit_of(dynamics: SpaceLaws, name: str) -> Equation:

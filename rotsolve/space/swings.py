@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, multiply, negate, sqrt
+from rotsolve.core.equation import SMALL_DISTURBANCE, SMALL_NUTATION
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import Z, cross_product, dot_product, length_of, rotated, square, transposed
@@ -137,11 +138,12 @@ def of_precession(laws: SpaceLaws, name: str) -> Meaning:
             negate(square(fast)),
             QUANTITIES["stability"].dimension,
             label=f"{words}; the spin is fast: λ² = −(I₃ ω₃/I₁)²",
+            law=SMALL_NUTATION,
         )
     along = add(fast, negate(multiply(2 * rate, tilt.cos())))
     back = add(square(along), multiply(square(rate), square(tilt.sin())))
     label = f"{words}, λ² = −(I₃ ω₃/I₁ − 2 φ̇ cos θ)² − φ̇² sin² θ"
-    return Meaning(negate(back), QUANTITIES["stability"].dimension, label=label)
+    return Meaning(negate(back), QUANTITIES["stability"].dimension, label=label, law=SMALL_NUTATION)
 
 
 def of_upright(laws: SpaceLaws, name: str) -> Meaning:
@@ -153,7 +155,8 @@ def of_upright(laws: SpaceLaws, name: str) -> Meaning:
     turned = multiply(lift, heading(laws.moment.nodding(name).angles[1]).cos())
     slow = multiply(axial, laws.moment.attitude(name).omega[2]) / (2 * across)
     words = f"{SMALL} through the vertical, in a plane that turns at I₃ ω₃/(2 I₁): θ̈ = λ² θ"
-    return Meaning(negate(add(square(slow), negate(turned / across))), QUANTITIES["stability"].dimension, label=words)
+    back = add(square(slow), negate(turned / across))
+    return Meaning(negate(back), QUANTITIES["stability"].dimension, label=words, law=SMALL_NUTATION)
 
 
 def of_hinge(laws: SpaceLaws, path: Path, *, told: bool) -> Meaning:
@@ -175,9 +178,8 @@ def of_hinge(laws: SpaceLaws, path: Path, *, told: bool) -> Meaning:
     if not told:
         lean = length_of(cross_product(way, rotated(transposed(moment.turned(name)), Z)))
         torque = multiply(multiply(weight, lean), length_of(cross_product(way, arm)))
-        return Meaning(
-            negate(torque / inertia), dimension, label=f"{SMALL} about the axis, I δφ̈ = −M g |n × ẑ| |n × r| δφ"
-        )
+        label = f"{SMALL} about the axis, I δφ̈ = −M g |n × ẑ| |n × r| δφ"
+        return Meaning(negate(torque / inertia), dimension, label=label, law=SMALL_DISTURBANCE)
     up, beside = moment.up(name), cross_product(way, arm)
     rate = moment.told(name, "angular_velocity")
     if not moment.held.vanishes(laws.tensors.spelled(dot_product(up, beside))) or not (
@@ -189,4 +191,5 @@ def of_hinge(laws: SpaceLaws, path: Path, *, told: bool) -> Meaning:
             "leave out the state: its equilibrium is found",
         )
     torque = negate(multiply(weight, dot_product(up, cross_product(way, beside))))
-    return Meaning(torque / inertia, dimension, label=f"{SMALL} about the axis, I δφ̈ = −M g (ẑ · n × (n × r)) δφ")
+    label = f"{SMALL} about the axis, I δφ̈ = −M g (ẑ · n × (n × r)) δφ"
+    return Meaning(torque / inertia, dimension, label=label, law=SMALL_DISTURBANCE)

@@ -36,6 +36,8 @@ wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs
 which-pair-of-angles"""
 NO_COORDINATES = """force-off-the-centre spherical-top plate-that-wobbles-in-time pole-of-the-earth-in-time
 tennis-racket wing-nut between-both-cases between-both-cases-in-space tennis-racket-in-the-hand"""  # of ω along own axes
+DISTURBED = "book-about-its-middle-axis stability-of-three-axes"  # by Euler's equations
+NUTATION = "sleeping-top-touched spherical-pendulum-nods top-that-trembles"  # small, in the effective potential
 NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on-a-tilted-turntable"
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop"
@@ -48,6 +50,8 @@ REASONS = {  # the problems, and what the message and its help say
     FRICTION: (f"{NOTHING}|{ALONE}", "it takes Newton's laws|angular momentum gives it"),
     NO_LAW: (NOTHING, "none of the laws"),
     NO_COORDINATES: (NOTHING, "whose parts are no rates of coordinates"),
+    DISTURBED: (NOTHING, "it takes Newton's laws"),
+    NUTATION: (ALONE, "energy gives it"),
     NONHOLONOMIC: (NOTHING, "ties its rates, and not its coordinates"),
     TOLD_BY_POWER: (NOTHING, "does not tie places"),
     UNKNOWN_TRACK: (ALONE, "energy gives it"),

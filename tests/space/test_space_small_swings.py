@@ -235,3 +235,24 @@ def test_steps_in_time_nod_with_the_period_told(spin: float, tilt: float) -> Non
     assert len(passed) >= 3
     for one, two in pairwise(passed):
         assert two - one == pytest.approx(value.float, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("scene", "law"),
+    [
+        (on_hinge("y"), "newton"),
+        (top_at("top.tilt: 20 deg, top.axial_rate: 300 rad/s, top.precession: smallest"), "energy"),
+    ],
+)
+def test_small_swings_are_told_by_the_law_that_is_asked_for_or_refused(scene: str, law: str) -> None:
+    """I δφ̈ = −M g … is Newton's law, a nutation goes in the effective potential of the energy; another law is refused by its name."""
+    text = f"title: T\nup: z\n{scene}" if "up: z" not in scene else scene
+    whole = solve(text).derivation.answers[0].value
+    assert whole is not None
+    for other in ("newton", "energy", "angular-momentum", "lagrange"):
+        if other == law:
+            found = solve(text, law=other).derivation.answers[0].value
+            assert found is not None and found.float == pytest.approx(whole.float)
+        else:
+            with pytest.raises(Unsolvable, match=r"alone can not tell|do(es)? not settle anything|can not be found"):
+                solve(text, law=other)
