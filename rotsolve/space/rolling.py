@@ -85,6 +85,10 @@ def lowest(joint: Joint, moment: MovingBodies) -> Triple:
         told = shape.flat and not moment.nods(name)
         solved = "solved are thin wheels that are symmetric, balls, and wheels whose axis is level"
         message, help = f"where `{name}` touches the floor nothing tells", f"tell `{name}.tilt` in the state"
+        if shape.flat and moment.nods(name):
+            message = (
+                f"`{name}` leans, and its mass is not the same all round its axis: how such a wheel rolls is not solved"
+            )
         raise Unsolvable(message, span=joint.body.span, help=help if told else solved)
     return vector_sum(hub, scaled_by(negate(radius), up))
 

@@ -135,3 +135,44 @@ find: {d: change of top.tilt from start to lowest}
 """
     with pytest.raises(Unsolvable, match="is told beyond 0 to 180°"):
         solve(scene)
+
+
+def test_equal_largest_sizes_are_named_as_sizes() -> None:
+    """α = −6 g x cos φ/(a² + 12 x²) has one size at φ = 0 and at π, and opposite signs."""
+    scene = """up: z
+given: {phi: unknown}
+bodies: {gate: {shape: rectangle, mass: 20 kg, sides: [1 m, 2 m], points: {A: [-0.5 m, 0.2 m, 0]}, turned: {about: x, by: 60 deg}}}
+connections: {post: {hinge: gate.A, along: [0, 1, 0]}}
+states: {start: {gate.angle: phi, gate.angular_velocity: 2 rad/s}}
+find: {phi: phi where size of gate.angular_acceleration is largest}
+"""
+    text = " ".join(solve(scene).to("text").split())
+    assert "|α| = 0 at φ = π/2" in text and "(α = " not in text
+
+
+def test_the_reason_of_a_missing_confirmation_names_the_body_that_it_is_about() -> None:
+    scene = """up: z
+given: {w: unknown}
+bodies:
+  top: {mass: 0.4 kg, inertia: {about: tip, principal: [2 g m^2, 2 g m^2, 0.6 g m^2]}, axis: z, points: {tip: [0, 0, -6 cm]}}
+  wh: {shape: annulus, mass: 0.5 kg, radii: {inner: 12 cm, outer: 20 cm}}
+surfaces: {fl: level}
+connections: {p: {ball: top.tip}, g: {rolls: [wh, fl]}}
+states: {a: {top.tilt: 0 deg, top.axial_rate: w, steady: true}, b: {wh.tilt: 90 deg, wh.spin: 5 rad/s, steady: true}}
+find: {w0: smallest w where a is stable}
+"""
+    reasons = [item.why for item in solve(scene).complete().derivation.confirmed]
+    assert reasons == ["`wh` lies flat there, and touches along its whole rim"]
+
+
+def test_a_leaning_wheel_that_is_not_the_same_all_round_is_refused_for_that() -> None:
+    scene = """up: z
+bodies:
+  w: {parts: {rim: {shape: ring, mass: 0.5 kg, radius: 20 cm, at: [0, 0, 0]}, e: {mass: 0.1 kg, at: [10 cm, 0, 0]}}, axis: z}
+surfaces: {r: level}
+connections: {grip: {rolls: [w.rim, r]}}
+states: {now: {w.tilt: 70 deg, w.precession: 2 rad/s, w.spin: 4 rad/s, w.nutation: 0 rad/s}}
+find: {v: w.velocity}
+"""
+    with pytest.raises(Unsolvable, match="its mass is not the same all round its axis"):
+        solve(scene)

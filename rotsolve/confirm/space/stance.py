@@ -243,7 +243,7 @@ class Stance:
     def lowest_of(self, name: str, side: float = 1.0) -> Arrow:
         """The lowest point of a round body, or with −1 the highest."""
         radius, third, off = self.round(name)
-        return sum_of(off, scaled(side * radius, scaled(-1.0, Z) if third is None else level_part(third)))
+        return sum_of(off, scaled(side * radius, scaled(-1.0, Z) if third is None else level_part(name, third)))
 
     def lowest_rate(self, joint: Joint, omega: Arrow, below: Arrow) -> Arrow:
         """How fast it goes along, seen from the centre of mass; `below` is the angular velocity of what is touched."""
@@ -280,11 +280,11 @@ def euler_of(rows: Turned, permuted: Turned) -> tuple[float, float, float]:
     return math.atan2(c, -f), math.atan2(math.hypot(c, f), i), math.atan2(g, h)
 
 
-def level_part(third: Arrow) -> Arrow:
-    """The unit vector down within a plane square to an axis."""
+def level_part(name: str, third: Arrow) -> Arrow:
+    """The unit vector down within a plane square to the axis of a body."""
     down = less(scaled(third[2], third), Z)
     if arrow_length(down) < ON_AXIS:
-        raise NotConfirmed("what lies flat touches along its whole rim")
+        raise NotConfirmed(f"`{name}` lies flat there, and touches along its whole rim")
     return normed(down)
 
 

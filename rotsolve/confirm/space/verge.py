@@ -71,6 +71,10 @@ def holds_still(inquiry: Inquiry, name: str) -> bool:
     found = inquiry.ways(name)
     world = found[0].worlds[0]
     nodding = [body for body in inquiry.rig.bodies if world.stance.lines.nods(body)]
-    if len(found) != 1 or len(nodding) != 1:
-        raise NotConfirmed("the stability of which motion")
+    if len(nodding) != 1:
+        raise NotConfirmed(
+            f"of which of {' and '.join(f'`{body}`' for body in nodding)} the motion at `{name}` is stable"
+        )
+    if len(found) != 1:
+        raise NotConfirmed(f"which of several motions at `{name}` is stable")
     return is_stable(world, nodding[0])
