@@ -12,7 +12,7 @@ from rotsolve.algebra.units.dimension import Dimension, product_rank
 from rotsolve.core.faults import Span
 
 if TYPE_CHECKING:
-    from rotsolve.algebra.units.systems import System
+    from rotsolve.algebra.units.systems import UnitSystem
     from rotsolve.algebra.units.unit_table import Unit
 
 
@@ -40,7 +40,7 @@ def letters_of(item: object) -> Iterator[str]:
         yield from leaf.symbols() if isinstance(leaf, Formula) else ()
 
 
-def system_told(givens: Iterable[Given]) -> System | None:
+def system_told(givens: Iterable[Given]) -> UnitSystem | None:
     """The system of units, other than SI, of which all givens are; the standard gravity, which nobody has told, has no say."""
     units = [given.unit for given in givens if not (given.automatic and given.name == "g")]
     if not any(unit is not None and unit.is_foreign for unit in units):

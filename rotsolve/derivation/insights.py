@@ -191,7 +191,7 @@ def unit_of_energy(search: Search) -> tuple[str, Formula]:
     return ("J", ONE) if unit is None else (unit.text, unit.factor)
 
 
-def in_unit(number: Certified | None, unit: Formula) -> str:
+def digits_in(number: Certified | None, unit: Formula) -> str:
     """A certified number in a unit, in few digits."""
     assert number is not None
     return (number if unit == ONE else multiple_of(number, ONE / unit)).text(DIGITS)
@@ -214,7 +214,7 @@ def energy_lost(search: Search) -> Iterator[Words]:
             yield (f"{said}stays the same",)
         elif all(number is not None and number.sign in (0, 1) for number in numbers):
             unit, scale = unit_of_energy(search)
-            (one, two), lost = [in_unit(number, scale) for number in numbers[:2]], in_unit(numbers[2], ONE)
+            (one, two), lost = [digits_in(number, scale) for number in numbers[:2]], digits_in(numbers[2], ONE)
             yield (f"{said}falls from {one} {unit} to {two} {unit}, by {lost} %",)
         elif search.signs.sign(share) == 1 and length(share) <= SHORT:
             yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")

@@ -189,7 +189,7 @@ def product_label(entry: str, own: bool, shifted: bool) -> str:
     masses = f"−Σ m {entry[0]} {entry[1]}"
     if not own:
         return f"product of inertia, {masses}"
-    turned = f"Σ I n_{entry[0]} n_{entry[1]} over the own axes n"
+    turned = "from the moments about its own axes"
     return f"product of inertia, {turned}{f', {masses}' if shifted else ''}"
 
 

@@ -49,7 +49,7 @@ VALUED = {KINETIC_ENERGY_AT.name: "J"}  # laws whose letters are told with their
 
 
 if TYPE_CHECKING:
-    from rotsolve.algebra.units.systems import System
+    from rotsolve.algebra.units.systems import UnitSystem
 
 
 class NotShown(ValueError):
@@ -267,7 +267,7 @@ def exact_decimals(value: Fraction) -> str | None:
 class CoherentUnits(Struct, frozen=True):
     """The units in which numbers are put in: those of SI, or of the system of all givens."""
 
-    system: System | None
+    system: UnitSystem | None
 
     def unit(self, dimension: Dimension) -> Unit | None:
         """That for a dimension; None for a mere number."""

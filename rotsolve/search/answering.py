@@ -77,12 +77,12 @@ def in_sequence(finds: Sequence[Find], timeline: Timeline) -> list[Find]:
         return list(finds)
     places: dict[str, int] = {}
     for find in finds:
-        named = [places[name] for name in named_in(find) if name in places]
+        named = [places[name] for name in letters_named(find) if name in places]
         places[find.name] = max([place_in_time(find, timeline), *named])
     return sorted(finds, key=lambda find: places[find.name])
 
 
-def named_in(find: Find) -> set[str]:
+def letters_named(find: Find) -> set[str]:
     """The letters in the arithmetic of a question, and in the places that it names."""
     places = [ref.argument for ref in references(find.terms) if ref.argument is not None]
     return set(find.formula.symbols()).union(*(place.symbols() for place in places))

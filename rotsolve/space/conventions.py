@@ -36,8 +36,8 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
             continue
         if any(turned_untold(scene, laws.moment, name) for laws in scene.dynamics.values()):
             yield (f"ψ = 0 of {spoken(name)}, as nothing tells its spin angle",)
-        lies = standing_axes(scene, name) if written(IN_COMPONENTS, name, used) else ()
-        turns = turning_axes(scene, name) if written(RATES_OF_MOMENTUM, name, used) else ()
+        lies = standing_axes(scene, name) if law_is_used(IN_COMPONENTS, name, used) else ()
+        turns = turning_axes(scene, name) if law_is_used(RATES_OF_MOMENTUM, name, used) else ()
         if lies or turns:
             yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
     for (name, _), gaps in scene.held.askew.items():
@@ -62,7 +62,7 @@ def turned_untold(scene: SpaceEquations, moment: SpaceMoment, name: str) -> bool
     return axis is not None and not scene.held.turns_round(name, axis)
 
 
-def written(laws: tuple[Law, ...], name: str, used: Collection[Equation]) -> bool:
+def law_is_used(laws: tuple[Law, ...], name: str, used: Collection[Equation]) -> bool:
     """Whether some of these laws are used of a body."""
     return any(one.law in laws and one.bodies == (name,) for one in used)
 

@@ -20,7 +20,7 @@ from rotsolve.algebra.units.dimension import (
     Dimension,
 )
 from rotsolve.algebra.units.quantities import parse_unit
-from rotsolve.algebra.units.systems import CGS, FPS, System, coherent, system_of, unit_in
+from rotsolve.algebra.units.systems import CGS, FPS, UnitSystem, coherent, system_of, unit_in
 
 SPELLED = {"lbf": "force_pound", "dyn": "dyne"}
 MOMENTUM, SPRING, DENSITY = MASS * VELOCITY, FORCE / LENGTH, MASS / LENGTH**3
@@ -42,7 +42,7 @@ MOMENTUM, SPRING, DENSITY = MASS * VELOCITY, FORCE / LENGTH, MASS / LENGTH**3
         ((), None),
     ],
 )
-def test_all_units_are_of_one_system_or_it_is_si(units: tuple[str, ...], system: System | None) -> None:
+def test_all_units_are_of_one_system_or_it_is_si(units: tuple[str, ...], system: UnitSystem | None) -> None:
     assert system_of([None, *map(parse_unit, units)]) == system
 
 
@@ -70,7 +70,7 @@ def test_all_units_are_of_one_system_or_it_is_si(units: tuple[str, ...], system:
         (CGS, MOMENTUM, "", "g cm/s"),
     ],
 )
-def test_each_dimension_has_its_unit(system: System, dimension: Dimension, kind: str, text: str) -> None:
+def test_each_dimension_has_its_unit(system: UnitSystem, dimension: Dimension, kind: str, text: str) -> None:
     """Its factor by pint, which has a table of its own."""
     unit = unit_in(system, dimension, kind)
     assert unit is not None and unit.text == text and unit.dimension.matches(dimension)

@@ -149,7 +149,7 @@ REFUSED = {  # a scene, and what is said of it
     ),
     "a rate that is asked for, with which it goes over the top": (
         RATE_ASKED.replace("START", "v"),
-        "its motion never comes there",
+        "in which sense `b` turns at `now` nothing tells",
     ),
     "the angle from which it comes": (HINGE + BACK.replace("ANGLE", "0 deg"), "nothing tells"),
 }

@@ -39,7 +39,7 @@ NEUTRAL = frozenset(  # units that all systems have
 Named = tuple[Dimension, str, str]  # a dimension, of a kind or of '', and its unit
 
 
-class System(Struct, frozen=True):
+class UnitSystem(Struct, frozen=True):
     """The units of a system, of which one of `marks` tells that it is meant, those in which it answers, and which have names of their own;
     `by_force` where force is basic, not mass."""
 
@@ -52,7 +52,7 @@ class System(Struct, frozen=True):
     by_force: bool
 
 
-FPS = System(
+FPS = UnitSystem(
     POUNDS,
     POUNDS,
     "ft",
@@ -61,7 +61,7 @@ FPS = System(
     ((ENERGY, "torque", "lbf ft"), (ENERGY, "", "ft lbf"), (POWER, "", "ft lbf/s")),
     True,
 )
-CGS = System(
+CGS = UnitSystem(
     frozenset(("cm", "mm", "g", "mg", "dyn", "erg")),
     frozenset(("dyn", "erg")),
     "cm",
@@ -72,19 +72,19 @@ CGS = System(
 )
 
 
-def system_of(units: Iterable[Unit | None]) -> System | None:
+def system_of(units: Iterable[Unit | None]) -> UnitSystem | None:
     """The system of which all units are that tell a length or a mass; None of SI, and where they are mixed."""
     words = {word for unit in units if unit is not None for word in unit.words} - NEUTRAL
     found = next((system for system in (FPS, CGS) if words & system.marks and words <= system.members), None)
     return replace(found, mass="lb") if found is FPS and "lb" in words and "slug" not in words else found
 
 
-def coherent(system: System) -> System:
+def coherent(system: UnitSystem) -> UnitSystem:
     """The same with the mass that goes with its force: slugs for pounds."""
     return replace(system, mass="slug") if system.by_force else system
 
 
-def unit_in(system: System, dimension: Dimension, kind: str = "") -> Unit | None:
+def unit_in(system: UnitSystem, dimension: Dimension, kind: str = "") -> Unit | None:
     """The unit of a system for a dimension, of a kind such as a torque; None of what it has as SI does, an angle or a time."""
     if not dimension.mass and not dimension.length:
         return None
