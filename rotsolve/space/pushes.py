@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, multiply, negate
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, Quotient, Symbol, multiply, negate
 from rotsolve.core.facts import TOUCHES, Requirement
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import (
@@ -114,7 +115,9 @@ class Pushes:
             return None
         told = self.moment.vector_kept(name, "vertical") is not None
         axes, up = (self.moment.axes(name), self.moment.up(name)) if told else (IN_SPACE, Z)
-        down = scaled_by(negate(multiply(mass, self.gravity)), up)
+        size = multiply(mass, self.gravity)
+        size = simplify(size) if isinstance(mass, Quotient) else size  # of a mass W/g it is W
+        down = scaled_by(negate(size), up)
         return ForceInSpace("gravity", name, down, axes, self.moment.arm(PointRef(name, "cm")), self.moment.axes(name))
 
     def reaction_axes(self, joint: Joint) -> Axes:
