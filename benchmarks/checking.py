@@ -22,7 +22,7 @@ from costs.tables import share, table
 from report import machine, write_section
 from rotsolve import solve
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ELLIPTIC, Formula, Number, Power, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.formula import ELLIPTIC, Formula, Integral, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.core.symbols import TIME
@@ -65,9 +65,8 @@ def subjects() -> tuple[Subject, ...]:
         judge = Judge(solution)
         for answer in solution.derivation.answers:
             closed = judge.letters.closed.get(answer.name)
-            elliptic = closed is not None and closed.holds(
-                *ELLIPTIC
-            )  # of which "can't decide" is said, however it is written
+            # of these "can't decide" is said, however they are written
+            elliptic = closed is not None and closed.holds(*ELLIPTIC, Integral)
             if closed is not None and closed.symbols() and length(closed) <= LONGEST and not elliptic:
                 unit = "" if answer.unit is None else answer.unit.text
                 typed = closed.substitute({TIME: Symbol(judge.letters.meanings.time)})  # t, as it is printed

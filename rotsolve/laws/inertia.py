@@ -103,7 +103,13 @@ def lies_flat(piece: RigidPiece) -> bool:
 def own(spread: Spread, piece: RigidPiece, entry: str) -> Told:
     """About the centre of mass of a shape, from the table; of a flat round one about a diameter by perpendicular axes."""
     tensor = piece.tensor
-    if tensor is not None and entry in ("xx", "yy") and lies_flat(piece) and even(piece):
+    if (
+        tensor is not None
+        and entry in ("xx", "yy")
+        and piece.shape.outer is not None
+        and lies_flat(piece)
+        and even(piece)
+    ):
         letter, defined = central(spread, piece, "zz")
         return Told(HALF * letter, "perpendicular axes, I_z = I_x + I_y, and I_x = I_y", (), defined)
     return Told(spread.tidy(entry_of(piece, entry)), f"moment of inertia, {noun(piece)}{about_axis(piece, entry)}")

@@ -32,6 +32,7 @@ from rotsolve.core.equation import (
     TURN_AT_ANY_TIME,
     TURN_BY_MEAN,
     TWISTS,
+    UNTWISTED,
     WORK_AND_ENERGY,
 )
 from rotsolve.core.writing import and_joined
@@ -55,6 +56,7 @@ SAID = {  # how a plan speaks of a law, with its bodies behind it where it is wr
     DERIVATIVE.name: "the derivative of the energy",
     BLOWS.name: "impulse and change of momentum for {}",
     TWISTS.name: "angular impulse and change of angular momentum for {}",
+    UNTWISTED.name: "angular impulse and change of angular momentum for {}",
     RATE_IN_AXES.name: "the rate of the angular momentum in axes that turn, τ = dL/dt + Ω × L, for {}",
     RATE_IN_STILL_AXES.name: "the rate of the angular momentum, τ = dL/dt, for {}",
     ANGULAR_MOMENTUM_IN_SPACE.name: "the angular momentum of {} by its components",

@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol, add, sqrt
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Sum, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Words
@@ -292,6 +292,8 @@ def find_formula(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> F
     values = {f"#{index}": meaning for index, meaning in enumerate(meanings)}
     values |= {name: letter for name, (letter, _) in earlier.items() if name != find.name}
     formula = find.formula.substitute(values)
+    if isinstance(formula, Sum) and len(set(formula.terms)) < len(formula.terms):  # of entries that are alike
+        formula = simplify(formula)
     return magnitude(formula) if find.modifier == "size of" else formula
 
 

@@ -5,15 +5,18 @@ I_P = I_cm + M (d² 1 − d dᵀ); of a body symmetric about n, I = I_t (1 − n
 
 from __future__ import annotations
 
-from msgspec import Struct
+from collections.abc import Iterable, Mapping, Sequence
 
-from rotsolve.algebra.exact.normal import simplify
+from msgspec import Struct, field
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.algebra.units.dimension import INERTIA as KG_M2
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import Registry, SceneQuantity
-from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
+from rotsolve.core.vectors.tensor import AXES, ENTRIES, ONE_AXIS, InertiaTensor, displaced
 from rotsolve.core.vectors.triple import (
     NOTHING,
     Rows,
@@ -29,7 +32,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Given
 from rotsolve.laws import inertia
-from rotsolve.laws.centre_of_mass import Unknown
+from rotsolve.laws.centre_of_mass import Told, Unknown, plain
 from rotsolve.laws.integration import NotSliced
 from rotsolve.motion.spread import Spread
 from rotsolve.space.arrangement import JointedBodies
@@ -46,6 +49,9 @@ class Tensors(Struct):
     positive: frozenset[str]
     section: str
     steps: dict[Equation, None]
+    said: set[Formula] = field(
+        default_factory=set
+    )  # moments of which it is said about which other axes they are the same
 
     def about(self, name: str, point: Triple, spot: str) -> InertiaTensor:
         """The tensor about a point of a body, in its own axes; `spot` is the point's name."""
@@ -56,7 +62,7 @@ class Tensors(Struct):
         if body.inertia is not None or body.gyration is not None:
             return self._of_axis(name, point, spot)
         spread = self._spread(name, point, spot)
-        entries = {}
+        entries: dict[str, Formula] = {}
         for word in ENTRIES:
             try:
                 told = inertia.moment(spread, word)
@@ -67,11 +73,43 @@ class Tensors(Struct):
                 help = "give that shape to a body of its own, clamped to this one"
                 lines, file = self.held.problem.lines, self.held.problem.file
                 raise Unsolvable(str(error), span=body.span, help=help, lines=lines, file=file) from None
-            self.steps.update(dict.fromkeys(told.definitions))
-            entries[word] = told.formula
-            if told.formula != ZERO and not isinstance(told.formula, Symbol):
-                entries[word] = self.letter(name, word, spot, told.formula, told.label)
+            entries[word] = self.entry(name, word, spot, told, entries)
+        alike: dict[Formula, list[str]] = {}
+        for word in ONE_AXIS:
+            alike.setdefault(entries[word], []).append(word[0])
+        self.say_alike({one: axes[1:] for one, axes in alike.items() if isinstance(one, Symbol) and len(axes) > 1})
         return InertiaTensor(**entries)
+
+    def entry(self, name: str, word: str, spot: str, told: Told, before: Mapping[str, Formula]) -> Formula:
+        """An entry as a letter with what it stands for; of a moment that is the same as one before, that."""
+        same = self.same_moment(word, told, before) if spot != CM and told.definitions else None
+        if same is not None:
+            return before[same]
+        self.keep(told.definitions)
+        if told.formula == ZERO or isinstance(told.formula, Symbol):
+            return told.formula
+        return self.letter(name, word, spot, told.formula, told.label)
+
+    def keep(self, steps: Iterable[Equation]) -> None:
+        """Remember what defines letters, of each once."""
+        known = {step.left for step in self.steps}
+        self.steps.update((step, None) for step in steps if step.left not in known)
+
+    def say_alike(self, alike: Mapping[Formula, list[str]]) -> None:
+        """Say beside the steps that define moments of inertia about which other axes they are the same; once of each."""
+        new = {moment: axes for moment, axes in alike.items() if moment not in self.said}
+        if new:
+            self.said |= new.keys()
+            self.steps = {beside(step, new[step.left]) if step.left in new else step: None for step in self.steps}
+
+    def same_moment(self, word: str, told: Told, before: Mapping[str, Formula]) -> str | None:
+        """The axis of an entry before about which the moment of inertia is the same; None where there is none."""
+        if word not in ONE_AXIS:
+            return None
+        whole = self.spelled(plain(told.formula, told.definitions))
+        return next(
+            (other for other in ONE_AXIS if other in before and is_zero(self.spelled(before[other]) - whole)), None
+        )
 
     def spelled(self, value: Formula) -> Formula:
         """A formula with what the letters of moments of inertia stand for."""
@@ -98,7 +136,7 @@ class Tensors(Struct):
         quantity = SceneQuantity("inertia", name, "", f"{word}{where}", "I", KG_M2)
         law = PARALLEL_AXES if shifts else INERTIA
         symbol = self.registry.ask(quantity)
-        self.steps[law.equation(symbol, formula, self.section, (name,), words=label)] = None
+        self.keep([law.equation(symbol, formula, self.section, (name,), words=label)])
         return symbol
 
     def _spread(self, name: str, point: Triple, spot: str) -> Spread:
@@ -170,6 +208,12 @@ class Tensors(Struct):
         axial = axial if self.held.vanishes(beside) else simplify(axial - mass * beside)
         across = self.registry.ask(SceneQuantity("inertia", name, "", "across", "I", KG_M2))
         return self._shifted(name, round_about_way(axis, axial, across), vector_sum(centre, on_axis), point, spot)
+
+
+def beside(step: Equation, axes: Sequence[str]) -> Equation:
+    """The step that defines a moment of inertia with the other axes about which it is the same."""
+    words = f"by symmetry the same about {' and '.join(axes)}"
+    return replace(step, remark=(*step.remark, *(("; ",) if step.remark else ()), words))
 
 
 def round_about_way(axis: Triple, axial: Formula, across: Formula) -> InertiaTensor:

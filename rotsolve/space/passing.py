@@ -13,10 +13,10 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Product, Symbol, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.equation import BLOWS, BY_PLACE, CONSERVATION, MOMENTUM, RULE, TWISTS, Equation
-from rotsolve.core.symbols import TIME
+from rotsolve.core.equation import BLOWS, BY_PLACE, CONSERVATION, MOMENTUM, RULE, TWISTS, UNTWISTED, Equation
+from rotsolve.core.symbols import TIME, is_key, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
 from rotsolve.core.vectors.triple import (
@@ -258,8 +258,19 @@ def laws_of_blow(
     )
     where = f" about {point_in_words(point)}"
     for way, left, right in zip(ways, turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
-        if left != right:
+        rate = lone_rate(right) if left == ZERO else None
+        if rate is not None:
+            yield UNTWISTED.equation(rate, ZERO, interval.name, (name,), about=where + way)
+        elif left != right:
             yield TWISTS.equation(left, right, interval.name, (name,), about=where + way)
+
+
+def lone_rate(gained: Formula) -> Formula | None:
+    """ω of what is a moment of inertia times ω: where no angular impulse acts, that is nothing, whatever the moment is."""
+    if not isinstance(gained, Product) or len(gained.factors) != 2:
+        return None
+    kinds = {key_of(part.name).kind: part for part in gained.factors if isinstance(part, Symbol) and is_key(part.name)}
+    return kinds.get("angular_velocity") if "inertia" in kinds else None
 
 
 def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:

@@ -195,7 +195,9 @@ def rate_told_by(name: str, scene: SceneEquations) -> str | None:
         return None
     for state in problem.states:
         for line in state.conditions:
-            if line.path is not None and line.value == asked and line.path.quantity in SIGNED:
+            if line.path is None or line.path.component is not None:
+                continue
+            if line.value == asked and line.path.quantity in SIGNED:
                 return SymbolKey(line.path.quantity, line.path.owner, "", state.name).name
     return None
 

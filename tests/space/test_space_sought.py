@@ -137,19 +137,6 @@ find: {d: change of top.tilt from start to lowest}
         solve(scene)
 
 
-def test_equal_largest_sizes_are_named_as_sizes() -> None:
-    """α = −6 g x cos φ/(a² + 12 x²) has one size at φ = 0 and at π, and opposite signs."""
-    scene = """up: z
-given: {phi: unknown}
-bodies: {gate: {shape: rectangle, mass: 20 kg, sides: [1 m, 2 m], points: {A: [-0.5 m, 0.2 m, 0]}, turned: {about: x, by: 60 deg}}}
-connections: {post: {hinge: gate.A, along: [0, 1, 0]}}
-states: {start: {gate.angle: phi, gate.angular_velocity: 2 rad/s}}
-find: {phi: phi where size of gate.angular_acceleration is largest}
-"""
-    text = " ".join(solve(scene).to("text").split())
-    assert "|α| = 0 at φ = π/2" in text and "(α = " not in text
-
-
 def test_the_reason_of_a_missing_confirmation_names_the_body_that_it_is_about() -> None:
     scene = """up: z
 given: {w: unknown}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from msgspec.structs import replace
 
@@ -160,6 +160,19 @@ def driven_as(item: Driven) -> tuple[tuple[str, Formula], ...]:
     return tuple((word, value) for word, value in said if value is not None)
 
 
+def two_bearings() -> Any:
+    """The key of what holds an axis at two places."""
+    return key(
+        "quantities",
+        "places of two bearings along the axis, from the point held",
+        default=(),
+        dimension="length",
+        letter="b",
+        count=(2, 2),
+        space=True,
+    )
+
+
 class Hinge(Driven, frozen=True):
     """A point of a body held to the ground, or to a point of another body; it turns freely about it."""
 
@@ -171,15 +184,7 @@ class Hinge(Driven, frozen=True):
         "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="rod.start"
     )
     along: Axis = key("axis in space", "direction of the axis, in the body as it is drawn", default=(), space=True)
-    bearings: tuple[Formula, ...] = key(
-        "quantities",
-        "places of two bearings along the axis, from the point held",
-        default=(),
-        dimension="length",
-        letter="b",
-        count=(2, 2),
-        space=True,
-    )
+    bearings: tuple[Formula, ...] = two_bearings()
     spatial = True
 
     def check(self, scene: Surroundings) -> None:
@@ -240,6 +245,7 @@ class Axle(Driven, frozen=True):
     )
 
     along: Axis = key("axis in space", "its direction, in the axes of what carries it", default=(), space=True)
+    bearings: tuple[Formula, ...] = two_bearings()
 
     independent = True
     axial = True
@@ -252,6 +258,7 @@ class Axle(Driven, frozen=True):
             turning=(axis_in_space(self),),
             drive=driven_as(self),
             aligned=True,
+            bearings=self.bearings,
         )
 
     def check(self, scene: Surroundings) -> None:
