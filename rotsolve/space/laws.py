@@ -47,6 +47,14 @@ from rotsolve.space.rolling import Rolling, shape_that_rolls
 from rotsolve.space.thin import unspun
 from rotsolve.space.two_balls import names_along
 
+BY_ROLLING = "its acceleration by differentiating the condition of rolling"
+TURNS = (
+    "angular_velocity",
+    "angular_acceleration",
+    "axial_rate",
+    "precession",
+    "spin",
+)  # by which rolling tells velocities
 NODE_NAMES = {"x": "e₁", "y": "e₂", "z": "e₃"}
 
 
@@ -214,10 +222,12 @@ class SpaceLaws:
         for push in pushes:
             forces = vector_sum(forces, push.along(axes))
         wanted = [moment.tidy(part) for part in moment.acceleration_along(axes, PointRef(name, CM))]
+        ground: Words = (BY_ROLLING,) if held.rolling(name) is not None else ()  # said once
         for axis, left, right in zip(self.names_of(axes), forces, wanted, strict=True):
             if left != ZERO or right != ZERO:
                 words = f", along {axis}"
-                yield SECOND_LAW.equation(left, multiply(mass, right), moment.when, (name,), component=words)
+                said, ground = (ground, ()) if of_kinds(right.symbols(), TURNS) else ((), ground)
+                yield SECOND_LAW.equation(left, multiply(mass, right), moment.when, (name,), said, component=words)
 
     def newton_axes(self, name: str) -> Axes:
         """The axes in which Newton's second law is written."""
