@@ -13,6 +13,8 @@ import yaml
 
 UNITS = {
     **dict.fromkeys(("kg", "m", "s", "N", "J", "rad"), 1.0),
+    "lbf": 4.4482216152605,
+    "ft": 0.3048,
     "g": 1e-3,
     "t": 1e3,
     "cm": 1e-2,

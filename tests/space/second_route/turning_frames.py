@@ -66,6 +66,16 @@ def propeller_that_turns_two_ways(n: Numbers) -> Answers:
     return {"tau_1": carried(screw, Z, n.W, X, n.s).torque(), "tau_2": carried(screw, -Y, n.Q, X, n.s).torque()}
 
 
+def rod_held_by_a_wire(n: Numbers) -> Answers:
+    """The wire has the whole torque about the pin, which it pulls against at the upper end."""
+    cloud = rod(n.W / n.g, n.L).moved(n.L / 2 * X).turned(turn(Y, -n.beta))
+    motion = Motion.about_origin(cloud, lambda t: turn(Z, n.w * t), n.w)
+    gravity = -n.g * Z
+    pull = -motion.torque(gravity)[1] / (n.L * sin(n.beta))
+    pound_force = 4.4482216152605  # N
+    return {"T": pull / pound_force, "F": (motion.force(gravity) + pull * X) / pound_force}
+
+
 def turbine_of_a_ship(n: Numbers) -> Answers:
     motion = carried(wheel(n.m * n.k**2, X), Z, n.W, X, n.n)
     _, fore = two_bearings(motion.force(), motion.torque(), X, -n.b / 2, n.b / 2)
@@ -151,6 +161,7 @@ CALCULATIONS = {
     "propeller-that-turns-two-ways": propeller_that_turns_two_ways,
     "rotor-in-a-turning-frame": rotor_in_a_turning_frame,
     "train-on-a-curve": train_on_a_curve,
+    "rod-held-by-a-wire-in-pounds": rod_held_by_a_wire,
     "train-that-runs-north": train_that_runs_north,
     "turbine-of-a-ship": turbine_of_a_ship,
     "wheel-in-body-axes": wheel_in_body_axes,
