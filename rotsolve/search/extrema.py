@@ -21,7 +21,8 @@ from rotsolve.language.problem import EXTREMES, Condition, Find, references
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import Answered, NoAnswer
-from rotsolve.search.extreme_place import Curve, best_place, flatness, may_bend
+from rotsolve.search.extreme_curve import Curve
+from rotsolve.search.extreme_place import best_place, flatness, may_bend
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found, Ref, Step
 
@@ -104,13 +105,15 @@ def free_letters(find: Find, search: Search) -> list[str]:
 
 
 def at_one_moment(find: Find, search: Search) -> bool:
-    """Whether a quantity is asked that has one value at its moment for each value of a letter: over no time, of no steady precession."""
+    """Whether a quantity is asked that has one value for each value of a letter: at a moment, or of an event; of no steady precession."""
     timeline, space = search.scene.configuration.timeline, search.scene.configuration.problem.space
+    events = {event.name for event in search.scene.configuration.problem.events}
     if space:
         from rotsolve.space.arrangement import NODAL
     for term in find.terms:
         state = next((state for state in timeline.states if term.at in (None, state.name)), None)
-        if term.start or term.during or (space and state is not None and state.steady and term.path.quantity in NODAL):
+        lasts = term.start or (term.during and term.during not in events)
+        if lasts or (space and state is not None and state.steady and term.path.quantity in NODAL):
             return False
     return bool(find.terms)
 

@@ -1,116 +1,19 @@
-"""Extreme place: where a quantity over a letter is largest or smallest: where its derivative vanishes, or at an end of the letter's range.
-
-Roots without a closed form are certified numbers where all other letters have numbers: then they are letters `#0`, `#1`, … of their own.
-"""
+"""Extreme place: where a quantity over a letter is largest or smallest: where its derivative vanishes, or at an end of the range."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from msgspec import Struct, field
-
-from rotsolve.algebra.calculus.derivative import differentiate, same_a_turn_on
-from rotsolve.algebra.certified.ball import Certified, ends, evaluate
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.field import PolynomialSigns
-from rotsolve.algebra.exact.normal import Fractions, coefficients, degree, is_zero
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol, call, formula
+from rotsolve.algebra.exact.normal import Fractions, coefficients, degree
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, INERTIA, MASS
 from rotsolve.core.derivation import Words
-from rotsolve.language.problem import references
-from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet
+from rotsolve.search.extreme_curve import Curve, Domain, Extremum, domain_of, roots_of
 from rotsolve.search.search import Search
 
-FIRST = formula(
-    -3
-)  # rad: where the turn begins in which roots without a closed form are looked for, at no place of a tidy problem
 NUMERICALLY = "solved numerically, with certified digits; "
-
-
-class Domain(Struct, frozen=True):
-    """From `low` to `high`, both ends included but for a low one that is `open`; None where there is no end on that side."""
-
-    low: Formula | None
-    high: Formula | None
-    open: bool = False
-
-    @property
-    def ends(self) -> list[Formula]:
-        """The ends that belong to it."""
-        return [end for end in (None if self.open else self.low, self.high) if end is not None]
-
-
-class Extremum(Struct, frozen=True):
-    """A place where the extremum may be, with the quantity there; `number` is that of a place without a closed form."""
-
-    at: Formula
-    value: Formula
-    number: Certified | None = None
-
-
-class Curve(Struct):
-    """How a quantity runs over a letter: its own letter, its closed form and the derivative of that."""
-
-    letter: str
-    quantity: Formula
-    curve: Formula
-    slope: Formula  # of the curve, or of its square where only that is smooth
-    smooth: Formula  # the curve or its square
-    search: Search
-    numbered: dict[str, Certified] = field(default_factory=dict)  # the places without a closed form
-
-    def sign(self, value: Formula) -> int | None:
-        """The sign of what holds such places too; None where nothing tells it."""
-        if not value.symbols() & self.numbered.keys():
-            return self.search.signs.taken(value)
-        number = self.number(value)
-        return None if number is None else number.sign
-
-    def number(self, value: Formula) -> Certified | None:
-        """The number of what holds such places; None where it is not real."""
-        try:
-            return evaluate(value, self.search.signs.values, roots=self.numbered)
-        except (Undefined, ValueError, ZeroDivisionError):
-            return None
-
-    def is_real(self, value: Formula) -> bool:
-        """Whether a formula has a number, as far as letters without one do not leave that open."""
-        if value.symbols() & self.numbered.keys():
-            return self.number(value) is not None
-        signs = self.search.signs
-        return self.search.number(value) is not None or not signs.trials.keys() >= set(signs.lacking(value))
-
-    def is_level(self, one: Extremum, other: Extremum) -> bool:
-        """Whether a quantity is the same at two places, as far as it can be told apart there."""
-        gap = one.value - other.value
-        return not self.sign(gap) if gap.symbols() & self.numbered.keys() else is_zero(gap)
-
-    def at(self, place: Formula) -> Extremum | None:
-        """The quantity at a place, None where it has no value there, or none that is real, as the root of a negative square."""
-        try:
-            value = self.search.solver.simplify(self.curve.substitute({self.letter: place}))
-        except (ZeroDivisionError, ValueError):
-            return None
-        number = self.number(place) if place.symbols() & self.numbered.keys() else None
-        return Extremum(place, value, number) if self.is_real(value) else None
-
-
-def domain_of(letter: str, search: Search) -> Domain:
-    """A place along a rod lies between its ends, an angle may be any, and a rate in space; everything else with a dimension is positive."""
-    configuration = search.scene.configuration
-    for ref in references(configuration.problem):
-        body = configuration.bodies.get(ref.owner)
-        length = body.shape.reach() if body is not None and body.shape is not None else None
-        if ref.argument == Symbol(letter) and length is not None:
-            return Domain(ZERO, length)
-    given, space = search.givens[letter], configuration.problem.space
-    signed = given.dimension is None or is_angle(given) or (space and given.dimension.matches(ANGULAR_VELOCITY))
-    bodily = given.dimension in (MASS, INERTIA)  # without a mass there is no body
-    return Domain(None if signed else ZERO, None, open=bodily)
 
 
 def best_place(course: Curve, word: str, choice: str, *, only: bool) -> tuple[Extremum, Words]:
@@ -173,85 +76,13 @@ def is_inside(root: Formula, domain: Domain, course: Curve) -> bool:
     gaps = [root - domain.low] if domain.low is not None else []
     gaps += [domain.high - root] if domain.high is not None else []
     signs = [course.sign(gap) for gap in gaps]
+    if domain.open and signs[0] == 0:
+        return False
+    if None in signs and course.numbered:  # as near as that it is the end, which is a place of its own
+        return False
     if None in signs and -1 not in signs:
         raise NotYet(f"whether a root for `{course.letter}` lies in its range depends on the givens: give them numbers")
     return -1 not in signs
-
-
-# roots of the derivative
-
-
-def roots_of(course: Curve, domain: Domain) -> tuple[list[Formula], bool]:
-    """The roots of the derivative, and whether they are those of an angle that comes round, over one turn."""
-    search = course.search
-    order, positive = search.solver.order, search.solver.positive
-    parts, roots = list(factors_of(course.slope, course)), dict[Formula, None]()
-    for part in parts:
-        found = solve_polynomial(part, course.letter, order=order, positive=positive)
-        if not found:
-            break
-        roots |= dict.fromkeys(found)
-    else:
-        return list(roots), False
-    angles = solve_trig(course.slope, course.letter, order=order, positive=positive)
-    if angles:  # the positive ones first
-        return sorted(angles, key=lambda root: (search.signs.taken(root) or 0) < 0), True
-    if set(search.signs.lacking(course.slope)) - {course.letter}:
-        raise NotYet(
-            f"where the derivative by `{course.letter}` vanishes has no closed form: give all other letters numbers"
-        )
-    return numbered_roots(course, parts, domain)
-
-
-def factors_of(value: Formula, course: Curve) -> Iterator[Formula]:
-    """The factors in the letter that make a value vanish; a root vanishes with what stands under it."""
-    problem = Fractions([value], course.search.solver.order, course.search.solver.positive, extra=(course.letter,))
-    _, factors = problem.field.factor(problem.numerator())
-    for factor, _ in factors:
-        part = problem.shaper.poly(factor)
-        if isinstance(part, Call) and part.function == "sqrt":
-            yield from factors_of(part.arguments[0], course)
-        elif course.letter in part.symbols():
-            yield part
-
-
-def numbered_roots(course: Curve, parts: list[Formula], domain: Domain) -> tuple[list[Formula], bool]:
-    """All roots without a closed form, certified: of what comes round once round, of polynomials up to Cauchy's bound."""
-    from rotsolve.algebra.certified.rootfind import real_roots
-
-    letter, values = course.letter, course.search.signs.values
-    round_ = domain.low is None and same_a_turn_on(course.curve, letter)
-    found: list[Certified] = []
-    for part in parts:
-        bound = 0 if round_ else cauchy_bound(part, course)
-        low = FIRST if round_ else 0 if domain.low == ZERO else -bound
-        roots = real_roots(part, letter, values, low, low + turn_of_curve(course) if round_ else bound)
-        if not roots.complete:
-            raise NotYet(f"not all places were found at which the derivative by `{letter}` vanishes")
-        found += roots.roots
-    names = [f"#{number}" for number in range(len(found))]
-    course.numbered |= dict(zip(names, found, strict=True))
-    places: list[Formula] = [Symbol(name) for name in names]
-    if round_:  # angles between −π and π, or −π/2 and π/2
-        turn = turn_of_curve(course)
-        places = [place - turn if course.sign(place - turn / 2) == 1 else place for place in places]
-    return places, round_
-
-
-def turn_of_curve(course: Curve) -> Formula:
-    """The angle after which all is the same again: half a turn, or a whole one."""
-    on = course.curve.substitute({course.letter: Symbol(course.letter) + PI})
-    return PI if is_zero(on - course.curve) else 2 * PI
-
-
-def cauchy_bound(part: Formula, course: Curve) -> int:
-    """A whole number beyond which a polynomial in the letter has no root: 1 + max |aᵢ/aₙ|."""
-    powers = coefficients(part, course.letter)
-    if powers is None:
-        raise NotYet(f"where the derivative by `{course.letter}` vanishes has no closed form")
-    top = powers[-1]
-    sizes = [evaluate(call("abs", power / top), course.search.signs.values) for power in powers[:-1]]
-    return 2 + int(max(ends(size.ball)[1] for size in sizes))
 
 
 # what else may be an extremum

@@ -436,6 +436,27 @@ find:
 """
 
 
+LARGE = """
+up: z
+assume: [fast spin]
+given: {M: 20 kg, l: 1 mm, A: 4 kg m^2, C: 5 kg m^2, w: 0.8 rad/s}
+bodies: {t: {mass: M, inertia: {about: tip, principal: [A, A, C]}, axis: z, points: {tip: [0, 0, -l]}}}
+connections: {f: {ball: t.tip}}
+states: {now: {t.tilt: 30 deg, t.axial_rate: w, t.precession_angle: 50 deg, steady: true}}
+find: {F: f.force}
+"""
+
+
+def test_a_small_component_of_an_approximation_is_not_hidden_by_a_large_one() -> None:
+    """The push to the side M Ω² l sin θ is 10⁻⁷ of the weight; Ω is the root of A cos θ Ω² − C ω₃ Ω + M g l = 0, not M g l/C ω₃."""
+    weight, drive, bend = 20 * 9.8 * 1e-3, 5 * 0.8, 4 * math.cos(math.radians(30))
+    exact = 2 * weight / (drive + math.sqrt(drive**2 - 4 * bend * weight))
+    percent = 100 * ((exact / (weight / drive)) ** 2 - 1)
+    item = solve(LARGE).derivation.confirmed[0]
+    assert item.holds is None
+    assert f"in one component {percent:.2g} % larger" in item.also
+
+
 def test_a_spin_that_is_not_fast_is_no_approximation() -> None:
     """(I₃ ω₃)² < 4 I₁ cos θ M g l: there is no steady precession at all."""
     with pytest.raises(Unsolvable, match="no steady motion has these numbers"):

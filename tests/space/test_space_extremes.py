@@ -182,3 +182,93 @@ states: {now: {block.acceleration: -2 m/s^2}}
 """
     for find in ("T: largest string.tension", "m1: m where string.tension is largest"):
         assert "is settled by the laws" in refusal_of(scene, find)
+
+
+# all round, within limits, at an open end
+
+EGG = """
+title: Egg struck on its rim
+up: z
+gravity: none
+given: {M: 3 kg, a: 0.6 m, b: 0.4 m, c: 0.2 m, ph: unknown, J: 2 N s}
+bodies: {e: {shape: ellipsoid, mass: M, sides: [a, b, c], points: {P: [a*cos(ph), b*sin(ph), 0*a]}}}
+states: {before: at rest, after: {}}
+events: {hit: {impulse: J, on: e.P, direction: [1/2, 1/2, sqrt(1/2)], from: before, to: after}}
+"""
+OBLIQUE = """
+title: Cylinder on an oblique shaft
+up: z
+gravity: none
+given: {M: 4 kg, R: 0.1 m, h: 0.4 m, b: unknown, w: 50 rad/s}
+bodies: {d: {shape: cylinder, mass: M, radius: R, length: h}}
+connections: {s: {hinge: d, along: [sin(b), 0, cos(b)], angular_velocity: w}}
+"""
+IN_A_WIND = """
+title: Ball on a slope in a wind
+up: z
+given: {m: 0.2 kg, R: 3 cm, u: 0.6 m/s, be: unknown}
+bodies: {b: {shape: sphere, mass: m, radius: R}}
+surfaces: {ramp: {slope: be}}
+connections: {grip: {rolls: [b, ramp]}}
+actions: {wind: {force: [0.3 N, 0.2 N, 1.1 N], on: b}}
+states: {now: {b.velocity: [0, u, 0]}}
+"""
+SWINGING = """
+title: Cylinder that swings about a point beside it
+up: z
+given: {M: 2 kg, R: 0.1 m, h: m, d: 0.3 m}
+bodies: {c: {shape: cylinder, mass: M, radius: R, length: h, points: {P: [d, 0, h/2]}}}
+connections: {s: {hinge: c.P, along: [0, 1, 0]}}
+"""
+ON_A_BALL = """
+title: Rod on a ball joint that is struck
+up: z
+given: {M: 2 kg, L: 0.8 m, J: 3 N s, x: unknown}
+bodies: {r: {shape: rod, mass: M, length: L}}
+connections: {b: {ball: r.start}}
+states: {pre: at rest, post: {}}
+events: {hit: {impulse: J, on: r.at(x), direction: z, from: pre, to: post}}
+"""
+
+
+def egg_rate(ph: float) -> float:
+    """|ω| = |I⁻¹ (r × J)| of the egg, with I of an ellipsoid, M (b² + c²)/5."""
+    x, y, push = 0.6 * math.cos(ph), 0.4 * math.sin(ph), (1.0, 1.0, math.sqrt(2))
+    turned = (y * push[2], -x * push[2], x * push[1] - y * push[0])
+    return math.hypot(*(part / size for part, size in zip(turned, (0.2, 0.4, 0.52), strict=True)))
+
+
+def test_what_repeats_half_a_turn_on_is_as_good_there() -> None:
+    asked = "ph where size of e.angular_velocity is largest at after"
+    assert "at more than one `ph`" in refusal_of(EGG, f"p: {asked}")
+    best = max((math.tau * number / 20000 - math.pi for number in range(20001)), key=egg_rate)
+    low, high = sorted((best, best - math.copysign(math.pi, best)))
+    for word, value in (("smallest", low), ("largest", high)):
+        assert answers(EGG, f"p: {word} {asked}").answers["p"].float == pytest.approx(value, abs=4e-4)
+
+
+@pytest.mark.parametrize(("word", "degrees"), [("smallest", -135), ("largest", 135)])
+def test_of_all_places_of_one_turn_the_angles_lie_within_half_a_turn_of_0(word: str, degrees: float) -> None:
+    """M w² (h² − 3 R²) |sin b cos b|/12 is largest at ±45° and ±135°."""
+    found = answers(OBLIQUE, f"q: {word} b where size of s.torque is largest").answers["q"]
+    assert found.float == pytest.approx(math.radians(degrees))
+
+
+def test_a_slope_lies_between_level_and_upright() -> None:
+    """The wind and the weight along the slope, F cos β + (m g − F_z) sin β, are largest at tan β = (m g − F_z)/F."""
+    found = answers(IN_A_WIND, "q: be where size of b.acceleration is largest")
+    assert found.answers["q"].float == pytest.approx(math.atan((0.2 * 9.8 - 1.1) / 0.3))
+    assert confirmed(found)
+
+
+def test_no_size_of_a_body_is_nothing_where_an_extreme_would_be() -> None:
+    found = answers(SWINGING, "T: period of small swings of c", "q: smallest T")
+    assert "it has no smallest value" in refusal(found, "q")
+
+
+def test_the_push_during_a_blow_is_asked_over_a_letter_like_any_other() -> None:
+    """At the center of percussion, 2/3 of the rod, the joint feels nothing; at its own end the whole blow, at the far one half of it."""
+    found = answers(ON_A_BALL, "q: smallest size of b.impulse during hit", "Q: largest size of b.impulse during hit")
+    assert found.answers["q"].float == pytest.approx(0.0, abs=1e-12)
+    assert found.answers["Q"].float == pytest.approx(3.0)
+    assert confirmed(found)

@@ -15,7 +15,9 @@ from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.language.problem import EXTREMES, Find, Given, Problem, references
 
 ROUND = 24  # places at which an angle is looked at
-SECTIONS, FLAT = 60, 1e-13  # of an interval between places, and of a value by which two are told apart
+SECTIONS = 60  # of an interval between places: to 3e-13 of it, as a size that comes to nothing needs
+PEAKS, COARSE = 3, 12  # among the places, the best of which are looked at more closely first
+LEAST = -1e300  # a value at all
 BETTER = 1e-7  # of a value by which another one is larger
 BESIDE = 2e-3  # how far beside an answer it is looked whether the quantity falls on both sides
 LEVEL = 0.06  # how far an extreme may lie from the middle of what lies beside it, as a share of the drop there
@@ -27,7 +29,8 @@ def letter_of_extreme(word: str, find: Find, problem: Problem) -> Given | None:
     """The letter over which the `largest` of a quantity is asked: the only one that is `unknown`, else the only one without a value; None
     of what is asked over a time, or of several steady motions."""
     steady = {state.name for state in problem.states if state.steady}
-    if not word or not find.terms or any(term.start or term.during for term in find.terms):
+    events = {event.name for event in problem.events}
+    if not word or not find.terms or any(term.start or (term.during or "") not in {"", *events} for term in find.terms):
         return None
     if any(term.path.quantity in NODAL and (term.at in steady or (term.at is None and steady)) for term in find.terms):
         return None
@@ -63,17 +66,20 @@ def extreme_over(given: Given, word: str, own: float, value: Value, reach: float
     around = range_of(given, own, value, reach)
     places = sorted({own, *around} if reach is None else around)
     worths = [worth(place) for place in places]
-    best = max(range(len(places)), key=worths.__getitem__)
-    if worths[best] == -math.inf:
+    last = len(places) - 1
+    peaks = [n for n in range(last + 1) if worths[n] >= max(worths[max(0, n - 1)], worths[min(n + 1, last)], LEAST)]
+    if not peaks:
         raise NotConfirmed("the quantity has a value nowhere in the range")
-    low, high = places[max(0, best - 1)], places[min(best + 1, len(places) - 1)]
-    at, top = best_between(low, high, worth)
-    return (at, sign * top) if top > worths[best] else (places[best], sign * worths[best])
+    best = sorted(peaks, key=worths.__getitem__)[-PEAKS:]
+    beside = [(places[max(0, n - 1)], places[min(n + 1, last)]) for n in best]
+    low, high = max(beside, key=lambda ends: best_between(ends[0], ends[1], worth, COARSE)[1])
+    at, top = best_between(low, high, worth, SECTIONS)
+    return (at, sign * top) if top > worths[best[-1]] else (places[best[-1]], sign * worths[best[-1]])
 
 
 def range_of(given: Given, own: float, value: Value, reach: float | None) -> list[float]:
     """Places over the range of a letter: once round of an angle, along a rod; of a rate, or where nothing tells what it is, on both sides
-    of 0."""
+    of 0, else from 0 on."""
     dimension = given.dimension
     if (dimension is not None and dimension.matches(ANGLE)) or (dimension is None and same_a_turn_later(own, value)):
         return [-math.pi + math.tau * (number + 0.5) / ROUND for number in range(-1, ROUND + 1)]
@@ -81,7 +87,7 @@ def range_of(given: Given, own: float, value: Value, reach: float | None) -> lis
         return [reach * number / ROUND for number in range(ROUND + 1)]
     places = places_beside(own, 1.0, None)
     signed = dimension is None or dimension.matches(ANGULAR_VELOCITY)
-    return [*places, *(-place for place in places), 0.0] if signed else places
+    return [0.0, *places, *(-place for place in places if signed)]
 
 
 def length_along(letter: str, problem: Problem) -> Formula | None:
@@ -100,13 +106,11 @@ def same_a_turn_later(own: float, value: Value) -> bool:
     return abs(here - there) <= BETTER * max(abs(here), abs(there))
 
 
-def best_between(low: float, high: float, worth: Value) -> tuple[float, float]:
+def best_between(low: float, high: float, worth: Value, sections: int) -> tuple[float, float]:
     """The place between two at which a value is largest, by golden sections, and that value."""
     one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     first, second = worth(one), worth(two)
-    for _ in range(SECTIONS):
-        if abs(first - second) <= FLAT * abs(first):
-            break
+    for _ in range(sections):
         if first >= second:
             high, two, second = two, one, first
             one = high - GOLDEN * (high - low)

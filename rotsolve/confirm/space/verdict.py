@@ -249,7 +249,7 @@ def compared_in_space(
         raise NotConfirmed("its number is beyond those of the assembly")
     if finds[0].formula == Symbol("#0") and finds[0].terms[0].path.quantity in COUNTED:
         rows = [tuple(turned_to(own, part) for own, part in zip(row, answered, strict=True)) for row in rows]
-    natural = hearing.natural(answer)
+    natural, close = hearing.natural(answer), same_in_each if hearing.problem.assume else same_beside_largest
     loose = bool(finds[0].terms) and finds[0].terms[0].path.quantity in EITHER_WAY
     fits = [
         row
@@ -265,7 +265,16 @@ def compared_in_space(
     return verdict_of(answer.name, bool(fits), answered, (fits or [nearest])[0], hearing, numbers)
 
 
-def close(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
+def same_in_each(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
+    """Whether the components of an approximation are each the same: beside a large one, how good a small one is would not be seen."""
+    least = SAME * SAME * math.hypot(*answered)  # what rounding makes of a component that is nothing
+    return all(
+        abs(a - b) <= max(SAME * max(abs(a), abs(b)), NOTHING * natural, least)
+        for a, b in zip(answered, own, strict=True)
+    )
+
+
+def same_beside_largest(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
     """Whether numbers are the same, beside the largest of them; what should be nothing, beside the size of such quantities in the scene."""
     size = max(map(abs, (*answered, *own)), default=0.0)
     room = max(SAME * size, (ROUNDED if any(answered) else NOTHING) * natural)
@@ -317,9 +326,12 @@ def verdict_of(
 
 
 def how_near(answered: Sequence[float], own: Sequence[float]) -> str:
-    """By how much of an approximate answer the exact one is larger or smaller: "6.1 % larger"; nothing where none has a size."""
-    rough, exact = math.hypot(*answered), math.hypot(*own)
-    if not rough:
+    """By how much of an approximate answer the exact one is larger or smaller: "6.1 % larger", of a vector in the component in which that
+    is most; nothing where none has a size."""
+    least = SAME * SAME * math.hypot(*answered)
+    ratios = [abs(b / a) - 1 for a, b in zip(answered, own, strict=True) if abs(a) > least]
+    if not ratios:
         return ""
-    percent = 100 * (exact / rough - 1)
-    return f"{abs(percent):.2g} % {'larger' if percent > 0 else 'smaller'}"
+    percent = 100 * max(ratios, key=abs)
+    where = "in one component " if len(answered) > 1 else ""
+    return f"{where}{abs(percent):.2g} % {'larger' if percent > 0 else 'smaller'}"
