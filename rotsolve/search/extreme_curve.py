@@ -12,7 +12,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.calculus.derivative import period_of, same_a_turn_on
 from rotsolve.algebra.certified.ball import Certified, ends, evaluate
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.balls import Undefined, with_values
 from rotsolve.algebra.exact.normal import Fractions, coefficients, is_zero
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, call, formula
@@ -92,15 +92,19 @@ class Curve(Struct):
     def is_level(self, one: Extremum, other: Extremum) -> bool:
         """Whether a quantity is the same at two places, as far as it can be told apart there."""
         gap = one.value - other.value
-        return not self.sign(gap) if gap.symbols() & self.numbered.keys() else is_zero(gap)
+        if gap.symbols() & self.numbered.keys():
+            return not self.sign(gap)
+        return is_zero(gap) or (self.search.number(gap) is not None and self.sign(gap) == 0)
 
     def at(self, place: Formula) -> Extremum | None:
         """The quantity at a place, None where it has no value there, or none that is real, as the root of a negative square."""
+        numbered = bool(place.symbols() & self.numbered.keys())
+        curve = with_values(self.curve, self.search.signs.values) if numbered else self.curve
         try:
-            value = self.search.solver.simplify(self.curve.substitute({self.letter: place}))
+            value = self.search.solver.simplify(curve.substitute({self.letter: place}))
         except (ZeroDivisionError, ValueError):
             return None
-        number = self.number(place) if place.symbols() & self.numbered.keys() else None
+        number = self.number(place) if numbered else None
         return Extremum(place, value, number) if self.is_real(value) else None
 
 
@@ -187,7 +191,9 @@ def numbered_roots(course: Curve, parts: list[Formula], domain: Domain) -> tuple
     letter, values = course.letter, course.search.signs.values
     round_ = domain.endless and same_a_turn_on(course.curve, letter)
     found: list[Certified] = []
-    for part in parts:
+    for part in (
+        course.search.solver.simplify(with_values(part, values)) for part in parts
+    ):  # of many terms a few remain
         roots = real_roots(part, letter, values, *search_range(part, course, domain, round_))
         if not roots.complete:
             raise NotYet(f"not all places were found at which the derivative by `{letter}` vanishes")

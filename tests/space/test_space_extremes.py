@@ -247,6 +247,18 @@ def test_what_repeats_half_a_turn_on_is_as_good_there() -> None:
         assert answers(EGG, f"p: {word} {asked}").answers["p"].float == pytest.approx(value, abs=4e-4)
 
 
+def test_what_the_numbers_make_as_good_is_as_good() -> None:
+    """With b = 2 z the blow has no part about x anywhere, which no letter tells."""
+    scene = EGG.replace("0*a]", "0.2 m*sin(ph)]").replace("[1/2, 1/2, sqrt(1/2)]", "[-1, 2, 1]")
+    assert "at more than one `ph`" in refusal_of(scene, "p: ph where e.angular_velocity.x is smallest at after")
+
+
+def test_a_smallest_size_that_is_nothing_is_confirmed() -> None:
+    found = answers(EGG, "q: smallest size of e.angular_velocity.z at after")
+    assert found.answers["q"].float == 0.0
+    assert confirmed(found)
+
+
 @pytest.mark.parametrize(("word", "degrees"), [("smallest", -135), ("largest", 135)])
 def test_of_all_places_of_one_turn_the_angles_lie_within_half_a_turn_of_0(word: str, degrees: float) -> None:
     """M w² (h² − 3 R²) |sin b cos b|/12 is largest at ±45° and ±135°."""

@@ -277,7 +277,8 @@ def same_in_each(answered: Sequence[float], own: Sequence[float], natural: float
 def same_beside_largest(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
     """Whether numbers are the same, beside the largest of them; what should be nothing, beside the size of such quantities in the scene."""
     size = max(map(abs, (*answered, *own)), default=0.0)
-    room = max(SAME * size, (ROUNDED if any(answered) else NOTHING) * natural)
+    rounded = ROUNDED * natural  # less than that is nothing, as the number at a place without a closed form is
+    room = max(SAME * size, rounded if any(abs(part) > rounded for part in answered) else NOTHING * natural)
     return all(abs(a - b) <= room for a, b in zip(answered, own, strict=True))
 
 
