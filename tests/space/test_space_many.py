@@ -11,7 +11,7 @@ import pytest
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.arrays import NotForMany, single_answers
-from rotsolve.confirm.space.verdict import close
+from rotsolve.confirm.space.verdict import same_beside_largest
 from rotsolve.pipeline import solve
 from solutions import solved
 
@@ -170,4 +170,4 @@ def test_what_is_nothing_but_for_rounding_is_not_contradicted() -> None:
 )
 def test_only_rounding_is_taken_for_nothing(answered: float, found: float, same: bool) -> None:
     """Beside a quantity that is of the size 1 in its scene."""
-    assert close((answered,), (found,), 1.0) is same
+    assert same_beside_largest((answered,), (found,), 1.0) is same

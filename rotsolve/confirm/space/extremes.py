@@ -18,7 +18,7 @@ ROUND = 24  # places at which an angle is looked at
 SECTIONS = 60  # of an interval between places: to 3e-13 of it, as a size that comes to nothing needs
 PEAKS, COARSE = 3, 12  # among the places, the best of which are looked at more closely first
 LEAST = -1e300  # a value at all
-NOTHING = 1e-9  # of the largest value in the range: what is nothing
+NOTHING = 1e-9  # of the values at the places beside it: what is nothing
 BETTER = 1e-7  # of a value by which another one is larger
 BESIDE = 2e-3  # how far beside an answer it is looked whether the quantity falls on both sides
 LEVEL = 0.06  # how far an extreme may lie from the middle of what lies beside it, as a share of the drop there
@@ -76,8 +76,8 @@ def extreme_over(given: Given, word: str, own: float, value: Value, reach: float
     low, high = max(beside, key=lambda ends: best_between(ends[0], ends[1], worth, COARSE)[1])
     at, top = best_between(low, high, worth, SECTIONS)
     at, top = max((at, top), (places[best[-1]], worths[best[-1]]), key=lambda place: place[1])
-    sizes = [abs(value) for value in worths if value > LEAST]
-    return at, sign * top if abs(top) > NOTHING * max(sizes) else 0.0
+    beside_it = [abs(found) for found in (worth(low), worth(high)) if found > LEAST]
+    return at, sign * top if abs(top) > NOTHING * max(beside_it, default=0.0) else 0.0
 
 
 def range_of(given: Given, own: float, value: Value, reach: float | None) -> list[float]:
