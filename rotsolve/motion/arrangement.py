@@ -16,9 +16,10 @@ from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import is_key
 from rotsolve.language.bodies import Body, Ride, Surface
 from rotsolve.language.elements import Action, Connection, Event
+from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import Problem
 from rotsolve.motion.owndata import Version, versions
-from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
+from rotsolve.motion.positive import is_angle, positive_letters
 from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, left_at, timeline
 
 if TYPE_CHECKING:

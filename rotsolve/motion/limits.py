@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from itertools import combinations, product
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, call, negate, sqrt, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate, sqrt, total
 from rotsolve.core.limits import Limit
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.tensor import ONE_AXIS, displaced
@@ -18,9 +18,9 @@ from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.elements.shapes import Shape
 from rotsolve.elements.shapes.material import bored
 from rotsolve.language.bodies import Part
+from rotsolve.language.limited import HIGHEST, limited_values
 from rotsolve.language.problem import Body, Problem, references
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.positive import limited_values
 from rotsolve.motion.rigid import materials, part_rows, part_spot
 
 LOWEST = {  # by what a key says of its values
@@ -29,7 +29,6 @@ LOWEST = {  # by what a key says of its values
     "fraction": "must lie from 0 to 1",
     "acute": "must lie from 0 to 90°",
 }
-HIGHEST = {"fraction": ONE, "acute": PI / 2}
 
 
 def limits_of_scene(configuration: Configuration) -> Iterator[Limit]:

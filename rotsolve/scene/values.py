@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Collection, Mapping
 
 from rotsolve.algebra.certified.ball import evaluate, note
-from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Quotient, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
@@ -22,6 +22,7 @@ from rotsolve.algebra.units.dimension import (
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
+from rotsolve.language.limited import HIGHEST
 from rotsolve.language.problem import TimeValue
 from rotsolve.language.words import an, hint, quoted
 from rotsolve.scene.literals import (
@@ -265,8 +266,7 @@ def gaps(formula: Formula, limits: str) -> tuple[Formula, ...]:
     """What is not negative where a value lies within its limits."""
     if not limits or not formula.symbols():
         return ()
-    above = {"fraction": ONE - formula, "acute": PI / 2 - formula}
-    return (formula, above[limits]) if limits in above else (formula,)
+    return (formula, HIGHEST[limits] - formula) if limits in HIGHEST else (formula,)
 
 
 def check_limits(scope: Scope, node: Text, formula: Formula, want: Want) -> bool:

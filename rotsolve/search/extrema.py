@@ -254,10 +254,8 @@ def as_function_of(search: Search, phrase: Find, letter: str) -> tuple[Answered,
 def answer_over(search: Search, phrase: Find, letter: str) -> Answered:
     """The quantity of a phrase while a letter has no value, settled on the way where no question asks for it."""
     question = question_for(phrase, search.scene, search.letters())
-    known = [
-        item for item in search.answered if item.aside or not may_lose_bars(phrase)
-    ]  # others may have lost their bars
-    for item in known:
+    sized = may_lose_bars(phrase)  # where an answer that is no answer on the way may have lost them
+    for item in (one for one in search.answered if one.aside or not sized):
         if question.formula in (item.asked.formula, Symbol(item.asked.letter)):
             return item
     word = QUANTITIES[phrase.terms[0].path.quantity].letter if len(phrase.terms) == 1 else "Q"

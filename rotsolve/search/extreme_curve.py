@@ -17,15 +17,13 @@ from rotsolve.algebra.exact.normal import Fractions, coefficients, is_zero
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, call, formula
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, INERTIA, MASS
+from rotsolve.language.limited import HIGHEST
 from rotsolve.language.problem import references
-from rotsolve.motion.limits import HIGHEST
 from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.search import Search
 
-FIRST = formula(
-    -3
-)  # rad: where the turn begins in which roots without a closed form are looked for, at no place of a tidy problem
+FIRST = formula(-3)  # rad: where the turn begins in which numbers are looked for, at no place of a tidy problem
 TURN = 2 * PI
 MARGIN = formula(1) / 7  # beyond the ends of a range, so that a root at an end is not missed
 PRECISE = 400  # bits in which two places are compared: what is the same in 90 digits is as good
@@ -191,10 +189,9 @@ def numbered_roots(course: Curve, parts: list[Formula], domain: Domain) -> tuple
     letter, values = course.letter, course.search.signs.values
     round_ = domain.endless and same_a_turn_on(course.curve, letter)
     found: list[Certified] = []
-    for part in (
-        course.search.solver.simplify(with_values(part, values)) for part in parts
-    ):  # of many terms a few remain
-        roots = real_roots(part, letter, values, *search_range(part, course, domain, round_))
+    for part in parts:
+        told = course.search.solver.simplify(with_values(part, values))  # of many terms a few remain
+        roots = real_roots(told, letter, values, *search_range(part, course, domain, round_))
         if not roots.complete:
             raise NotYet(f"not all places were found at which the derivative by `{letter}` vanishes")
         found += roots.roots

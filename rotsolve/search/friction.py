@@ -18,10 +18,10 @@ from rotsolve.core.symbols import POSITION, has_quantities, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
+from rotsolve.language.limited import limits_of
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import with_hereafter
-from rotsolve.motion.positive import limits_of
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, against_most, rubs, rubs_at
 from rotsolve.plan import PATIENCE
 from rotsolve.search.answers import Answered, unsolvable

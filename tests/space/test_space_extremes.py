@@ -273,6 +273,13 @@ def test_a_slope_lies_between_level_and_upright() -> None:
     assert confirmed(found)
 
 
+def test_with_the_wind_from_below_the_steepest_slope_is_best() -> None:
+    """−F cos β + (m g − F_z) sin β grows all the way to 90°, and the assembly does not look beyond."""
+    found = answers(IN_A_WIND.replace("[0.3 N", "[-0.3 N"), "Q: largest size of b.acceleration")
+    assert found.answers["Q"].float == pytest.approx(5 / 7 * math.hypot(0.86, 0.2) / 0.2)
+    assert confirmed(found)
+
+
 def test_no_size_of_a_body_is_nothing_where_an_extreme_would_be() -> None:
     found = answers(SWINGING, "T: period of small swings of c", "q: smallest T")
     assert "it has no smallest value" in refusal(found, "q")

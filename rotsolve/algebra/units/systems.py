@@ -15,27 +15,8 @@ from rotsolve.algebra.units.dimension import ENERGY, FORCE, POWER, Dimension, pr
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import POUNDS, Unit
 
-NEUTRAL = frozenset(  # units that all systems have
-    (
-        "s",
-        "ms",
-        "min",
-        "h",
-        "day",
-        "d",
-        "rad",
-        "mrad",
-        "deg",
-        "rev",
-        "turn",
-        "rpm",
-        "grad",
-        "arcmin",
-        "arcsec",
-        "Hz",
-        "kHz",
-    )
-)
+ANGLES, TIMES = ("rad", "mrad", "deg", "rev", "turn", "grad", "arcmin", "arcsec"), ("s", "ms", "min", "h", "day", "d")
+NEUTRAL = frozenset((*ANGLES, *TIMES, "rpm", "Hz", "kHz"))  # units that all systems have
 Named = tuple[Dimension, str, str]  # a dimension, of a kind or of '', and its unit
 
 

@@ -12,6 +12,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.scan import GOLDEN, places_beside
 from rotsolve.confirm.space.rig import NODAL
 from rotsolve.confirm.space.worlds import Unfit
+from rotsolve.language.limited import HIGHEST, limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Given, Problem, references
 
 ROUND = 24  # places at which an angle is looked at
@@ -81,20 +82,23 @@ def extreme_over(given: Given, word: str, own: float, value: Value, reach: float
 
 
 def range_of(given: Given, own: float, value: Value, reach: float | None) -> list[float]:
-    """Places over the range of a letter: once round of an angle, along a rod; of a rate, or where nothing tells what it is, on both sides
-    of 0, else from 0 on."""
+    """Places over the range of a letter: from 0 to its `reach`, once round of an angle; of a rate, or where nothing tells what it is, on
+    both sides of 0, else from 0 on."""
     dimension = given.dimension
-    if (dimension is not None and dimension.matches(ANGLE)) or (dimension is None and same_a_turn_later(own, value)):
-        return [-math.pi + math.tau * (number + 0.5) / ROUND for number in range(-1, ROUND + 1)]
     if reach is not None:
         return [reach * number / ROUND for number in range(ROUND + 1)]
+    if (dimension is not None and dimension.matches(ANGLE)) or (dimension is None and same_a_turn_later(own, value)):
+        return [-math.pi + math.tau * (number + 0.5) / ROUND for number in range(-1, ROUND + 1)]
     places = places_beside(own, 1.0, None)
     signed = dimension is None or dimension.matches(ANGULAR_VELOCITY)
     return [0.0, *places, *(-place for place in places if signed)]
 
 
-def length_along(letter: str, problem: Problem) -> Formula | None:
-    """The length of the rod along which a letter tells a place; None of other letters."""
+def end_of_range(letter: str, problem: Problem) -> Formula | None:
+    """Up to where from 0 a letter can be: along the rod on which it tells a place, or as the key says under which it stands."""
+    limits = limited_letters(problem).get(letter)
+    if limits in HIGHEST:
+        return HIGHEST[limits]
     bodies = {body.name: body for body in problem.bodies}
     for ref in references(problem):
         body = bodies.get(ref.owner)

@@ -204,11 +204,11 @@ class Hearing:
         return step_to(gap_under(condition, with_letter), own)
 
     def reach(self, letter: str) -> float | None:
-        """The length of the rod along which a letter tells a place."""
-        from rotsolve.confirm.space.extremes import length_along
+        """Up to where from 0 a letter can be, where there is such an end."""
+        from rotsolve.confirm.space.extremes import end_of_range
 
-        length = length_along(letter, self.problem)
-        return None if length is None else self.inquiry.rig.value(length)
+        end = end_of_range(letter, self.problem)
+        return None if end is None else self.inquiry.rig.value(end)
 
     def by_letter(self, phrase: Find, letter: str) -> Callable[[float], float]:
         """The number of a quantity by that of a letter."""

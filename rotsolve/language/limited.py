@@ -1,0 +1,49 @@
+"""Limited: what the keys of a scene keep within limits: sizes that are positive, fractions, angles of slopes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from msgspec import Struct
+from msgspec.structs import astuple
+
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol
+from rotsolve.language.keys import Element
+from rotsolve.language.problem import Body, Problem
+
+HIGHEST = {"fraction": ONE, "acute": PI / 2}  # by what a key says of its values; the lowest one of all is 0
+
+
+def limited_letters(problem: Problem) -> dict[str, str]:
+    """Letters that stand alone where the scene takes only values within limits, with these: the radius of a wheel, the angle of a slope."""
+    return {value.name: limits for _, value, limits in limited_values(problem) if isinstance(value, Symbol)}
+
+
+def limited_values(problem: Problem) -> Iterator[tuple[str, Formula, str]]:
+    """What a scene takes only within limits: whose it is, its value, and the limits."""
+    for body in problem.bodies:
+        yield from ((body.name, value, limits) for value, limits in body_sizes(body) if isinstance(value, Formula))
+    for element in (*problem.surfaces, *problem.connections, *problem.actions, *problem.events):
+        yield from ((element.name, value, limits) for value, limits in limits_of(element) if isinstance(value, Formula))
+
+
+def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:
+    """What is positive of a body: its mass, unless it is light, its radii, the sizes of its shape, and these of its parts and holes."""
+    sizes = (body.mass, body.inertia, body.density, body.gyration, body.radius)
+    yield from ((size, "positive") for size in sizes if size != ZERO)
+    yield from ((radius, "positive") for _, radius in body.radii)
+    if body.shape is not None:
+        yield from limits_of(body.shape)
+    for part in (*body.parts, *body.holes):
+        yield from body_sizes(part.body)
+
+
+def limits_of(element: Element) -> Iterator[tuple[Formula | None, str]]:
+    """The values of an element under keys that limit them; what nobody wrote is as its class has it."""
+    own = dict(zip(reversed(element.__struct_fields__), reversed(element.__struct_defaults__), strict=False))
+    for field, declared in element.declared.items():
+        value = getattr(element, field) if declared.limits else None
+        if value is own.get(field):
+            continue
+        sizes = (value,) if isinstance(value, Formula) or not isinstance(value, Struct) else astuple(value)
+        yield from ((size, declared.limits) for size in sizes)
