@@ -55,10 +55,11 @@ def left_without(name: str, problem: Problem) -> tuple[Find, ...]:
 
 def solved_without(error: Unsolvable, problem: Problem, solve: SolveFor) -> tuple[Solution, Mapping[str, Unsolvable]]:
     """The solution without the questions that have no answer, and these with their reasons: those that an error names, if it does."""
-    known = refused_by(error, problem)
+    known, every = refused_by(error, problem), dict[str, Unsolvable]()
     for refused in (known,) if isinstance(error, NeverReached) else (known, None):
         refused = told_apart(problem, solve) if refused is None else refused
         refused = {**taken_along(refused, problem), **refused}
+        every |= refused
         kept = tuple(find for find in problem.finds if find.name not in refused)
         if not kept or len(kept) == len(problem.finds):
             continue
@@ -69,6 +70,8 @@ def solved_without(error: Unsolvable, problem: Problem, solve: SolveFor) -> tupl
             return solution, {**refused, **more}
         except Unsolvable:
             continue
+    if isinstance(error, Unanswered) and every.keys() - error.refused.keys():  # alone it had an answer, or so it seemed
+        raise Unanswered({find.name: every[find.name] for find in problem.finds if find.name in every})
     raise error
 
 

@@ -82,7 +82,9 @@ def solve_problem(
     if not confirm:
         return solution
     with stage("confirm", whole=True):
-        verdicts = () if solution.trace.confirmation is None else solution.trace.confirmation()
+        told = {answer.name for answer in solution.derivation.answers}  # some may have been left out since
+        found = () if solution.trace.confirmation is None else solution.trace.confirmation()
+        verdicts = tuple(item for item in found if item.name in told)
         return replace(solution, derivation=as_confirmed(replace(solution.derivation, confirmed=verdicts), problem))
 
 

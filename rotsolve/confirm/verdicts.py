@@ -22,6 +22,16 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
+ASSEMBLED = "an assembly of all bodies' equations gives the same "
+SUMMED = "another sum over the masses gives the same "
+TOLD_BY_MASSES = (
+    "inertia_tensor",
+    "inertia",
+    "principal_moments",
+    "principal_axis",
+    "mass",
+    "cm",
+)  # what needs no laws
 SAME = 2e-6  # of the size of what is compared: the assembly's rounding, and that of its steps
 NEARLY = "approximation:"
 AGAINST = "against its positive sense:"
@@ -89,6 +99,13 @@ def judged_numbers(
     yield from judged_in_plane(told, problem, known, sizes, numbers)
 
 
+def names_of_mass(problem: Problem) -> set[str]:
+    """The questions that the masses alone tell, however anything moves."""
+    finds = () if problem.sought else problem.finds
+    finds = tuple(find for find in finds if find.terms and find.where is None and find.choice is None)
+    return {find.name for find in finds if all(term.path.quantity in TOLD_BY_MASSES for term in find.terms)}
+
+
 def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     """The derivation with what was confirmed among its checks, and what was not; what is contradicted is refused.
 
@@ -96,10 +113,11 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     """
     verdicts = derivation.confirmed
     letters = {answer.name: answer.symbol for answer in derivation.answers}
-    good = [letters[item.name] for item in verdicts if item.holds]
+    of_mass = names_of_mass(problem)
     checks = []
-    if good:
-        checks.append(Check(("an assembly of all bodies' equations gives the same ", *in_a_row(good))))
+    for words, static in ((SUMMED, True), (ASSEMBLED, False)):
+        good = [letters[item.name] for item in verdicts if item.holds and (item.name in of_mass) is static]
+        checks += [Check((words, *in_a_row(good)))] if good else []
     checks += [Check((letters[one.name], one.also), None, AGAINST) for one in verdicts if one.holds and one.also]
     checks += [
         Check((letters[one.name], f" is {one.also}"), None, NEARLY)
@@ -131,7 +149,8 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
         message = f"not confirmed: an assembly of all bodies' equations contradicts {names}" + "".join(
             f": {why}" for why in whys[:1]
         )
-        others = [item.fault for item in derivation.refused]
+        beside = [refused[item.name] for item in derivation.confirmed if item.holds is None]
+        others = [*beside, *(item.fault for item in derivation.refused)]
         raise Unsolvable(message, span=fault.span, help=WAYS, lines=problem.lines, file=problem.file, others=others)
     answers = tuple(answer for answer in derivation.answers if answer.name not in refused)
     told = tuple(Refusal(name, fault) for name, fault in refused.items())

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, ZERO, Formula
 from rotsolve.core.faults import Fault
-from rotsolve.core.vectors.tensor import ENTRIES, ROWS
+from rotsolve.core.vectors.tensor import AXES, ENTRIES, ROWS
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
@@ -30,6 +30,15 @@ def in_a_row(letters: Iterable[Formula]) -> Words:
     for letter in letters:
         words += [", ", letter] if words else [letter]
     return tuple(words)
+
+
+def direction_in_words(way: tuple[Formula, ...]) -> Words:
+    """A direction by its components: "x", "−y", or "(p, q, 1)"."""
+    parts = [(axis, part) for axis, part in zip(AXES, way, strict=False) if part != ZERO]
+    if len(parts) == 1 and parts[0][1] in (ONE, -ONE):
+        axis, part = parts[0]
+        return (axis if part == ONE else f"−{axis}",)
+    return ("(", *in_a_row(way), ")")
 
 
 def sentences(words: Words) -> tuple[Words, ...]:
@@ -90,7 +99,7 @@ class Move(Struct, frozen=True):
     """One step of algebra: `sources` ("(3) and (4) in (2)"), the chain of equalities that it gives, its number if used later.
 
     `reason` says why where a choice is made ("the rod turns clockwise: ω < 0"). What is `put` into which equation stands there letter by
-    letter; nothing for what is no step of that kind.
+    letter; nothing for what is no step of that kind. Of an equation solved before, `another` root is meant.
     """
 
     sources: str
@@ -99,6 +108,7 @@ class Move(Struct, frozen=True):
     reason: Words = ()
     put: tuple[Cited, ...] = ()
     into: str = ""
+    another: bool = False
 
 
 class Section(Struct, frozen=True):
@@ -216,6 +226,7 @@ class Derivation(Struct, frozen=True):
     """The whole solution of a problem; `trials` are those that decided how everything moves that rubs.
 
     `refused` are the questions that have no answer; they take no other with them.
+    `places` are those of the points on bodies, `events` what happens at each.
     `confirmed` says of each answer whether an assembly of all bodies' equations gives the same; nothing where nobody asked. `insights` are
     sentences about what the answers say.
     """
@@ -235,3 +246,5 @@ class Derivation(Struct, frozen=True):
     refused: tuple[Refusal, ...] = ()
     confirmed: tuple[AnswerConfirmation, ...] = ()
     insights: tuple[Words, ...] = ()
+    places: tuple[Words, ...] = ()
+    events: tuple[Words, ...] = ()

@@ -172,6 +172,7 @@ ENERGY_FUNCTION = Law("energy of the Lagrangian", "{words}", LAGRANGE, 5)
 TURNING_TILTS = Law(
     "turning tilts", "energy and conserved momenta between two tilts without nutation, {body}", LAGRANGE, 5
 )
+DIVIDED_TILTS = Law("divided tilts", "energy divided by the momentum of the precession angle, {body}", LAGRANGE, 5)
 CYCLIC = Law("momentum of a cyclic coordinate", "conserved, since cyclic: momentum of {coordinate}", LAGRANGE, 5)
 
 # motion

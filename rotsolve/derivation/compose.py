@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property, partial
 
@@ -24,6 +24,7 @@ from rotsolve.core.derivation import (
     Section,
     Trial,
     Words,
+    in_a_row,
     sentences,
 )
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE, Equation
@@ -36,16 +37,17 @@ from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
 from rotsolve.derivation.headings import section_title
 from rotsolve.derivation.insights import insights
 from rotsolve.derivation.letters import Letters
-from rotsolve.derivation.results import LONG, Results, readable
+from rotsolve.derivation.results import LONG, Results, readable, without_reordered
 from rotsolve.derivation.sought import sought_words
+from rotsolve.derivation.written_before import written_before
 from rotsolve.language.problem import Condition, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Ref, Step
 
 
-def state_words(state: State, bare: str) -> Words:
-    """What the scene says of a state, on one line; `bare` where it says nothing."""
+def state_words(state: State, bare: str, printed: Callable[[Formula], Formula]) -> Words:
+    """What the scene says of a state, on one line, with its letters as they are `printed`; `bare` where it says nothing."""
     if state.opened:
         return (f"{spoken(state.name)}: {state.opened}",)
     parts, vectors = list[str](), dict[tuple[str, ...], list[str]]()
@@ -53,7 +55,7 @@ def state_words(state: State, bare: str) -> Words:
         if line.rest:
             parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
         elif line.path is not None:
-            value = stated(line.value) if line.value is not None else line.word or ""
+            value = stated(printed(line.value)) if line.value is not None else line.word or ""
             whole = vector_words(line)
             if whole:
                 vectors.setdefault(whole, []).append(value)
@@ -183,6 +185,9 @@ class DerivationComposer:
         self.drafts = drafts_of(search)
         self.diagrams = Diagrams(self.scene, self.pool)
         self.letters = Letters(search, self.drafts, self.diagrams)
+        asked = {item.asked.letter: item.find.whole for item in search.answered}
+        laws = [index for draft in self.drafts for index in draft.laws]
+        self.again = written_before(laws, self.pool, asked, search.solver.steps)
         self.numbers = self._numbers()
         self.results = Results(search, self.letters, at)
         self.told: set[Words] = set()  # sentences about a whole scene, which are told once
@@ -200,13 +205,15 @@ class DerivationComposer:
             source=self.problem.source,
             givens=tuple(given for given in numbered if self.letters.tells(given.name)),
             finds=self._sought(),
-            states=tuple(state_words(state, self._reached(state.name)) for state in self.problem.states),
+            states=tuple(self._states()),
             conventions=self._conventions(),
+            places=tuple(self.scene.places()),
+            events=tuple(self._events()),
             sections=tuple(sections),
             answers=self.results.answers(),
             checks=checks,
             equations_written=len(self.search.equations),
-            equations_used=sum(len(draft.laws) for draft in self.drafts),
+            equations_used=sum(1 for draft in self.drafts for _ in self.again.once(draft.laws)),
             trials=trials,
             insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone()))),
         )
@@ -224,7 +231,8 @@ class DerivationComposer:
 
     def _section(self, draft: Draft) -> Section:
         laws = tuple(self._grounded_once(draft))
-        moves = [move for step in draft.steps for move in (self._move(step), *self._slope(step))]
+        steps = (step for step in draft.steps if not (step.target[0] == "law" and step.target[1] in self.again.alike))
+        moves = [move for step in steps for move in (self._move(step), *self._slope(step))]
         moves += [move for chosen in draft.choices for move in comparisons(chosen, self.results)]
         forces = self.diagrams.lines(draft, self.letters.in_use, self.letters.words)
         return Section(section_title(draft.key, self.scene), forces, self._remarks(draft), laws, tuple(moves))
@@ -233,11 +241,16 @@ class DerivationComposer:
         """The laws of a section; of the components of one question the first alone has the ground of all beside it."""
         wholes = {item.asked.letter: item.find.whole for item in self.search.answered if not item.asked.direct}
         first: dict[tuple[str, Words], int] = {}
-        for index in draft.laws:
+        for index in self.again.once(draft.laws):
             law, left = self._law(index), self.pool[index].left
             whole = wholes.get(left.name, "") if isinstance(left, Symbol) else ""
             again = whole and first.setdefault((whole, law.remark), law.number) != law.number
-            yield replace(law, remark=()) if again else law
+            yield replace(law, remark=self._with_alike(index, () if again else law.remark))
+
+    def _with_alike(self, index: int, remark: Words) -> Words:
+        """The remark at a law, and of what letters it tells the same."""
+        alike = self.letters.words(in_a_row(self.again.letters_like(index, self.pool)))
+        return (*remark, *(("; ",) if remark else ()), "the same for ", *alike) if alike else remark
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]
@@ -253,12 +266,18 @@ class DerivationComposer:
         )
 
     def _move(self, step: Step) -> Move:
-        chain = tuple(Equality(self._shown(one.left), self._shown(one.right)) for one in readable(step.chain))
+        chain = without_reordered(
+            [Equality(self._shown(one.left), self._shown(one.right)) for one in readable(step.chain)]
+        )
         if len(chain) > 1 and not isinstance(chain[0].left, Symbol) and chain[0] == self._written(step.target):
             chain = chain[1:]  # what is put in is a number
         number = self.numbers.get(("step", step.number))
         sources, reason = self._sources(step), self.letters.words(step.reason)
         into = "" if step.target[0] == "words" else self._mark(step.target)
+        if step.target[0] == "law" and step.target[1] in self.again.roots:
+            letters = self.letters.printed(Symbol(step.result)).symbols()
+            solved = tuple(line for line in chain if not letters & line.right.symbols())
+            return Move(f"another root of {into}", solved, number, reason, into=into, another=True)
         others = (ref for ref in step.sources if into and ref != step.target and self._mark(ref) not in ("", into))
         put = dict.fromkeys(self._cited(ref, step) for ref in others)
         return Move(sources, chain, number, reason, tuple(put), into)
@@ -331,10 +350,13 @@ class DerivationComposer:
         numbers: dict[Ref, int] = {}
         for draft in self.drafts:
             for index in draft.laws:
-                numbers[("law", index)] = len(numbers) + self.first
+                first = self.again.first(index)
+                numbers[("law", index)] = (
+                    len(set(numbers.values())) + self.first if first is None else numbers["law", first]
+                )
             for step in draft.steps:
                 if ("step", step.number) in used:
-                    numbers[("step", step.number)] = len(numbers) + self.first
+                    numbers[("step", step.number)] = len(set(numbers.values())) + self.first
         return numbers
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
@@ -354,6 +376,18 @@ class DerivationComposer:
         finds = (conditional.get(item.find.name, item.find) for item in self.search.in_order())
         return tuple(dict.fromkeys(sought_words(find, timeline) for find in finds))
 
+    def _states(self) -> Iterator[Words]:
+        """What the scene says of each state."""
+        for state in self.problem.states:
+            yield state_words(state, self._reached(state.name), self.letters.printed)
+
+    def _events(self) -> Iterator[Words]:
+        """What happens at each event."""
+        for event in self.problem.events:
+            words = self.letters.words(event.told())
+            if words:
+                yield (f"{spoken(event.name)}: ", *words)
+
     def _conventions(self) -> tuple[Words, ...]:
         kinds = {key_of(name).kind for name in self.letters.names}
         angles = COORDINATE + "angle" in kinds or any(
@@ -361,7 +395,8 @@ class DerivationComposer:
         )
         angles = angles and not self.problem.space
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
-        said += self.scene.conventions([self.pool[index] for draft in self.drafts for index in draft.laws])
+        used = [self.pool[index] for draft in self.drafts for index in draft.laws]
+        said += map(self.letters.words, self.scene.conventions(used))
         configuration = self.scene.configuration
         if configuration.mentions.functions:
             first = configuration.timeline.states[0].name

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -10,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Symbol
+from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Product, Quotient, Symbol
 from rotsolve.algebra.units.dimension import word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
@@ -331,6 +332,26 @@ def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
         return chain
     told = chain[-2].left == chain[-1].left and not chain[-2].left.symbols() & chain[-2].right.symbols()
     return chain[:-1] if told else chain
+
+
+def without_reordered(chain: Sequence[Equality]) -> tuple[Equality, ...]:
+    """A chain of equalities without those that the next one only writes in another order."""
+    last = len(chain) - 1
+    return tuple(
+        one
+        for k, one in enumerate(chain)
+        if k == last
+        or (one.left, above_and_below(one.right)) != (chain[k + 1].left, above_and_below(chain[k + 1].right))
+    )
+
+
+def above_and_below(formula: Formula) -> tuple[Counter[Formula], Counter[Formula]]:
+    """The factors of a product, and those below the line, in no order."""
+    if isinstance(formula, Quotient):
+        (above, below), (under, over) = above_and_below(formula.numerator), above_and_below(formula.denominator)
+        return above + over, below + under
+    parts = formula.factors if isinstance(formula, Product) else (formula,)
+    return Counter(parts), Counter()
 
 
 def hard_to_read(formula: Formula, lettered: int) -> bool:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.derivation import Words, direction_in_words
 from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, Heading, Vector, unit
+from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
 from rotsolve.elements.connections.supports import Hinge
 from rotsolve.elements.shapes import rim_radius
@@ -27,6 +29,10 @@ class Joins(Event, frozen=True):
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return self.joins
+
+    def told(self) -> Words:
+        one, other = map(whereabouts, self.joins)
+        return (*one, " and ", *other, " stay together")
 
     def joined(self) -> tuple[PointRef, ...]:
         return self.joins
@@ -56,6 +62,11 @@ class Collides(Event, frozen=True):
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return self.collides
+
+    def told(self) -> Words:
+        bounce: Words = () if self.restitution is None else (", coefficient of restitution ", self.restitution)
+        one, other = map(whereabouts, self.collides)
+        return (*one, " and ", *other, " bounce off each other", *bounce)
 
     def axes(self, instant: Moment) -> tuple[tuple[str, Heading], ...]:
         return (("", self.approach(instant)),)
@@ -94,6 +105,11 @@ class Impulse(Event, frozen=True):
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = aimed()
 
+    def told(self) -> Words:
+        if self.impulse is None or self.on is None:
+            return ()
+        return ("impulse ", self.impulse, " on ", *whereabouts(self.on), *aimed_in_words(self.direction))
+
     def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]]:
         assert self.on is not None
         if not isinstance(self.direction, tuple) or len(self.direction) != 3:
@@ -126,6 +142,9 @@ class Cuts(Event, frozen=True):
         "names", "the connection", refers=("connection",), required=True, default=(), example="cord"
     )
 
+    def told(self) -> Words:
+        return (f"{and_joined([*map(spoken, self.cuts)])} {'is' if len(self.cuts) == 1 else 'are'} cut",)
+
     def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
         return self.cuts
 
@@ -141,6 +160,9 @@ class Removes(Event, frozen=True):
         default=(),
         example="prop",
     )
+
+    def told(self) -> Words:
+        return (f"{and_joined([*map(spoken, self.removes)])} {'is' if len(self.removes) == 1 else 'are'} taken away",)
 
     def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
         return self.removes
@@ -162,6 +184,9 @@ class Fixes(Event, frozen=True):
             message = f"`{self.fixes.owner}` is held by `{scene.held[self.fixes.owner]}` already"
             raise Unsolvable(message, span=self.fixes.span, help="fix a point of a body that moves freely")
 
+    def told(self) -> Words:
+        return () if self.fixes is None else (*whereabouts(self.fixes), " is held from then on")
+
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return (self.fixes,) if self.fixes is not None else ()
 
@@ -181,6 +206,9 @@ class Grips(Event, frozen=True):
     about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
     quantities = ("impulse",)
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
+
+    def told(self) -> Words:
+        return (f"no slip at {spoken(self.grips or '')} from then on",)
 
     def contact(self, connections: Sequence[Connection]) -> Connection | None:
         """The contact that begins."""
@@ -225,6 +253,24 @@ class Grips(Event, frozen=True):
 def called(ref: PointRef) -> str:
     """A point in words: "plate's corner1"."""
     return f"{ref.owner}'s {ref.point or 'centre'}".replace("_", " ")
+
+
+def whereabouts(ref: PointRef) -> Words:
+    """A body, or a point of it, in words: "puck", "rod's end", "the point of rod at x"."""
+    if ref.argument is not None:
+        return (f"the point of {spoken(ref.owner)} at ", ref.argument)
+    return (spoken(ref.owner) if ref.point is None else called(ref),)
+
+
+def aimed_in_words(direction: Direction | None) -> Words:
+    """A direction behind what is aimed: ", up", ", along y", ", along (p, q, 1)", ", at α"."""
+    if direction is None:
+        return ()
+    if isinstance(direction, str):
+        return (f", {direction}",)
+    if isinstance(direction, Formula):
+        return (", at ", direction)
+    return (", along ", *direction_in_words(direction))
 
 
 EVENTS: list[type[Event]] = [Joins, Collides, Impulse, Cuts, Removes, Fixes, Grips]

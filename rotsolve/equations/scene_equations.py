@@ -85,6 +85,10 @@ class SceneEquations(Struct, dict=True):
         """What is to be said of its axes before the equations that are used."""
         return iter(())
 
+    def places(self) -> Iterator[Words]:
+        """Where the points of bodies are of which it speaks, as far as that is not seen at once."""
+        return iter(())
+
     def settled_first(self) -> Iterator[str]:
         """The letters that are worked out by themselves, since it is of them that the scene says which root is meant."""
         return iter(())

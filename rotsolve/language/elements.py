@@ -11,6 +11,7 @@ from typing import ClassVar, Protocol
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.derivation import Words
 from rotsolve.core.drive import Drive
 from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Whirl
 from rotsolve.core.faults import Span, Unsolvable
@@ -418,6 +419,10 @@ class Event(Element, frozen=True):
 
     def check(self, scene: Surroundings) -> None:
         """Refuses by name what the scene can't mean: raises Unsolvable."""
+
+    def told(self) -> Words:
+        """What happens, as a page says it: "impulse J on rod's end, up"."""
+        return ()
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         """The points that take part, whose bodies and all that is tied to them change their velocities; none where nothing does."""

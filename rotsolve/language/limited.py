@@ -45,5 +45,13 @@ def limits_of(element: Element) -> Iterator[tuple[Formula | None, str]]:
         value = getattr(element, field) if declared.limits else None
         if value is own.get(field):
             continue
-        sizes = (value,) if isinstance(value, Formula) or not isinstance(value, Struct) else astuple(value)
-        yield from ((size, declared.limits) for size in sizes)
+        yield from ((size, declared.limits) for size in formulas_in(value))
+
+
+def formulas_in(value: object) -> Iterator[Formula]:
+    """The formulas of a value: of one, of several as the sides of a box, of radii with their names, of a pair of coefficients."""
+    if isinstance(value, Formula):
+        yield value
+    elif isinstance(value, (tuple, Struct)):
+        for part in value if isinstance(value, tuple) else astuple(value):
+            yield from formulas_in(part)

@@ -34,6 +34,8 @@ def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
         "conventions": [plain_text(item) for item in derivation.conventions],
         "find": [plain_text(letters_in(item)) for item in derivation.finds],
         "states": [plain_text(item) for item in derivation.states],
+        "places": [plain_text(item) for item in derivation.places],
+        "events": [plain_text(item) for item in derivation.events],
         "sections": [section_data(section) for section in derivation.sections],
         "answers": [answer_data(answer, digits) for answer in derivation.answers],
         "refused": [refusal_data(refusal) for refusal in derivation.refused],

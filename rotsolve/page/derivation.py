@@ -147,8 +147,10 @@ def opening_rows(derivation: Derivation, digits: int | None) -> Iterator[Labelle
     givens = tuple(given_with_number(given, units, digits) for given in shown_givens(derivation.givens))
     yield Labelled("Given", givens, ", ")
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
+    yield Labelled("Places", derivation.places)
     yield Labelled("Find", derivation.finds, ", " if only_letters(derivation.finds) else "; ")
     yield Labelled("States", derivation.states, wide=True)
+    yield Labelled("Events", derivation.events)
     yield Labelled(PLAN, plan_of(derivation), " ", wide=len(derivation.sections) > 1)
 
 

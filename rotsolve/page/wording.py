@@ -13,6 +13,8 @@ def said_of_step(move: Move) -> Phrase:
     """What a step does: "From (3)", "Put T from (4) and I from (2) into (1)"."""
     if not move.into:
         return (move.sources,) if move.sources else ()
+    if move.another:
+        return (f"Another root of {move.into}",)
     if not move.put:
         return (f"From {move.into}",)
     return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}")

@@ -105,7 +105,8 @@ def label_of(path: Path, term: Term | None) -> str:
     about = f" about {spoken_about(term.about)}" if term is not None and term.about is not None else ""
     if named and owner:
         return f"{word} {named} on {owner}{about}"
-    return f"{word} of {owner}{about}" if owner else word
+    seen = f" relative to {spoken(term.relative)}" if term is not None and term.relative else ""
+    return f"{word} of {owner}{about}{seen}" if owner else word
 
 
 def spoken_about(ref: PointRef) -> str:

@@ -5,7 +5,7 @@ One that waits for another is tried again; where a law asked for does not reach,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeVar
 
 from msgspec.structs import replace
@@ -28,6 +28,9 @@ from rotsolve.search.search import Search, is_unreal
 
 Got = TypeVar("Got")
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
+
+
+BEHIND = 0.5  # how far a size stands behind its components, between two moments
 
 
 class Unanswered(Unsolvable):
@@ -71,15 +74,24 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
 
 
 def in_sequence(finds: Sequence[Find], timeline: Timeline) -> list[Find]:
-    """The questions in the order of time, however a scene lists them, each behind those that it names; as they are where one
-    seeks a letter, an extremum or a label."""
+    """The questions in the order of time, however a scene lists them, each behind those that it names, sizes behind components; as they
+    are where one seeks a letter, an extremum or a label."""
     if len(finds) < 2 or any(find.where is not None or find.extreme or find.choice is not None for find in finds):
         return list(finds)
-    places: dict[str, int] = {}
+    places: dict[str, float] = {}
     for find in finds:
         named = [places[name] for name in letters_named(find) if name in places]
-        places[find.name] = max([place_in_time(find, timeline), *named])
+        places[find.name] = max([place_in_time(find, timeline) + BEHIND * asks_size(find, finds), *named])
     return sorted(finds, key=lambda find: places[find.name])
+
+
+def asks_size(find: Find, finds: Iterable[Find]) -> bool:
+    """Whether a question is for the size of a vector of which a component is asked as well."""
+    if "size of" not in (find.modifier, *(term.modifier for term in find.terms)):
+        return False
+    asked = [term.path for other in finds for term in other.terms if term.path.component]
+    own = {(term.path.owner, term.path.point, term.path.quantity) for term in find.terms}
+    return any((path.owner, path.point, path.quantity) in own for path in asked)
 
 
 def letters_named(find: Find) -> set[str]:
@@ -260,6 +272,10 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
     """
     question = question_for(find, search.scene, search.letters(), search.beside())
     question = replace(question, whole=whole)
+    if search.scene.configuration.problem.space:
+        from rotsolve.space.entries import by_answers
+
+        question = by_answers(question, [item.asked for item in search.answered if not item.aside])
     if question.moving.parts and stands_still(question.moving, search):
         raise NotYet(resting(find.terms[0].path))
     extreme = find.extreme_letter if search.scene.configuration.problem.space else ""

@@ -18,6 +18,7 @@ from rotsolve.core.equation import POINT_OF_SLIPPING, Equation
 from rotsolve.core.symbols import asked_symbol, rub_key
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import Find
 from rotsolve.motion.rubs import STICKS, Rub, rubs
 from rotsolve.paths.meaning import NotYet
@@ -190,7 +191,7 @@ def verges_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Ite
     choice = RootChoice(search.scene, search.givens, trial.numbers, search.definitions.formula)
     rivals = [trial.solver.with_found(root) for root in trial.rivals.get(question.letter, ())]
     for root in (value, *rivals):
-        if not is_place(question.letter, search) and trial.numbers.side(root) in (0, -1):
+        if not goes_both_ways(question.letter, search) and trial.numbers.side(root) in (0, -1):
             continue
         if not choice.in_front(question.letter, root):
             continue
@@ -211,9 +212,11 @@ def pushes_at(search: Search, question: Asked, value: Formula, limits: tuple[Lim
     return [None if push is None else push.substitute({question.letter: value}) for push in found]
 
 
-def is_place(letter: str, search: Search) -> bool:
-    """Whether a letter says where something is at a state, on one side or the other."""
-    states = search.scene.configuration.timeline.states
+def goes_both_ways(letter: str, search: Search) -> bool:
+    """Whether a letter may be negative: the angle of what no key keeps within limits, or where something is at a state."""
+    problem, states = search.scene.configuration.problem, search.scene.configuration.timeline.states
+    if search.may_be_angle(letter) and letter not in limited_letters(problem):
+        return True
     return any(line.path is not None and line.value == Symbol(letter) for state in states for line in state.conditions)
 
 

@@ -1,4 +1,4 @@
-"""Conventions: along which axes components are told that are not those of space, and what the numbers of a scene make special."""
+"""Conventions: along which axes components are told that are not those of space, where points are, what numbers make special."""
 
 from __future__ import annotations
 
@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, ZERO
-from rotsolve.core.derivation import Words, in_a_row
+from rotsolve.core.derivation import Words, direction_in_words, in_a_row
 from rotsolve.core.equation import BLOWS, RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, Equation, Law
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.triple import AS_DRAWN, AXES, NOTHING, Triple, is_axis, triple
+from rotsolve.core.vectors.triple import AS_DRAWN, NOTHING, triple, way_between
 from rotsolve.core.writing import spoken
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.problem import references
 from rotsolve.space.attitude import NODE
 from rotsolve.space.coincidences import coincidences
 from rotsolve.space.laws import SpaceLaws
@@ -20,6 +21,8 @@ from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.two_balls import words_of_line
 
 if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.core.vectors.triple import Triple
     from rotsolve.space.scene import SpaceEquations
 
 IN_COMPONENTS = (*RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, BLOWS)  # laws along the axes of a body
@@ -32,7 +35,11 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
         if any(kind_of_axes(laws, name) == NODE for laws in scene.dynamics.values()):
             told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
             turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
-            yield (f"axes of {spoken(name)}: {told}, {turning}; x lies along e₁ where φ is not told",)
+            yield (
+                f"axes of {spoken(name)}: {told}, {turning}",
+                *nodal_rates(scene, name, used),
+                "; x lies along e₁ where φ is not told",
+            )
             continue
         if any(turned_untold(scene, laws.moment, name) for laws in scene.dynamics.values()):
             yield (f"ψ = 0 of {spoken(name)}, as nothing tells its spin angle",)
@@ -42,8 +49,22 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
             yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
     for (name, _), gaps in scene.held.askew.items():
         yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
+    if scene.held.problem.gravity is None and any(one.law == SECOND_LAW for one in used):
+        yield ("gravity is left out",)
     yield from words_of_line(scene.held, used)
     yield from coincidences(scene.configuration.signs, scene.configuration.problem.givens)
+
+
+def nodal_rates(scene: SpaceEquations, name: str, used: Collection[Equation]) -> Words:
+    """What θ̇ and φ̇ are, where all states have the same: ", θ̇ = 0 and φ̇ = Ω"."""
+    rates = {laws.moment.nodding(name).rates[:2] for laws in scene.dynamics.values() if laws.moment.nods(name)}
+    if len(rates) != 1:
+        return ()
+    ((going_round, nutation),) = rates
+    spoken_of = scene.given_dimensions.keys() | {letter for equation in used for letter in equation.symbols()}
+    if not going_round.symbols() | nutation.symbols() <= spoken_of:
+        return ()
+    return (", θ̇ = ", nutation, " and φ̇ = ", going_round)
 
 
 def kind_of_axes(laws: SpaceLaws, name: str) -> str:
@@ -87,13 +108,41 @@ def standing_axes(scene: SpaceEquations, name: str) -> Words:
     ways = [triple(column) for column in zip(*rows, strict=True)]  # of its own x, y and z
     if sum(length(part) for way in ways for part in way) > LONG:
         return ()
-    told = [along(way) for way in ways]
+    told = [direction_in_words(way) for way in ways]
     return ("along ", *told[0], ", ", *told[1], " and ", *told[2], " in space")
 
 
-def along(way: Triple) -> Words:
-    """A direction in words: x, −y, or its components."""
-    if is_axis(way):
-        axis, part = next((axis, part) for axis, part in zip(AXES, way, strict=True) if part != ZERO)
-        return (axis if part == ONE else f"−{axis}",)
-    return ("(", *in_a_row(list(way)), ")")
+def placed_points(scene: SpaceEquations) -> Iterator[Words]:
+    """Where the points of bodies are of which a scene speaks, from the centre of mass along the axes of the body; and two bearings."""
+    for name in scene.held.bodies:
+        spots = {spoken(ref.point or ""): place for ref, place in spots_of(name, scene)}
+        if not spots or sum(length(part) for place in spots.values() for part in place) > LONG:
+            continue
+        told: list[str | Formula] = []
+        for point, place in spots.items():
+            told += [f"{', ' if told else ''}{point} (", *in_a_row(map(scene.in_order, place)), ")"]
+        yield (f"on {spoken(name)}, from its centre of mass along its own axes: ", *told)
+    for joint in scene.held.joints:
+        if joint.bearings:
+            way = joint.turning[0] if joint.turning else NOTHING
+            yield (
+                f"bearings of {spoken(joint.owner)} at ",
+                *in_a_row(joint.bearings),
+                " along ",
+                *direction_in_words(way),
+            )
+
+
+def spots_of(name: str, scene: SpaceEquations) -> Iterator[tuple[PointRef, Triple]]:
+    """The points of a body of which a scene speaks, but its centres, with their places from its centre of mass."""
+    held, problem = scene.held, scene.held.problem
+    said = references((problem.connections, problem.actions, problem.events, problem.states, problem.finds))
+    for item in said:
+        ref = item if isinstance(item, PointRef) else PointRef(item.owner, item.point, item.argument)
+        if ref.owner != name or ref.point in (None, "center", "cm") or ref.argument is not None:
+            continue
+        try:
+            place = way_between(held.centre(name), held.spot(ref))
+        except Unsolvable:
+            continue
+        yield ref, triple([simplify(part) for part in place])

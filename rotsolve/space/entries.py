@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from contextlib import suppress
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ONE, ZERO, Symbol, total
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Power, Product, Sum, Symbol, formula, negate, total
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.core.vectors.tensor import ENTRIES
-from rotsolve.core.vectors.triple import (
-    AXES,
-)
+from rotsolve.core.vectors.triple import AXES, square
+from rotsolve.core.writing import flat
 from rotsolve.language.problem import Find, Term
 from rotsolve.paths.meaning import NotYet
+
+if TYPE_CHECKING:
+    from rotsolve.questions.find import Asked
 
 
 def entries_in_space(find: Find) -> tuple[Find, ...]:
@@ -40,6 +44,35 @@ def refuse_sizes(find: Find) -> None:
         if len(factors) > 1:
             help = "multiply components, as `body.velocity.x`, one by one"
             raise NotYet("the product of two vectors is not solved", find.span, help)
+
+
+def by_answers(question: Asked, earlier: Iterable[Asked]) -> Asked:
+    """What is asked by the letters of what has been told before: √(a² + R² αₓ²) with a = R α_y − u W, of moments λ₁ λ₂ + λ₂² + λ₂ λ₁."""
+    find = question.find
+    if len(find.terms) == 1 and "size of" not in (find.modifier, find.terms[0].modifier):
+        return question
+    if len(find.terms) == 1 and not root_of_squares(question.formula):
+        return question
+    told: dict[frozenset[Formula], Formula] = {}
+    for asked in earlier:
+        if not asked.direct and isinstance(asked.formula, Sum):
+            told.setdefault(frozenset(flat([asked.formula])), Symbol(asked.letter))
+
+    def change(node: Formula) -> Formula:
+        if isinstance(node, Power) and node.exponent == formula(2) and isinstance(node.base, Sum):
+            letter = told.get(frozenset(flat([negate(node.base)])))
+            return node if letter is None else square(letter)
+        return told.get(frozenset(flat([node])), node) if isinstance(node, Sum) else node
+
+    return replace(question, formula=question.formula.transform(change, Sum))
+
+
+def root_of_squares(size: Formula) -> bool:
+    """Whether a formula is the root of a sum of squares, as that of three components is."""
+    parts = size.arguments[0] if isinstance(size, Call) and size.function == "sqrt" else size
+    terms = parts.terms if isinstance(parts, Sum) else (parts,)
+    factors = [factor for term in terms for factor in (term.factors if isinstance(term, Product) else (term,))]
+    return all(isinstance(factor, Power) and factor.exponent == formula(2) for factor in factors)
 
 
 def of_entry(term: Term, name: str) -> Term:

@@ -16,7 +16,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Symbol, add, multiply, negate, total
 from rotsolve.core.derivation import NEXT
-from rotsolve.core.equation import TURNING_TILTS, Equation
+from rotsolve.core.equation import DIVIDED_TILTS, TURNING_TILTS, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian, PageLetters, order_on_page
 from rotsolve.core.quantity import QUANTITIES
@@ -141,9 +141,10 @@ def by_lagrange_in_space(scene: SpaceEquations) -> Iterator[Equation]:
             ends = motions.putting_in(before), motions.putting_in(after)
             yield from equations_for(KEPT, BetweenMoments(motions.motion, *ends, interval.name, motions.names))
             for name in (name for name in motions.names if left_alone(before, name)):
-                for found in map(scene.put_in_order, turning_tilts(name, interval, before, after)):
+                tilts = map(scene.put_in_order, turning_tilts(name, interval, before, after))
+                for law, found in zip((TURNING_TILTS, DIVIDED_TILTS), tilts, strict=False):
                     words = (*lagrangian_words(motions.motion), NEXT, *found.remark)
-                    yield TURNING_TILTS.equation(found.left, found.right, interval.name, (name,), words)
+                    yield law.equation(found.left, found.right, interval.name, (name,), words)
 
 
 def of_what_nods(equation: Equation, names: Sequence[str], laws: SpaceLaws) -> Equation:

@@ -48,6 +48,7 @@ from rotsolve.space.thin import unspun
 from rotsolve.space.two_balls import names_along
 
 BY_ROLLING = "its acceleration by differentiating the condition of rolling"
+ROUND = "its acceleration Ω × v, as it goes round steadily"
 TURNS = (
     "angular_velocity",
     "angular_acceleration",
@@ -222,11 +223,14 @@ class SpaceLaws:
         for push in pushes:
             forces = vector_sum(forces, push.along(axes))
         wanted = [moment.tidy(part) for part in moment.acceleration_along(axes, PointRef(name, CM))]
-        ground: Words = (BY_ROLLING,) if held.rolling(name) is not None else ()  # said once
+        rolls = held.rolling(name)
+        round_ = rolls is not None and Rolling(rolls, moment).goes_round() is not None
+        ground: Words = () if rolls is None else (ROUND if round_ else BY_ROLLING,)  # said once
         for axis, left, right in zip(self.names_of(axes), forces, wanted, strict=True):
             if left != ZERO or right != ZERO:
                 words = f", along {axis}"
-                said, ground = (ground, ()) if of_kinds(right.symbols(), TURNS) else ((), ground)
+                told = of_kinds(right.symbols(), TURNS) or (round_ and right != ZERO)
+                said, ground = (ground, ()) if told else ((), ground)
                 yield SECOND_LAW.equation(left, multiply(mass, right), moment.when, (name,), said, component=words)
 
     def newton_axes(self, name: str) -> Axes:

@@ -123,31 +123,50 @@ def turning_tilts(name: str, interval: Interval, before: SpaceLaws, after: Space
         multiply(multiply(2 * tensor.xx, rate), multiply(spin, square_of_sine)),
     )
     words = f"energy and angular momentum between two tilts without nutation, {spoken(name)}"
-    ground = ground_of_tilts((first, last), name, (tensor.xx, spin, lift))
+    data = triple([tensor.xx, spin, lift])
+    ground = ground_of_tilts((first, last), name, data)
     yield MOMENTUM.equation(left, right, interval.name, (name,), ground, words=words)
+    yield from energy_by_momentum((first, last), name, interval, data)
+
+
+def energy_by_momentum(
+    moments: tuple[SpaceMoment, SpaceMoment], name: str, interval: Interval, data: Triple
+) -> Iterator[Equation]:
+    """W = ½ a φ̇ where it does not precess at one of two tilts: W (u₀ − u) = ½ I₁ φ̇² sin²θ divided by a (u₀ − u) = I₁ φ̇ sin²θ."""
+    rates = [moment.nodding(name).rates[0] for moment in moments]
+    _, spin, lift = data
+    if ZERO in rates and spin != ZERO:
+        words = f"energy divided by angular momentum about the vertical, {spoken(name)}"
+        ground = equations_of_tilts(moments, name, data)
+        turning = multiply(HALF, multiply(spin, rates[rates[0] == ZERO]))
+        yield MOMENTUM.equation(lift, turning, interval.name, (name,), ground, words=words)
 
 
 def ground_of_tilts(moments: tuple[SpaceMoment, SpaceMoment], name: str, data: Triple) -> Words:
     """The energy and the angular momentum about the vertical at two tilts, from which the equation for these comes; `data` are I₁, I₃ ω₃
     and M g l."""
+    cosines = [heading(moment.nodding(name).angles[1]).cos() for moment in moments]
+    rate, gap = moments[1].nodding(name).rates[0], add(cosines[0], negate(cosines[1]))
+    gap = negate(gap) if is_negative(gap) else gap
+    eliminated: Words = (rate, " eliminated, and ") if rate.symbols() else ()
+    return (*equations_of_tilts(moments, name, data), NEXT, *eliminated, gap, " ≠ 0 divided out")
+
+
+def equations_of_tilts(moments: tuple[SpaceMoment, SpaceMoment], name: str, data: Triple) -> Words:
+    """The equations themselves, as lines."""
     across, spin, lift = data
     energies, momenta = list[Formula](), list[Formula]()
-    cosines, rates = list[Formula](), list[Formula]()
     for moment in moments:
         tilt, rate = heading(moment.nodding(name).angles[1]), moment.nodding(name).rates[0]
         turning, sine = multiply(HALF, multiply(across, square(rate))), square(tilt.sin())
         energies.append(add(multiply(turning, sine), multiply(lift, tilt.cos())))
         momenta.append(add(multiply(multiply(across, rate), sine), multiply(spin, tilt.cos())))
-        cosines.append(tilt.cos())
-        rates.append(rate)
-    gap, state = add(cosines[0], negate(cosines[1])), spoken(moments[1].when)
-    gap = negate(gap) if is_negative(gap) else gap
-    with_rate: Words = (", with the precession ", rates[1], f" at {state}") if rates[1].symbols() else ()
-    eliminated: Words = (rates[1], " eliminated, and ") if rates[1].symbols() else ()
+    rate, state = moments[1].nodding(name).rates[0], spoken(moments[1].when)
+    with_rate: Words = (", with the precession ", rate, f" at {state}") if rate.symbols() else ()
     return (
         *("energy", *with_rate, ": ", energies[0], " = ", energies[1], NEXT),
         *("angular momentum about the vertical: ", momenta[0], " = ", momenta[1], NEXT),
-        *("I₃ ω₃ stays: ", *eliminated, gap, " ≠ 0 divided out"),
+        "I₃ ω₃ stays",
     )
 
 

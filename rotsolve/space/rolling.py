@@ -228,8 +228,17 @@ class Rolling:
         gone = multiply(rolling_radius(self.joint, self.moment), tipping)
         return vector_sum(swung, own.axes.to(IN_SPACE, scaled_by(gone, about)))
 
+    def goes_round(self) -> Triple | None:
+        """v where the state is steady and tells it along node axes: it keeps these components while the axes turn."""
+        told, own = self.moment.vector_told(self.name, "velocity"), self.own
+        kept = told is not None and told[1] == NODE and own.axes.name == NODE and self.frame is None
+        return told[0] if told is not None and kept and self.moment.state.steady else None
+
     def acceleration(self) -> Triple:
-        """a = dV(p)/dt − d(ω × r)/dt."""
+        """a = dV(p)/dt − d(ω × r)/dt; Ω × v of what goes round steadily with a velocity that is told."""
+        round_ = self.goes_round()
+        if round_ is not None:
+            return self.own.axes.to(IN_SPACE, cross_product(self.own.axes.rate, round_))
         return vector_sum(self.surface_acceleration(), minus(self.rate_of_swept()))
 
     def rate_of_swept(self) -> Triple:

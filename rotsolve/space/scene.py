@@ -221,6 +221,12 @@ class SpaceEquations(SceneEquations, dict=True):
 
         return conventions(self, used)
 
+    def places(self) -> Iterator[Words]:
+        """Where the points of bodies are of which it speaks."""
+        from rotsolve.space.conventions import placed_points
+
+        return placed_points(self)
+
     # its products as a textbook writes them
 
     def put_in_order(self, equation: Equation) -> Equation:
@@ -276,6 +282,10 @@ class SpaceEquations(SceneEquations, dict=True):
             message = f"over what `{path.quantity}` is {term.modifier} nothing tells: no letter of the scene is open"
             raise NotYet(message, path.span, "leave one that it hangs on without a value: `x: unknown` under `given`")
         own, kind = dynamics.moment.ask("precession", path.owner), QUANTITIES["precession"]
+        from rotsolve.space.roots import word_told
+
+        if isinstance(own, Symbol) and word_told(path.owner, state, self) == term.modifier:
+            return Meaning(own, kind.dimension), state  # the root that the state itself has
         root = self.registry.ask(SceneQuantity("precession", path.owner, state, term.modifier, "Omega", kind.dimension))
         restated = (law for found in self.restated.values() for law in found)
         written = (*map(self.put_in_order, dynamics.equations()), *restated)

@@ -266,10 +266,11 @@ def compared_in_space(
 
 
 def same_in_each(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
-    """Whether the components of an approximation are each the same: beside a large one, how good a small one is would not be seen."""
-    least = SAME * SAME * math.hypot(*answered)  # what rounding makes of a component that is nothing
+    """Whether the components of an approximation are each the same: beside a large one, or beside the size of such quantities in the
+    scene, how good a small one is would not be seen."""
+    least = max(SAME * SAME * math.hypot(*answered), ROUNDED * natural)  # what rounding makes of a component
     return all(
-        abs(a - b) <= max(SAME * max(abs(a), abs(b)), NOTHING * natural, least)
+        abs(a - b) <= max(SAME * max(abs(a), abs(b)), least if a else NOTHING * natural)
         for a, b in zip(answered, own, strict=True)
     )
 

@@ -79,7 +79,7 @@ class Annulus(Shape, frozen=True):
     about = "flat disc with a round hole in its middle: `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     coordinates = ("r",)
-    radii: Radii = key("radii", "inner and outer radius", required=True, choices=("inner", "outer"))
+    radii: Radii = key("radii", "inner and outer radius", limits="positive", required=True, choices=("inner", "outer"))
 
     def moment(self, mass: Formula) -> Formula:
         """½ M (r² + R²)."""
@@ -147,7 +147,7 @@ class SphericalShell(Shape, frozen=True):
     about = "thin-walled hollow sphere; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     radius: Formula | None = extent("radius", "R")
-    radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
+    radii: Radii = key("radii", "inner and outer radius", limits="positive", default=(), choices=("inner", "outer"))
 
     def moment(self, mass: Formula) -> Formula:
         """⅔ M R² of a thin wall, ⅖ M (R⁵ − r⁵)/(R³ − r³) of a thick one."""
@@ -243,7 +243,7 @@ class CylindricalShell(Ring, frozen=True):
     flat = False
     seen = True
     coordinates = ()
-    radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
+    radii: Radii = key("radii", "inner and outer radius", limits="positive", default=(), choices=("inner", "outer"))
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
 
     @property

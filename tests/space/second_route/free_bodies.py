@@ -20,7 +20,6 @@ from second_route.particles import (
     momenta,
     rectangle,
     tensor,
-    turn,
     with_moments,
 )
 
@@ -65,9 +64,11 @@ def disc_struck_at_its_rim(n: Numbers) -> Answers:
 
 
 def blow_on_a_plate_at_a_corner(n: Numbers) -> Answers:
-    """About the corner that is held, which stands above the one that is struck."""
-    plate = rectangle(n.m, n.a, n.a).moved(-n.a / 2 * (X + Y)).turned(turn(X, pi / 2))
-    return {"om": np.linalg.solve(tensor(plate), np.cross(-n.a * Z, n.J * Y))}
+    """About the corner that is held; with what the blow lacks of the momentum the joint pushes."""
+    plate = rectangle(n.m, n.a, n.a).moved(-n.a / 2 * (X + Y))
+    omega = np.linalg.solve(tensor(plate), np.cross(-n.a * Y, n.J * Z))
+    momentum = plate.masses @ np.cross(omega, plate.places)
+    return {"omega": omega, "P": momentum - n.J * Z}
 
 
 def force_off_the_centre(n: Numbers) -> Answers:
