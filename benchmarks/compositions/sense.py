@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.course.following import Broken, Course
-from rotsolve.confirm.course.node import Astray, Budget, OverBudget
+from rotsolve.confirm.course.node import Astray, Budget
 from rotsolve.confirm.course.samples import sets_of_numbers
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.motion.complete import configured

@@ -6,3 +6,11 @@ It shares nothing with the laws, the search and the configuration: places, const
 
 class NotConfirmed(Exception):
     """What the assembly does not speak of, with the reason."""
+
+
+class Unfit(Exception):
+    """What a state in space tells is no motion, with the reason."""
+
+
+class OverBudget(NotConfirmed):
+    """A motion that costs more than the budget."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, sqrt
 from rotsolve.core import facts
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, combined, pace_of
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Vector, along_text, heading, unit, vector
 from rotsolve.elements.connections.touch import check_wheel
@@ -101,13 +102,14 @@ class AppliedForce(Action, frozen=True):
         return direction, instant.point(on)
 
     def rightward(self, direction: Vector, instant: Moment, on: PointRef) -> bool:
-        """Whether it pulls to the right, so that it turns a wheel clockwise from its top; straight down counts so too."""
+        """Whether it pulls to the right, so that it turns a wheel clockwise from its top; straight up or down it does neither."""
         question = f"whether `{self.name}` pulls to the right, and so on which side of `{on.owner}`,"
-        for part in (direction.along(RIGHT), direction.along(DOWN)):
-            sign = instant.configuration.certain_sign(part, question, on.span)
-            if sign:
-                return sign > 0
-        return True
+        sign = instant.configuration.certain_sign(direction.along(RIGHT), question, on.span)
+        if not sign:
+            message = f"`{self.name}` pulls straight up or down, and leaves `{on.owner}` at its side, neither over nor under it"
+            help = f"leave that out, and name the point: `on: {on.owner}.right`, or `points: {{P: [r, 0]}}` and `on: {on.owner}.P`"
+            raise Unsolvable(message, span=on.span, help=help)
+        return sign > 0
 
     def told(self, push: Vector, arm: Vector, instant: Moment) -> str:
         """Direction in words."""

@@ -9,11 +9,11 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, OverBudget, Unfit
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.astray import LetsGo, MeetAgain
 from rotsolve.confirm.course.following import Broken, Course
-from rotsolve.confirm.course.node import Budget, OverBudget
+from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.samples import sets_of_numbers, sets_wanted
 from rotsolve.confirm.verdicts import SAME
 from rotsolve.core.equation import FAMILIES
@@ -61,7 +61,6 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
 
 def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
     """The same of a scene in space: what its assembly tells of one of the questions, whatever is drawn for what the scene does not say."""
-    from rotsolve.confirm.space.worlds import Unfit
     from rotsolve.space.complete import configured_in_space
 
     try:

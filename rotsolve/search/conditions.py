@@ -5,34 +5,20 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_under_root
-from rotsolve.algebra.formula import PI, Formula, Symbol
-from rotsolve.algebra.notation.letters import name_to_text
-from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Equality
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import CONDITION, Equation
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.core.writing import in_direction
 from rotsolve.equations.scene_equations import term_of
 from rotsolve.language.problem import EXTREMES, Find
-from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet, label_of
-from rotsolve.questions.find import Asked, question_for
+from rotsolve.questions.find import question_for
 from rotsolve.search.answers import Answered, NoAnswer
-from rotsolve.search.extrema import (
-    Conclusion,
-    as_function_of,
-    by_condition,
-    extreme_value,
-    forget,
-    own_letter,
-    place_of_extremum,
-    seekers,
-)
+from rotsolve.search.extrema import extreme_value, place_of_extremum, seekers
+from rotsolve.search.over_letter import over_letter
 from rotsolve.search.search import Search
-from rotsolve.search.swings import verge_equation
+from rotsolve.search.stability import verge_equation
 from rotsolve.search.verges import modifier_of, on_the_point_of_slipping, without_condition
-from rotsolve.solver.steps import Found, PickedRoot
 
 
 def answer_where(search: Search, find: Find) -> None:
@@ -138,47 +124,10 @@ def has_values(search: Search, find: Find, letter: str) -> bool:
     """
     assert find.where is not None and find.where.phrase is not None and find.where.value is not None
     try:
-        over_letter(search.another(search.families), find, letter, find.where.phrase, find.where.value)
+        over_letter(search.another(search.families), find, letter, find.where.phrase, find.where.value, closed=True)
     except (NotYet, NoAnswer):
         return False
     return True
-
-
-def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Formula) -> None:
-    """The value of a letter at which a quantity, found first as a function of it, has a given value."""
-    quantity, curve = as_function_of(search, phrase, letter)
-    given = search.givens[letter]
-    own = Symbol(own_letter(search, find, letter))
-    said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"
-    equation = Equality(curve.substitute({letter: own}), value)
-    order, positive = search.solver.order, search.solver.positive - {letter}
-    roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
-    roots = roots or solve_trig(curve - value, letter, order=order, positive=positive)
-    squared = [] if roots else solve_under_root(curve - value, letter, order=order, positive=search.solver.positive)
-    roots = roots or [
-        root for root in squared if search.signs.decide(curve.substitute({letter: root}) - value) in (0, None)
-    ]
-    if is_angle(given):
-        roots = [nearest_turn(root, search) for root in roots]
-    picked = search.choose_root(letter, roots, asked=find) if len(roots) > 1 else PickedRoot(0)
-    if not roots or picked is None:
-        raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
-    search.rivals[own.name] = search.rivals.pop(letter, ())
-    root = search.solver.simplify(picked.of(roots))
-    question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)
-    found = Found(own.name, root)
-    by_condition(search, question, found, Conclusion(said, equation, picked.words), quantity, aside=False)
-    if given.asked:
-        forget(quantity, search)
-
-
-def nearest_turn(root: Formula, search: Search) -> Formula:
-    """An angle from −π to π that is the same up to a turn, as far as numbers tell it."""
-    numbers = search.numbers
-    if numbers.of(root) is None:
-        return root
-    turns = 1 if numbers.side(root + PI) == -1 else -1 if numbers.side(root - PI) == 1 else 0
-    return root + turns * 2 * PI
 
 
 def condition_label(phrase: Find, in_space: bool) -> str:

@@ -18,7 +18,8 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import asked_symbol
 from rotsolve.language.problem import EXTREMES, Condition, Find, references
-from rotsolve.paths.meaning import NotYet
+from rotsolve.motion.rubs import rubs
+from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import Answered, NoAnswer
 from rotsolve.search.extreme_curve import Curve
@@ -245,10 +246,22 @@ def own_letter(search: Search, find: Find, letter: str) -> str:
 def as_function_of(search: Search, phrase: Find, letter: str) -> tuple[Answered, Formula]:
     """The quantity of a phrase, and its closed form as a function of a letter."""
     quantity = answer_over(search, phrase, letter)
-    curve = quantity.found.formula
-    if curve is None or letter not in curve.symbols():
-        raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
+    curve, said = quantity.found.formula, as_asked(phrase)
+    if curve is None:
+        raise NotYet(f"`{said}` is no function of `{letter}` in closed form")
+    if letter not in curve.symbols():
+        if rubs(search.scene.configuration):
+            message = f"how things rub hangs on `{letter}`: over its whole range `{said}` is no one function of it"
+            raise NotYet(message, help=f"ask for `{said}` with some numbers for `{letter}`")
+        raise NotYet(f"`{said}` does not depend on `{letter}`")
     return quantity, curve
+
+
+def as_asked(phrase: Find) -> str:
+    """A quantity as the scene writes it, without what is said of it."""
+    if len(phrase.terms) == 1 and phrase.formula == Symbol("#0"):
+        return path_text(phrase.terms[0].path)
+    return phrase.text.split(" is ")[0].split("=")[0].removeprefix("largest ").removeprefix("smallest ").strip()
 
 
 def answer_over(search: Search, phrase: Find, letter: str) -> Answered:

@@ -9,16 +9,18 @@ from collections.abc import Iterator
 from math import ceil
 
 from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import period_of, same_a_turn_on
 from rotsolve.algebra.certified.ball import Certified, ends, evaluate
 from rotsolve.algebra.certified.balls import Undefined, with_values
-from rotsolve.algebra.exact.normal import Fractions, coefficients, is_zero
+from rotsolve.algebra.exact.normal import Fractions, coefficients, is_zero, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, call, formula
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol, call, formula
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, INERTIA, MASS
 from rotsolve.language.limited import HIGHEST
 from rotsolve.language.problem import references
+from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.search import Search
@@ -30,16 +32,20 @@ PRECISE = 400  # bits in which two places are compared: what is the same in 90 d
 
 
 class Domain(Struct, frozen=True):
-    """From `low` to `high`, both ends included but for a low one that is `open`; None where there is no end on that side."""
+    """From `low` to `high`, each included unless it is `open` (−1 and +1 name the sides); None where there is no end on that side."""
 
     low: Formula | None
     high: Formula | None
-    open: bool = False
+    open: frozenset[int] = frozenset()
 
     @property
     def ends(self) -> list[Formula]:
         """The ends that belong to it."""
-        return [end for end in (None if self.open else self.low, self.high) if end is not None]
+        return [end for side in (-1, 1) if (end := self.end(side)) is not None and side not in self.open]
+
+    def end(self, side: int) -> Formula | None:
+        """The end on one side."""
+        return self.low if side < 0 else self.high
 
     @property
     def endless(self) -> bool:
@@ -107,6 +113,31 @@ class Curve(Struct):
 
 
 def domain_of(letter: str, search: Search) -> Domain:
+    """What a letter can be by itself, where all that the scene asks of formulas with it holds: 0 < S − m₁ for a mass S − m₁."""
+    domain = domain_alone(letter, search)
+    for limit in limits_of_scene(search.scene.configuration):
+        if letter not in limit.gap.symbols() or limit.gap == Symbol(letter):
+            continue
+        parts = coefficients(simplify(limit.gap), letter)
+        if parts is None or len(parts) != 2:
+            message = f"over what range `{letter}` runs is not solved: {limit.words}"
+            raise NotYet(message, help="give what stands there a letter of its own")
+        side, end = search.signs.taken(parts[1]), search.solver.simplify(-(parts[0] / parts[1]))
+        domain = narrowed(domain, -(side or 0), end, search, strict=limit.strict) if side else domain
+    return domain
+
+
+def narrowed(domain: Domain, side: int, end: Formula, search: Search, *, strict: bool) -> Domain:
+    """A range that ends no farther on one side than where a limit says, if that lies within it."""
+    own = domain.end(side)
+    ahead = None if own is None else search.signs.taken((own - end) * side)
+    if own is not None and (ahead is None or ahead < 0):
+        return domain
+    open_ = (domain.open - {side} if ahead else domain.open) | ({side} if strict else set())
+    return replace(domain, open=open_, **{"low" if side < 0 else "high": end})
+
+
+def domain_alone(letter: str, search: Search) -> Domain:
     """A place along a rod lies between its ends; what stands under a key that limits it keeps to that; another angle may be any, and a rate
     in space; everything else with a dimension is positive."""
     configuration, limits = search.scene.configuration, search.signs.limits().get(letter)
@@ -118,10 +149,22 @@ def domain_of(letter: str, search: Search) -> Domain:
         if ref.argument == Symbol(letter) and length is not None:
             return Domain(ZERO, length)
     given, space = search.givens[letter], configuration.problem.space
+    if space:
+        from rotsolve.space.steady import tilts_with
+
+        if Symbol(letter) in tilts_with(letter, search.scene):
+            return Domain(ZERO, PI)
     signed = given.dimension is None or is_angle(given) or (space and given.dimension.matches(ANGULAR_VELOCITY))
     bodily = given.dimension in (MASS, INERTIA) or limits == "positive"  # without a mass or a size there is no body
     signed = signed and limits is None
-    return Domain(None if signed else ZERO, None, open=bodily)
+    return Domain(None if signed else ZERO, None, frozenset({-1} if bodily and not signed else ()))
+
+
+def amid(domain: Domain) -> Formula:
+    """A place in a range."""
+    if domain.low is not None and domain.high is not None:
+        return (domain.low + domain.high) / 2
+    return domain.high - ONE if domain.high is not None else ONE if domain.low is None else domain.low + ONE
 
 
 # roots of the derivative
@@ -217,7 +260,38 @@ def cauchy_bound(part: Formula, course: Curve) -> int:
     """A whole number beyond which a polynomial in the letter has no root: 1 + max |aᵢ/aₙ|."""
     powers = coefficients(part, course.letter)
     if powers is None:
-        raise NotYet(f"where the derivative by `{course.letter}` vanishes has no closed form")
+        raise NotYet(f"where that vanishes as `{course.letter}` changes has no closed form, and the range has no end")
     top = powers[-1]
     sizes = [evaluate(call("abs", power / top), course.search.signs.values) for power in powers[:-1]]
     return 2 + int(max(ends(size.ball)[1] for size in sizes))
+
+
+def certified_roots(gap: Formula, letter: str, domain: Domain, search: Search) -> list[Certified]:
+    """All numbers of a letter in its range at which something vanishes: of an angle once round, of polynomials up to Cauchy's bound."""
+    from rotsolve.algebra.certified.rootfind import real_roots
+
+    values = search.signs.values
+    course = Curve(letter, gap, gap, gap, gap, search)
+    round_ = domain.endless and same_a_turn_on(gap, letter)
+    parts = list(factors_of(gap, course))
+    found: list[Certified] = []
+    for part in parts:
+        told = search.solver.simplify(with_values(part, values))
+        roots = real_roots(told, letter, values, *search_range(part, course, domain, round_))
+        if not roots.complete:
+            raise NotYet(f"not all values of `{letter}` were found at which the condition holds")
+        found += roots.roots
+    course.numbered |= {f"#{number}": root for number, root in enumerate(found)}
+    places = {f"#{number}": Symbol(f"#{number}") for number in range(len(found))}
+    kept: list[Certified] = []
+    for place in places.values():
+        at = place - TURN if round_ and course.sign(place - PI) == 1 else place
+        number = course.number(at)
+        beyond = any(
+            (end := domain.end(side)) is not None
+            and course.sign((at - end) * side) in (1, *([0] if side in domain.open else []))
+            for side in (-1, 1)
+        )
+        if number is not None and not beyond and course.is_real(gap.substitute({letter: at})):
+            kept.append(number)
+    return sorted(kept, key=lambda number: number.float)

@@ -10,7 +10,7 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.paths.meaning import NotYet
-from rotsolve.search.extreme_curve import Curve, Domain, Extremum, domain_of, roots_of
+from rotsolve.search.extreme_curve import Curve, Domain, Extremum, amid, domain_of, roots_of
 from rotsolve.search.search import Search
 
 NUMERICALLY = "solved numerically, with certified digits; "
@@ -73,10 +73,10 @@ def is_inside(root: Formula, domain: Domain, course: Curve) -> bool:
     """Whether a root lies in the domain, ends included; one that is not real does not."""
     if not course.is_real(root):
         return False
-    gaps = [root - domain.low] if domain.low is not None else []
-    gaps += [domain.high - root] if domain.high is not None else []
-    signs = [course.sign(gap) for gap in gaps]
-    if domain.open and signs[0] == 0:
+    gaps = {side: (root - end) * -side for side in (-1, 1) if (end := domain.end(side)) is not None}
+    told = {side: course.sign(gap) for side, gap in gaps.items()}
+    signs = list(told.values())
+    if any(told.get(side) == 0 for side in domain.open):
         return False
     if None in signs and course.numbered:  # as near as that it is the end, which is a place of its own
         return False
@@ -119,13 +119,13 @@ def rootless(part: Formula, course: Curve) -> bool:
 
 def check_open_ends(course: Curve, domain: Domain, inside: list[Extremum], best: Extremum | None, word: str) -> None:
     """Where the domain has no end, the quantity must get worse beyond the last root, or come near nothing better, or not be real."""
-    for towards, end in ((-1, domain.low), (1, domain.high)):
-        outermost = outermost_of(inside, towards, course)
-        if end in domain.ends and course.at(end) is not None:
+    for towards in (-1, 1):
+        outermost, end = outermost_of(inside, towards, course), domain.end(towards)
+        if end is not None and towards not in domain.open and course.at(end) is not None:
             continue
         if outermost is not None and ceases(course, outermost, end):
             continue
-        beyond = probe(course, outermost.at, towards, domain) if outermost is not None else ONE
+        beyond = probe(course, outermost.at, towards, domain) if outermost is not None else amid(domain)
         check_beyond(course, domain, beyond, best, towards, word)
 
 
@@ -154,10 +154,10 @@ def check_beyond(
     at_infinity = value_far_out(course, domain, towards) if best is not None else None
     goal = ZERO if best is None else best.value if course.smooth == course.curve else best.value**2
     if at_infinity is None or course.sign(at_infinity - goal) in (side, None):
-        more = "grows" if side > 0 else "falls"
-        raise NotYet(
-            f"it has no {word} value: it {more} all the way as `{letter}` {'grows' if towards > 0 else 'falls'}"
-        )
+        more, end = "grows" if side > 0 else "falls", domain.end(towards)
+        where = "" if end is None else f" towards {to_text(end)}"
+        way = "grows" if towards > 0 else "falls"
+        raise NotYet(f"it has no {word} value: it {more} all the way as `{letter}` {way}{where}")
 
 
 def value_far_out(course: Curve, domain: Domain, towards: int) -> Formula | None:
@@ -165,10 +165,11 @@ def value_far_out(course: Curve, domain: Domain, towards: int) -> Formula | None
 
     At an open end it is what the quantity is there.
     """
-    if domain.open and towards < 0:
-        there = course.at(ZERO)
+    end = domain.end(towards)
+    if end is not None and towards in domain.open:
+        there = course.at(end)
         return None if there is None else there.value if course.smooth == course.curve else there.value**2
-    if domain.low == ZERO and towards < 0:
+    if end is not None:
         return None
     problem = Fractions([course.smooth], extra=(course.letter,))
     top, bottom = (problem.shaper.poly(part) for part in problem.field.cancel(problem.ratio()))
@@ -185,6 +186,9 @@ def ceases(course: Curve, root: Extremum, end: Formula | None) -> bool:
 
 def probe(course: Curve, root: Formula, towards: int, domain: Domain) -> Formula:
     """A place beyond the last root, on its lower or upper side."""
+    end = domain.end(towards)
+    if end is not None and end != ZERO:
+        return (root + end) / 2
     if domain.low == ZERO and course.sign(root) == 0:
         return ONE
     if domain.low == ZERO:

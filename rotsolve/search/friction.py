@@ -314,7 +314,9 @@ class Trials:
         if not sought:
             state = f" from `{group[0].state}` on" if group[0].state else ""
             raise unsolvable(
-                problem, f"whether friction holds {named[0]}{state} is not told by the laws of motion", kind=UNSOLVED
+                problem,
+                f"whether friction holds {named[0]}{state} is not found: how it is pushed there has no closed form",
+                kind=UNSOLVED,
             )
 
     def by_trial(self, group: list[Rub]) -> dict[str, str]:

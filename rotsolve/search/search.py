@@ -13,7 +13,7 @@ from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle, real_where
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
@@ -44,6 +44,7 @@ HELPS_TRIED, FEW_HELPS = (
 )  # lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
 INDEPENDENT = 2  # of the equations of steady acceleration about one motion
 SHORT = 12  # nodes of what has been found for a letter on the way, which is then taken as it stands
+TURN = 2 * PI
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 STONES = {
     kind: rank
@@ -146,6 +147,10 @@ class Search(Struct, dict=True):
 
         A question that seeks the letter, `asked`, the one at hand or the only one, may say that its `largest` or `smallest` value is meant.
         """
+        turns = [0] * len(roots)
+        if name in self.givens and period is None and name == self.solver.once_round:
+            turns = [whole_turns(root, self) for root in roots]
+            roots = [root + count * TURN for root, count in zip(roots, turns, strict=True)]
         picked = self.picked_root(name, roots, period)
         if picked is not None and name in self.givens:
             finds = (self.seeking, *self.scene.configuration.problem.finds)
@@ -157,6 +162,8 @@ class Search(Struct, dict=True):
                 picked = extreme_root(name, roots, picked, asked, self)
             if picked.guessed:
                 self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
+        if picked is not None and turns[picked.root]:
+            return replace(picked, turns=picked.turns + turns[picked.root])
         return picked
 
     def extreme_asked(self, name: str) -> Find | None:
@@ -517,6 +524,13 @@ def is_unreal(value: Formula, search: Search) -> bool:
     if set(search.signs.lacking(value)) - roots.keys():
         return False
     return any(search.signs.negative(gap, roots) for gap in real_where(value))
+
+
+def whole_turns(root: Formula, search: Search) -> int:
+    """By how many turns an angle that an inverse function tells lies off −180° to 180°, as far as numbers tell it."""
+    if not root.holds("asin", "acos", "atan", "atan2") or search.numbers.of(root) is None:
+        return 0
+    return 1 if search.numbers.side(root + PI) == -1 else -1 if search.numbers.side(root - PI) == 1 else 0
 
 
 def asked_letter(letter: str) -> Asked:

@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import HARMONIC, STABILITY, Equation
+from rotsolve.core.equation import HARMONIC, Equation
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.symbols import RATES, of_kinds
 from rotsolve.core.writing import spoken
@@ -181,23 +181,6 @@ def observe(swing: Swing, search: Stepping) -> None:
     search.planner.extend(HARMONIC.equation(swing.omega**2, negate(slope), swing.harmonic, (), way))
     for equation in periods(swing.omega, swing.letters, swing.harmonic, "period"):
         search.planner.extend(equation)
-
-
-def verge_equation(swing: Swing, unknown: str, modifier: str, search: Stepping) -> Equation:
-    """Where an equilibrium is only just stable: displaced a little, nothing drives the bodies back or away."""
-    slope, told = slope_in(frozenset((unknown,)), swing, search)
-    search.displaced.pop(swing.acceleration.name)
-    if unknown not in slope.symbols():
-        raise NotYet(f"whether {spoken(swing.rest.state)} is stable does not depend on `{unknown}`")
-    growing = search.signs.of_sizes(differentiate(slope, unknown))
-    if not growing:
-        raise NotYet(
-            f"{spoken(swing.rest.state)} may be stable below a value of `{unknown}` or beyond it: give numbers to the letters"
-        )
-    if growing != (1 if modifier == "largest" else -1):
-        side = "smallest" if modifier == "largest" else "largest"
-        raise NotYet(f"{spoken(swing.rest.state)} is stable beyond a value: ask for the `{side}` one")
-    return STABILITY.equation(slope, ZERO, swing.harmonic, (), told)
 
 
 Standing = tuple[BodyFacts, Formula, Facts]  # a body, its angle, and the facts at its state

@@ -61,7 +61,7 @@ def turned_on_way(
             continue
         ahead = search.numbers.side(way.end - way.start)
         timed = not has_quantities(passage.times[1])  # up to a told time it is followed to and fro
-        if ahead != way.sets_out or (not timed and not stuck and goes_back(way, settled, search)):
+        if ahead not in (None, way.sets_out) or (not timed and not stuck and goes_back(way, settled, search)):
             return travel, BACK
         if stopped(way, search) or falls_short(way, search):
             return travel, NEVER

@@ -28,7 +28,7 @@ from rotsolve.search.extrema import add_step, remember_answer
 from rotsolve.search.friction import TRIALS, Trials
 from rotsolve.search.gripping import limiting
 from rotsolve.search.roots import RootChoice
-from rotsolve.search.search import Search
+from rotsolve.search.search import TURN, Search, whole_turns
 from rotsolve.solver.steps import Found
 
 Limit = tuple[Equation, Formula]  # |f| = μ N one way, and the normal force
@@ -190,7 +190,9 @@ def verges_at(search: Search, question: Asked, limits: tuple[Limit, ...]) -> Ite
         return
     choice = RootChoice(search.scene, search.givens, trial.numbers, search.definitions.formula)
     rivals = [trial.solver.with_found(root) for root in trial.rivals.get(question.letter, ())]
-    for root in (value, *rivals):
+    angle = goes_both_ways(question.letter, search) and search.may_be_angle(question.letter)
+    for root in dict.fromkeys((value, *rivals)):
+        root = root + whole_turns(root, trial) * TURN if angle else root
         if not goes_both_ways(question.letter, search) and trial.numbers.side(root) in (0, -1):
             continue
         if not choice.in_front(question.letter, root):

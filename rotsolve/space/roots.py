@@ -57,6 +57,7 @@ def chosen(
     real = [index for index, root in enumerate(roots) if numbers.of(root) is not None]
     if not real:
         refuse_too_slow(key.owner, key.when, scene, numbers)
+        refuse_unnumbered(key.owner, key.when, roots, scene, numbers)
         return None
     if len(real) == 1 or all(numbers.side(roots[index] - roots[real[0]]) == 0 for index in real[1:]):
         return PickedRoot(real[0])
@@ -67,6 +68,21 @@ def chosen(
     signs = [-1 if word == "largest" else 1] * len(real)
     index = real[numbers.least([sign * roots[k] for sign, k in zip(signs, real, strict=True)])]
     return PickedRoot(index, (f"the {'smaller' if word == 'smallest' else 'larger'} of both",))
+
+
+def refuse_unnumbered(
+    owner: str, state: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers
+) -> None:
+    """Refuse one of two steady precessions while a letter runs over its range: which is the smaller one may change on the way."""
+    lacking = sorted({name for root in roots for name in numbers.signs.lacking(root)} - numbers.signs.trials.keys())
+    if len(roots) < 2 or not lacking:
+        return
+    problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span
+    message = (
+        f"which of two steady precessions of `{owner}` is meant hangs on `{lacking[0]}`, over which it is looked at"
+    )
+    help = f"give `{lacking[0]}` a number, and ask for `smallest {owner}.precession` or `largest {owner}.precession`"
+    raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
 def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numbers) -> None:

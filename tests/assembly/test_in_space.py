@@ -10,12 +10,11 @@ from typing import Any
 
 import pytest
 
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.samples import sets_of_numbers
 from rotsolve.confirm.space import hearing, verdict
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.rig import Told
-from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.language.problem import Problem

@@ -107,10 +107,11 @@ states: {{now: {{coil.elongation: s, at rest: all}}}}
 find: {{a: block.acceleration, F: coil.force}}
 """
 ROUND = (20, 75, 90, 100, 120, 200, 270, 290, 350)
+ASLANT = tuple(angle for angle in ROUND if angle % 180 != 90)  # straight up or down it leaves a wheel at its side
 STEEP = (0, 10, 30, 65)
 OWN = [  # a scene, what else it is made with, and angles for it
-    *((WHEEL, side, ROUND) for side in ("over", "under")),
-    *((SPOOL, side, (20, 75, 90, 120, 170)) for side in ("over", "under")),
+    *((WHEEL, side, ASLANT) for side in ("over", "under")),
+    *((SPOOL, side, (20, 75, 120, 170)) for side in ("over", "under")),
     *((ROD, point, ROUND) for point in ("rod.end", "rod.at(L/4)")),
     *((TURNED, way, ROUND) for way in ("right", "tangential", "[1, -2]")),
     *((SPRING, ends, (20, 75, 120, 200, 290)) for ends in ("[rod.end, [0, 1.5 m]]", "[[1 m, -1 m], rod.center]")),
@@ -244,7 +245,8 @@ def test_a_letter_is_its_value_in_all_quadrants(template: str, side: str, angles
     for index, angle in enumerate(angles):
         for name, (number, *_) in numbers_of(lettered[angle]).items():
             if not math.isnan(many[name][index]) and angle % 90:  # a right angle is no number of computers
-                assert near(float(many[name][index]), number), (angle, name)
+                found = float(many[name][index])  # of friction in the sense that it has at the first angle
+                assert near(found, number) or (name == "f" and near(-found, number)), (angle, name)
 
 
 @pytest.mark.parametrize(("template", "side"), [(WHEEL, "under"), (SPOOL, "over"), (SPRING, "[rod.end, [0, 1.5 m]]")])
@@ -320,8 +322,8 @@ find: {{omega: largest omega where out is stable}}
 
 @pytest.mark.parametrize("angle", [-0.94, -30, -44])
 def test_the_side_of_a_limit_of_stability_hangs_on_the_numbers(angle: float) -> None:
-    """A little out, dα/dθ = −ω² cos 2θ + …: below 45° a faster shaft holds it the better, so that there is no largest ω."""
-    with pytest.raises(Unsolvable, match="ask for the `smallest` one"):
+    """A little out, dα/dθ = −ω² cos 2θ + …: below 45° any shaft that turns holds it, so that there is no largest ω."""
+    with pytest.raises(Unsolvable, match="out is stable whatever `omega` is"):
         solve(OUT.format(angle=angle))
 
 

@@ -263,13 +263,26 @@ find: {theta: smallest theta where base sticks}
 """
 
 
-@pytest.mark.parametrize("force", [36.0, 40.0, 60.0])
-def test_of_two_roots_at_a_verge_the_one_that_can_be_is_told(force: float) -> None:
-    """F cos θ = μ (M g − F sin θ) at θ = arctan μ ± arccos(μ M g/(F √(1 + μ²))); the lower root is negative."""
-    answer = solve(PULLED_AT.replace("40 N", f"{force} N")).answers["theta"]
-    true = math.atan(0.35) + math.acos(0.35 * 98 / (force * math.sqrt(1 + 0.35**2)))
-    assert answer.float == pytest.approx(true)
-    assert [item.holds for item in solve(PULLED_AT).derivation.confirmed] == [True]
+@pytest.mark.parametrize("force", [36.0, 40.0, 60.0, 95.0])
+@pytest.mark.parametrize("turned", ["theta", "-theta", "theta + 30 deg"])
+def test_an_angle_at_a_verge_is_looked_for_once_round(force: float, turned: str) -> None:
+    """|F cos θ| ≤ μ (M g − F sin θ), N ≥ 0: of an angle from −180° to 180° the least and the largest at which it sticks."""
+    scene = PULLED_AT.replace("40 N", f"{force} N").replace("direction: theta", f"direction: {turned}")
+    places = [math.pi * (number / 20000 - 1) for number in range(40001)]
+
+    def sticks(angle: float) -> bool:
+        way = {"theta": angle, "-theta": -angle}.get(turned, angle + math.pi / 6)
+        pressed = 98 - force * math.sin(way)
+        return pressed >= 0 and abs(force * math.cos(way)) <= 0.35 * pressed
+
+    sticking = [place for place in places if sticks(place)]
+    if -math.pi in sticking or math.pi in sticking:  # then it sticks on beyond the range
+        return
+    least, most = (
+        solve(scene.replace("smallest theta", f"{word} theta"), confirm=False).answers["theta"].float
+        for word in ("smallest", "largest")
+    )
+    assert least == pytest.approx(sticking[0], abs=3e-4) and most == pytest.approx(sticking[-1], abs=3e-4)
 
 
 def test_where_it_sticks_again_beyond_there_is_no_end() -> None:

@@ -160,7 +160,7 @@ def test_an_end_of_the_range_is_an_extreme_too() -> None:
 @pytest.mark.parametrize(
     ("scene", "find", "said"),
     [
-        (CUBOID, "y: y where d.kinetic_energy is largest", "is no function of `y`"),
+        (CUBOID, "y: y where d.kinetic_energy is largest", "does not depend on `y`"),
         (GATE.replace("unknown", "unknown, k: unknown").replace("WRATE", "k"), "F: largest size of post.force", "over several letters"),
         (BALL, "W1: W where size of grip.force is largest", "grows all the way as `W`"),
         (BALL.replace("unknown", "2 rad/s"), "W1: W where size of grip.force is largest", "that has no value"),

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import rotsolve.search.search as search
 import rotsolve.solver.isolation as isolation
 from rotsolve import Unsolvable, solve
 from second_route.particles import X, Y, Z, turn
@@ -65,6 +66,7 @@ def test_of_an_angle_the_least_and_the_largest_once_round_are_meant(turns: str, 
 
 def test_an_angle_beyond_half_a_turn_is_not_confirmed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(isolation, "TURN", ((-100, -4),))
+    monkeypatch.setattr(search, "whole_turns", lambda root, _: 0)
     scene = TURNED.format(turns=ASLANT, find="p: smallest x where b.rotation_angle = 90 deg")
     (verdict,) = solve(scene).derivation.confirmed
     assert verdict.holds is not True

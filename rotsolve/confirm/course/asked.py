@@ -14,6 +14,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
+from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.writing import spoken
@@ -38,8 +39,8 @@ Said = Mapping[str, "float | str"]
 class Asker:
     """Reads what is asked from the course of a scene; answers found before may be spoken of by name."""
 
-    def __init__(self, problem: Problem, course: Course) -> None:
-        self.problem, self.course = problem, course
+    def __init__(self, problem: Problem, course: Course, scans: Scans | None = None) -> None:
+        self.problem, self.course, self.scans = problem, course, scans or Scans()
         self.earlier: dict[str, float] = {}
 
     def answer(self, find: Find, said: Said) -> Reckoned:
@@ -49,18 +50,25 @@ class Asker:
         if find.where is not None and isinstance(said.get(""), float):
             from rotsolve.confirm.course.conditions import tried
 
-            number_said = float(said[""])
-            return tried(find, number_said, self.course, lambda asked, course: self.beside(course).valued(asked).number)
-        if find.extreme and not find.terms:
-            raise NotConfirmed("an extreme over a letter")
+            return tried(find, float(said[""]), self.course, self.valued_beside, self.scans)
+        if find.extreme and (most := self.largest(find)) is not None:
+            return number(most)
         found = self.valued(find)
         if "" in found.values:
             self.earlier[find.name] = found.number
         return found
 
-    def beside(self, course: Course) -> Asker:
-        """One that asks of another course."""
-        return Asker(self.problem, course)
+    def valued_beside(self, find: Find, course: Course) -> float:
+        """The number of a question in another course."""
+        return Asker(self.problem, course, self.scans).valued(find).number
+
+    def largest(self, find: Find) -> float | None:
+        """The largest or smallest value of a quantity over an open letter; None of what is asked otherwise."""
+        from rotsolve.confirm.course.over_a_letter import largest_value
+
+        if not find.terms and self.is_asked(find):
+            return None
+        return largest_value(find, self.course, self.valued_beside, self.scans)
 
     def valued(self, find: Find) -> Reckoned:
         """A path, or arithmetic over paths, givens and earlier answers."""

@@ -9,17 +9,17 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import SlipsOn
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.reading import Reckoned, number
+from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.instant import STICKS
 from rotsolve.language.problem import EXTREMES, Condition, Find
 
-NEAR, BESIDE = 1e-5, 2e-3  # how far beside the answer a condition is tried, and an extreme
+NEAR = 1e-5  # how far beside the answer a condition is tried
 NONE = 1e-9  # share of the gap on one side below which there is none on the other
-LEVEL = 0.06  # how far an extreme may lie from the middle of what lies beside it, as a share of the drop there
 
 Value = Callable[[Find, Course], float]
 
 
-def tried(find: Find, said: float, course: Course, value: Value) -> Reckoned:
+def tried(find: Find, said: float, course: Course, value: Value, scans: Scans) -> Reckoned:
     """The answer itself, where its condition holds with it and not beside it; Broken where it does not hold."""
     condition = find.where
     if condition is None or find.terms or not isinstance(find.formula, Symbol):
@@ -33,7 +33,9 @@ def tried(find: Find, said: float, course: Course, value: Value) -> Reckoned:
 
     phrase = condition.phrase
     if condition.word in EXTREMES and phrase is not None:
-        extreme_beside(condition.word == "largest", said, lambda found: value(phrase, at(found)))
+        from rotsolve.confirm.course.over_a_letter import place_of_largest
+
+        return number(place_of_largest(find, said, course, value, scans))
     elif phrase is not None and condition.value is not None:
         goal = course.value(condition.value)
         zero(said, lambda found: value(phrase, at(found)) - goal)
@@ -52,16 +54,6 @@ def zero(said: float, gap: Callable[[float], float]) -> None:
         raise NotConfirmed("its condition holds with other values too")
     if low * high > 0 and abs(gap(said)) > 1e-3 * min(abs(low), abs(high)):
         raise Broken("its condition does not hold with it")
-
-
-def extreme_beside(largest: bool, said: float, value: Callable[[float], float]) -> None:
-    """What lies beside the answer is smaller on both sides, and by as much."""
-    step = BESIDE * (abs(said) or 1.0)
-    sign = 1.0 if largest else -1.0
-    low, here, high = (sign * value(said + part * step) for part in (-1.0, 0.0, 1.0))
-    drop = here - 0.5 * (low + high)
-    if drop <= 0.0 or abs(high - low) > LEVEL * drop:
-        raise NotConfirmed("an extreme at the end of a range")
 
 
 def verge(find: Find, condition: Condition, said: float, at: Callable[[float], Course]) -> None:

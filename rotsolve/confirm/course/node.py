@@ -6,7 +6,7 @@ import math
 from collections.abc import Container, Sequence
 from functools import cached_property
 
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.bodies import is_round
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, moment
 from rotsolve.confirm.jet import Jet, Slope
@@ -25,10 +25,6 @@ NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
 
 class Astray(NotConfirmed):
     """A state to which the motion does not come as the scene says, so that what is answered of it is wrong."""
-
-
-class OverBudget(NotConfirmed):
-    """A motion that costs more than the budget."""
 
 
 class Budget:

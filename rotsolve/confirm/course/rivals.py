@@ -15,9 +15,9 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.course.following import Course
-from rotsolve.confirm.course.node import Budget, OverBudget
+from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.samples import Fits, Numbers, holding
 from rotsolve.confirm.course.scan import Scan, places_beside
 from rotsolve.confirm.course.sizes import letters_open, natural_units

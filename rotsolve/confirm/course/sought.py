@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterator
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.gauges import HOLDS, gauges
-from rotsolve.confirm.course.node import Budget, OverBudget
+from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.samples import Numbers
 from rotsolve.confirm.course.scan import Reach
 from rotsolve.core.letters import letters_of

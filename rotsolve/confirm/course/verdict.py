@@ -37,6 +37,7 @@ from rotsolve.confirm.course.samples import (
     with_givens,
     within_case,
 )
+from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.verdicts import (
     NO_CASE,
@@ -55,7 +56,7 @@ from rotsolve.confirm.verdicts import (
 )
 from rotsolve.core.derivation import Answer, AnswerConfirmation
 from rotsolve.core.limits import Limit
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import EXTREMES, Find, Problem
 
 if TYPE_CHECKING:
     from rotsolve.confirm.course.rivals import Rivals
@@ -88,6 +89,7 @@ def confirmations_in_plane(
     heard = Heard(answers, problem, solved)
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
     meeting, own, rivals = Budget(BUDGET), Budget(BUDGET), rivals_of(answers, problem, limits)
+    scans = Scans(fits_of(tuple(limits()))) if any(map(asks_extreme, problem.finds)) else None
     for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
         limit = {FAR: far_budget.portion(FAR_BUDGET), MEETING: meeting, OWN: own}.get(kind, budget)
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)):
@@ -95,7 +97,7 @@ def confirmations_in_plane(
         cases = {id(case) for answer in answers if (case := holding(answer, numbers)) is not None}
         if kind == OWN and cases <= seen:
             continue
-        found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit)}
+        found = {item.name: item for item in at_numbers(answers, problem, numbers, solved, limit, scans)}
         if rivals is not None:
             found = rivals.tried(found, numbers_known(answers, problem, numbers, solved))
         if any(item.holds is False or item.astray for item in found.values()) and not admitted(numbers):
@@ -110,6 +112,11 @@ def confirmations_in_plane(
             in_vain += 1
     against = rivals.against if rivals is not None else {}
     return tuple(replace(heard.of_all_cases(one), also=against.get(one.name, "")) for one in verdicts.values())
+
+
+def asks_extreme(find: Find) -> bool:
+    """Whether a question is for an extreme over a letter, or for its place."""
+    return bool(find.extreme) or (find.where is not None and find.where.word in EXTREMES)
 
 
 class Heard:
@@ -205,12 +212,17 @@ def on_edge(verdict: AnswerConfirmation, numbers: Numbers, problem: Problem) -> 
 
 
 def at_numbers(
-    answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved, budget: Budget
+    answers: Sequence[Answer],
+    problem: Problem,
+    numbers: Numbers,
+    solved: Solved,
+    budget: Budget,
+    scans: Scans | None = None,
 ) -> Iterator[AnswerConfirmation]:
-    """What the assembly says of each answer at one set of numbers."""
+    """What the assembly says of each answer at one set of numbers; what is scanned for extremes is remembered in `scans`."""
     finds = {find.group: find for find in reversed(problem.finds)}
     known = numbers_known(answers, problem, numbers, solved)
-    asker = Asker(problem, Course(problem, known, budget))
+    asker = Asker(problem, Course(problem, known, budget), scans)
     for several in answers:
         answer = holding(several, known)
         said = {} if answer is None else said_of(answer, known) or said_of(answer, known, closely_valued)
@@ -229,7 +241,7 @@ def at_numbers(
         if (
             verdict.holds is False and (verdict.found or verdict.why == OTHER_WAY) and problem.states[1:]
         ):  # the forces of the last state may be those of the phase before it
-            ended = Asker(problem, Course(problem, known, budget, ending=True))
+            ended = Asker(problem, Course(problem, known, budget, ending=True), scans)
             other = judged(finds[answer.name], said, ended, numbers, answer.direction)
             verdict = other if other.holds and not asker.course.holds_at_last() else verdict
         if verdict.holds is False and verdict.why in (OTHERWISE, OTHER_WAY) and (slips := asker.course.slips()):

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.alone import gains_alone
 from rotsolve.confirm.space.arrows import (
     STILL,
@@ -33,7 +33,7 @@ from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import NODAL, Lines, Rig
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
-from rotsolve.confirm.space.worlds import Moving, Unfit, World
+from rotsolve.confirm.space.worlds import Moving, World
 from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import EXTREMES, Condition, State, Term
 

@@ -11,18 +11,17 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property, partial
 
-from msgspec.structs import replace
-
 from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.units.dimension import ANGLE, Dimension
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.linear import solved_generally
 from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.confirm.space.inquiry import Inquiry, only_one
 from rotsolve.confirm.space.rig import NODAL, Told
 from rotsolve.confirm.space.ties import SPEED
-from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.core.derivation import Answer
+from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Problem
 
 STEP = 1e-5  # by how much an answer that is put in is changed, to see what it changes
@@ -63,8 +62,8 @@ def answers_put_in(problem: Problem) -> Put:
 class Hearing:
     """A scene at one set of numbers; `told` are answers put in for what tells how bodies stand."""
 
-    def __init__(self, problem: Problem, known: Mapping[str, float], told: Told) -> None:
-        self.problem, self.known, self.told = problem, known, told
+    def __init__(self, problem: Problem, known: Mapping[str, float], told: Told, scans: Scans | None = None) -> None:
+        self.problem, self.known, self.told, self.scans = problem, known, told, scans or Scans()
         sought = {find.formula for find in problem.finds if find.where is not None}
         self.letters = [given.name for given in problem.givens if given.asked and Symbol(given.name) not in sought]
         self.put = answers_put_in(problem)
@@ -92,16 +91,19 @@ class Hearing:
 
     def extreme_over_letter(self, find: Find) -> float | None:
         """`largest Q` over a letter; None of what is asked otherwise."""
-        from rotsolve.confirm.space.extremes import extreme_over, letter_of_extreme
+        from rotsolve.confirm.extremes import extreme_over, letter_of_extreme, phrase_of
 
-        finds = self.problem.finds  # `largest I` may be asked of an answer `I`
-        earlier = next((item for item in finds if item.terms and Symbol(item.name) == find.formula), find)
-        phrase = find if find.terms else earlier
-        letter = letter_of_extreme(find.extreme, phrase, self.problem)
+        phrase = phrase_of(find, self.problem)
+        letter = letter_of_extreme(find, self.problem)
         if letter is None:
             return None
         value, begun = self.by_letter(phrase, letter.name), self.known.get(letter.name, 1.0)
-        return extreme_over(letter, find.extreme, begun, value, self.reach(letter.name))[1]
+        reach, sized = self.reach(letter.name), letter.name in limited_letters(self.problem)
+
+        def scan() -> float:
+            return extreme_over(letter, find.extreme, begun, value, reach, sized=sized)[1]
+
+        return self.scans.once(find, letter, self.known, None, scan)
 
     # what is put in
 
@@ -191,13 +193,19 @@ class Hearing:
         if find.terms or not isinstance(find.formula, Symbol) or condition is None:
             raise NotConfirmed("a quantity under a condition")
         if condition.word in EXTREMES and condition.phrase is not None:
-            from rotsolve.confirm.space.extremes import extreme_place
+            from rotsolve.confirm.extremes import extreme_place
 
             given = next((given for given in self.problem.givens if given.name == find.formula.name), None)
             if given is None:
                 raise NotConfirmed("an extreme over no letter of the scene")
             value = self.by_letter(condition.phrase, given.name)
-            return extreme_place(given, condition.word, own, value, self.reach(given.name))
+            reach, sized = self.reach(given.name), given.name in limited_letters(self.problem)
+            word = condition.word
+
+            def scan() -> float:
+                return extreme_place(given, word, own, value, reach, sized=sized)
+
+            return self.scans.once(find, given, self.known, own, scan)
         with_letter = partial(self.with_letter, find.formula.name)
         if condition.word in VERGES:
             return just_holds(find, own, with_letter)
@@ -205,17 +213,16 @@ class Hearing:
 
     def reach(self, letter: str) -> float | None:
         """Up to where from 0 a letter can be, where there is such an end."""
-        from rotsolve.confirm.space.extremes import end_of_range
+        from rotsolve.confirm.extremes import end_of_range
 
         end = end_of_range(letter, self.problem)
         return None if end is None else self.inquiry.rig.value(end)
 
     def by_letter(self, phrase: Find, letter: str) -> Callable[[float], float]:
         """The number of a quantity by that of a letter."""
-        terms = tuple(
-            replace(term, modifier="" if term.modifier in EXTREMES else term.modifier) for term in phrase.terms
-        )
-        plain = replace(phrase, modifier="" if phrase.modifier in EXTREMES else phrase.modifier, terms=terms)
+        from rotsolve.confirm.extremes import plainly_asked
+
+        plain = plainly_asked(phrase)
         return lambda value: only_one(self.with_letter(letter, value).numbers(plain, ""))
 
     def with_letter(self, letter: str, value: float) -> Inquiry:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
 from rotsolve.confirm.space.freedoms import freedoms
@@ -20,7 +20,7 @@ from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import SPEED, TURNING
-from rotsolve.confirm.space.worlds import Manner, Moving, Unfit, World, manners_of
+from rotsolve.confirm.space.worlds import Manner, Moving, World, manners_of
 from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
 from rotsolve.language.elements import Event

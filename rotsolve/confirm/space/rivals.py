@@ -16,13 +16,13 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.rivals import SoughtLetter
 from rotsolve.confirm.course.scan import Scan, places_beside
 from rotsolve.confirm.space.hearing import VERGES, Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.verge import gap_under, step_to
-from rotsolve.confirm.space.worlds import Unfit
+from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Given
 
 ROUND = 24  # places at which an angle is looked at
@@ -65,6 +65,8 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
     beside = next((value for value in others if sought.may_be(value) and fulfils(value)), None)
     if beside is not None or not sought.sized:
         return ("" if beside is None else sought.said_beside(beside)), ""
+    if given.name in limited_letters(hearing.problem):
+        return "", ""  # its key lets it have no other sense
     against = chain(sought.other_roots(), mirrored, Scan(reach, own).roots([-place for place in places]))
     found = next((value for value in against if sought.may_be(value, sized=False) and fulfils(value)), None)
     return "", "" if found is None else sought.equal_to(found)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import STILL, inner_product, product_of, rotation_about
 from rotsolve.confirm.space.stability import growth_squared, motion_of
-from rotsolve.confirm.space.worlds import Unfit, World
+from rotsolve.confirm.space.worlds import World
 from rotsolve.language.problem import Term
 
 STEP = 1e-3  # radians beside an equilibrium

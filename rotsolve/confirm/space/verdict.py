@@ -9,14 +9,14 @@ from fractions import Fraction
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.samples import Numbers, holding, sets_of_numbers, sets_wanted, with_givens
+from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
 from rotsolve.confirm.space.inquiry import SEVERAL
 from rotsolve.confirm.space.rig import NOW
-from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.confirm.verdicts import (
     NO_CASE,
     NO_NUMBER,
@@ -56,11 +56,11 @@ def confirmations_in_space(
 ) -> tuple[AnswerConfirmation, ...]:
     """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object."""
     verdicts: dict[str, AnswerConfirmation] = {}
-    wanted, tried = sets_wanted(problem), 0
+    wanted, tried, scans = sets_wanted(problem), 0, Scans()
     for numbers in numbers_tried(problem, points):
         if tried >= wanted + len(points):
             break
-        found = {item.name: item for item in heard_at(answers, problem, numbers, solved)}
+        found = {item.name: item for item in heard_at(answers, problem, numbers, solved, scans)}
         objects = any(item.holds is False or item.astray for item in found.values())
         if objects and letters_open(problem) and not admitted(numbers):  # numbers of its own a scene may have
             found = {name: AnswerConfirmation(name, None, NO_CASE) for name in found}
@@ -85,7 +85,7 @@ def confirmed_in_space_at(
 
 
 def heard_at(
-    answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved
+    answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved, scans: Scans | None = None
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of each answer at one set of numbers."""
     known = {TIME: NOW, **numbers, **asked_letters(problem, numbers, solved)}
@@ -97,7 +97,7 @@ def heard_at(
         for case in cases
     }
     known |= letters_by_cases(problem, answers, said)
-    found = {item.name: item for item in judged_in_space(cases, problem, known, said, numbers)}
+    found = {item.name: item for item in judged_in_space(cases, problem, known, said, numbers, scans)}
     for several in answers:
         yield found.get(several.name, AnswerConfirmation(several.name, None, NO_CASE))
 
@@ -109,12 +109,17 @@ def unvalued(answer: Answer) -> Answer:
 
 
 def judged_in_space(
-    answers: Sequence[Answer], problem: Problem, known: Numbers, said: Mapping[str, Said], numbers: Numbers
+    answers: Sequence[Answer],
+    problem: Problem,
+    known: Numbers,
+    said: Mapping[str, Said],
+    numbers: Numbers,
+    scans: Scans | None = None,
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of answers that come to some numbers."""
     put: Put = answers_put_in(problem)
     told = {key: size for key, name in put.items() if isinstance(size := said.get(name, {}).get(""), float)}
-    hearing = Hearing(problem, known, told)
+    hearing = Hearing(problem, known, told, scans)
     exact: dict[str, float] = {}
     verdicts: dict[str, AnswerConfirmation] = {}
     for answer in answers:
@@ -210,7 +215,7 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
             if hearing.problem.assume and letters_open(hearing.problem):  # numbers for which it was not meant
                 return AnswerConfirmation(name, None, ROUGHLY)
             return not_so(name, str(reason), hearing.problem, numbers)
-        return heard(finds, answer, said, Hearing(part, hearing.known, hearing.told), numbers)
+        return heard(finds, answer, said, Hearing(part, hearing.known, hearing.told, hearing.scans), numbers)
     except NotConfirmed as reason:
         return AnswerConfirmation(name, None, str(reason))
     except (ArithmeticError, ValueError) as error:

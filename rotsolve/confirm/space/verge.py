@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.inquiry import Inquiry, only_one
 from rotsolve.confirm.space.stability import is_stable
-from rotsolve.confirm.space.worlds import Unfit
 from rotsolve.language.problem import Condition, Find
 
 STEP = 1e-5  # by how much a letter is changed, to see what that changes

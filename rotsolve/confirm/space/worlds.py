@@ -30,10 +30,6 @@ ANY = (
 ROUNDED = 1e-6  # of the largest I ω²: beside less than that nothing counts as left over
 
 
-class Unfit(Exception):
-    """What a state tells is no motion, with the reason."""
-
-
 class World(Struct, frozen=True, dict=True):
     """One way in which all moves at a state: velocities, and accelerations with the unknown parts of forces."""
 
