@@ -153,7 +153,10 @@ def as_tried(error: Exception, problem: Problem) -> Exception:
     if not isinstance(error, Unsolvable) or error.fault.help or not any(find.verge for find in problem.finds):
         return error
     fault = error.fault
-    help = f"it may be otherwise for other letters: {numbers_wanted(problem)}"
+    wanted = numbers_wanted(problem)
+    if not wanted:
+        return error
+    help = f"it may be otherwise for other letters: {wanted}"
     return unsolvable(problem, fault.message, fault.span, help, kind=fault.kind)
 
 

@@ -23,7 +23,6 @@ from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.idle import idle_words, noted
-from rotsolve.search.acting import acting_forward
 from rotsolve.search.answering import answered
 from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.consistency import KnownBalls, contradiction, just_stops, turned_back, untimely
@@ -59,6 +58,10 @@ def solved(problem: Problem, configuration: Configuration, law: str | None, digi
 def drawn_as_acting(found: Found, law: str | None) -> Found:
     """What is found with each friction drawn the way in which it is known to act; as it was where none acts otherwise."""
     search, scene = found[0], found[0].scene
+    if not any(quantity.kind == "friction_force" for quantity in scene.registry.quantities.values()):
+        return found
+    from rotsolve.search.acting import acting_forward
+
     forward = acting_forward(search)
     if not forward:
         return found

@@ -12,7 +12,8 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.confirm import NotConfirmed, OverBudget, Unfit
 from rotsolve.confirm.course.scan import GOLDEN, places_beside
-from rotsolve.language.limited import HIGHEST, limited_letters
+from rotsolve.language.keys import HIGHEST
+from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Given, Problem, references
 
 ROUND = 24  # places at which an angle is looked at

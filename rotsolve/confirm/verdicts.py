@@ -128,10 +128,11 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     for item in verdicts:
         if item.holds is None and not item.also:
             reasons.setdefault(item.why, []).append(letters[item.name])
+    doubts = [Check((*in_a_row(names), f" ({why})"), None, "not confirmed:") for why, names in reasons.items()]
     if any(item.holds is False for item in verdicts):
-        return withheld(replace(derivation, checks=tuple(checks)), problem)
-    for why, names in reasons.items():
-        checks.append(Check((*in_a_row(names), f" ({why})"), None, "not confirmed:"))
+        wrong = any(item.holds is False and not item.rivalled for item in verdicts)
+        return withheld(replace(derivation, checks=(*checks, *(() if wrong else doubts))), problem)
+    checks += doubts
     return replace(derivation, checks=(*derivation.checks, *checks))
 
 
@@ -139,10 +140,11 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
     """Only the answers that the assembly confirms, without the way to them, since that may lead through what is contradicted."""
     finds = {find.group: find for find in reversed(problem.finds)}
     refused = {}
+    wrong = any(item.holds is False and not item.rivalled for item in derivation.confirmed)
     for item in derivation.confirmed:
-        if not item.holds:
+        if item.holds is False or (wrong and not item.holds):
             refused[item.name] = Fault(against(item), finds[item.name].span, WAYS, "unsolvable")
-    if all(not item.holds for item in derivation.confirmed):
+    if len(refused) == len(derivation.confirmed):
         fault = next(refused[item.name] for item in derivation.confirmed if item.holds is False)
         names = ", ".join(f"`{item.name}`" for item in derivation.confirmed if item.holds is False)
         whys = [item.why for item in derivation.confirmed if item.holds is False and item.why not in ("", OTHERWISE)]

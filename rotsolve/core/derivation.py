@@ -191,7 +191,8 @@ class AnswerConfirmation(Struct, frozen=True):
 
     `answered` and `found` are the numbers of the answer and of the assembly in SI units, entry by entry of a vector. `astray` are
     numbers of letters, within what is printed with the answer, with which the motion does not come to what is asked. `also` tells of a
-    value against the sense of a letter that makes it so as well, and of an approximation how near it comes.
+    value against the sense of a letter that makes it so as well, and of an approximation how near it comes. Of one that is `rivalled`
+    another value does as well: nothing is wrong with the way to it, and others stand beside it.
     """
 
     name: str
@@ -201,6 +202,7 @@ class AnswerConfirmation(Struct, frozen=True):
     found: tuple[float, ...] = ()
     astray: bool = False
     also: str = ""
+    rivalled: bool = False
 
 
 class Trial(Struct, frozen=True):

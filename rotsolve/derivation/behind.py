@@ -22,12 +22,13 @@ def behind(answered: Answered, search: Search) -> Iterator[Equation]:
     by_letter = {item.asked.letter: item for item in search.answered}
     pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
     yielded: set[int] = set()
+    every = [number for other in search.answered for number in other.used]
     while pending:
         item = pending.pop()
         for index in item.used:
             equation = search.planner.pool[index]
             stepped = not equation.family and search.refs.get(index, ("law", 0))[0] == "step"
-            for number in (index, *((k for other in search.answered for k in other.used) if stepped else ())):
+            for number in (index, *(every if stepped else ())):
                 if number not in yielded:
                     yielded.add(number)
                     yield search.planner.pool[number]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property, partial
 
@@ -39,7 +39,6 @@ from rotsolve.derivation.insights import insights
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.results import LONG, Results, readable, without_reordered
 from rotsolve.derivation.sought import sought_words
-from rotsolve.derivation.written_before import written_before
 from rotsolve.language.problem import Condition, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
@@ -187,7 +186,14 @@ class DerivationComposer:
         self.letters = Letters(search, self.drafts, self.diagrams)
         asked = {item.asked.letter: item.find.whole for item in search.answered}
         laws = [index for draft in self.drafts for index in draft.laws]
-        self.again = written_before(laws, self.pool, asked, search.solver.steps)
+        self.other_roots, self.alike = (
+            dict[int, int](),
+            dict[int, int](),
+        )  # laws that an earlier one says already, with that
+        if len({(self.pool[index].label, self.pool[index].section) for index in laws}) < len(laws):
+            from rotsolve.derivation.written_before import written_before
+
+            self.other_roots, self.alike = written_before(laws, self.pool, asked, search.solver.steps)
         self.numbers = self._numbers()
         self.results = Results(search, self.letters, at)
         self.told: set[Words] = set()  # sentences about a whole scene, which are told once
@@ -213,7 +219,7 @@ class DerivationComposer:
             answers=self.results.answers(),
             checks=checks,
             equations_written=len(self.search.equations),
-            equations_used=sum(1 for draft in self.drafts for _ in self.again.once(draft.laws)),
+            equations_used=sum(1 for draft in self.drafts for _ in self._once(draft.laws)),
             trials=trials,
             insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone()))),
         )
@@ -231,7 +237,7 @@ class DerivationComposer:
 
     def _section(self, draft: Draft) -> Section:
         laws = tuple(self._grounded_once(draft))
-        steps = (step for step in draft.steps if not (step.target[0] == "law" and step.target[1] in self.again.alike))
+        steps = (step for step in draft.steps if not (step.target[0] == "law" and step.target[1] in self.alike))
         moves = [move for step in steps for move in (self._move(step), *self._slope(step))]
         moves += [move for chosen in draft.choices for move in comparisons(chosen, self.results)]
         forces = self.diagrams.lines(draft, self.letters.in_use, self.letters.words)
@@ -241,15 +247,20 @@ class DerivationComposer:
         """The laws of a section; of the components of one question the first alone has the ground of all beside it."""
         wholes = {item.asked.letter: item.find.whole for item in self.search.answered if not item.asked.direct}
         first: dict[tuple[str, Words], int] = {}
-        for index in self.again.once(draft.laws):
+        for index in self._once(draft.laws):
             law, left = self._law(index), self.pool[index].left
             whole = wholes.get(left.name, "") if isinstance(left, Symbol) else ""
             again = whole and first.setdefault((whole, law.remark), law.number) != law.number
             yield replace(law, remark=self._with_alike(index, () if again else law.remark))
 
+    def _once(self, laws: Iterable[int]) -> Iterator[int]:
+        """The laws that no earlier one says already."""
+        return (index for index in laws if index not in self.other_roots and index not in self.alike)
+
     def _with_alike(self, index: int, remark: Words) -> Words:
         """The remark at a law, and of what letters it tells the same."""
-        alike = self.letters.words(in_a_row(self.again.letters_like(index, self.pool)))
+        letters = (self.pool[other].left for other, first in self.alike.items() if first == index)
+        alike = self.letters.words(in_a_row(letters))
         return (*remark, *(("; ",) if remark else ()), "the same for ", *alike) if alike else remark
 
     def _law(self, index: int) -> LawLine:
@@ -274,7 +285,7 @@ class DerivationComposer:
         number = self.numbers.get(("step", step.number))
         sources, reason = self._sources(step), self.letters.words(step.reason)
         into = "" if step.target[0] == "words" else self._mark(step.target)
-        if step.target[0] == "law" and step.target[1] in self.again.roots:
+        if step.target[0] == "law" and step.target[1] in self.other_roots:
             letters = self.letters.printed(Symbol(step.result)).symbols()
             solved = tuple(line for line in chain if not letters & line.right.symbols())
             return Move(f"another root of {into}", solved, number, reason, into=into, another=True)
@@ -350,7 +361,7 @@ class DerivationComposer:
         numbers: dict[Ref, int] = {}
         for draft in self.drafts:
             for index in draft.laws:
-                first = self.again.first(index)
+                first = self.other_roots.get(index, self.alike.get(index))
                 numbers[("law", index)] = (
                     len(set(numbers.values())) + self.first if first is None else numbers["law", first]
                 )

@@ -200,6 +200,8 @@ def listed(names: Iterable[str]) -> Words:
 
 def in_printed_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
     """A formula with its letters renamed, the variables of integration too."""
+    if names.keys().isdisjoint(formula.symbols()) and not formula.holds(Integral):
+        return formula
 
     def change(node: Formula) -> Formula:
         if isinstance(node, Symbol):

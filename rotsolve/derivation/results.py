@@ -336,13 +336,15 @@ def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
 
 def without_reordered(chain: Sequence[Equality]) -> tuple[Equality, ...]:
     """A chain of equalities without those that the next one only writes in another order."""
-    last = len(chain) - 1
-    return tuple(
-        one
-        for k, one in enumerate(chain)
-        if k == last
-        or (one.left, above_and_below(one.right)) != (chain[k + 1].left, above_and_below(chain[k + 1].right))
-    )
+    later = (*chain[1:], None)
+    return tuple(one for one, after in zip(chain, later, strict=True) if after is None or not same_factors(one, after))
+
+
+def same_factors(one: Equality, after: Equality) -> bool:
+    """Whether two equalities have the same left side, and products of the same factors on their right."""
+    if one.left != after.left or one.right.symbols() != after.right.symbols():
+        return False
+    return above_and_below(one.right) == above_and_below(after.right)
 
 
 def above_and_below(formula: Formula) -> tuple[Counter[Formula], Counter[Formula]]:

@@ -6,44 +6,23 @@ moments that are a double root, by the same right side.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-
-from msgspec import Struct
+from collections.abc import Iterable, Mapping, Sequence
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.solver.steps import Step
 
 
-class WrittenBefore(Struct, frozen=True):
-    """Laws by their places in the pool: `roots` with the law of which another root is meant, `alike` with that of an equal letter."""
-
-    roots: dict[int, int]
-    alike: dict[int, int]
-
-    def once(self, laws: Iterable[int]) -> Iterator[int]:
-        """The laws of which none has been written before."""
-        return (index for index in laws if index not in self.roots and index not in self.alike)
-
-    def first(self, index: int) -> int | None:
-        """The law that says what this one does."""
-        return self.roots.get(index, self.alike.get(index))
-
-    def letters_like(self, index: int, pool: Sequence[Equation]) -> list[Symbol]:
-        """The letters that are equal to that which a law tells."""
-        lefts = (pool[other].left for other, first in self.alike.items() if first == index)
-        return [left for left in lefts if isinstance(left, Symbol)]
-
-
 def written_before(
     laws: Iterable[int], pool: Sequence[Equation], letters: Mapping[str, str], steps: Sequence[Step]
-) -> WrittenBefore:
-    """The laws of a page that an earlier one says already, of those that one step uses, which tells one of the asked letters.
+) -> tuple[dict[int, int], dict[int, int]]:
+    """The laws of a page that an earlier one says already, of those that one step uses, which tells one of the asked letters: those of
+    which another root is meant, and those with an equal letter, by their places in the pool, with that of the earlier one.
 
     These have beside them the name of the vector or tensor of which they are entries: letters are told together within one alone.
     """
     before: dict[int, str] = {}  # with the letters that they tell
-    found = WrittenBefore({}, {})
+    roots, alike = dict[int, int](), dict[int, int]()
     for index in laws:
         own = [step for step in steps if ("law", index) in (step.target, *step.sources)]
         told = own[0].result if len(own) == 1 and own[0].target == ("law", index) else tells_at_once(pool[index], own)
@@ -55,10 +34,10 @@ def written_before(
         if first is None:
             before[index] = told
         elif pool[index].left != Symbol(told) and solved(index, steps) != solved(first, steps):
-            found.roots[index] = first
+            roots[index] = first
         elif pool[index].left == Symbol(told) and "" != letters[told] == letters[before[first]]:
-            found.alike[index] = first
-    return found
+            alike[index] = first
+    return roots, alike
 
 
 def solved(index: int, steps: Sequence[Step]) -> Formula | None:

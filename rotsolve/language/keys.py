@@ -7,8 +7,10 @@ from typing import Any, ClassVar, dataclass_transform
 
 from msgspec import Struct, StructMeta
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, PI, Formula
 from rotsolve.language.noted import Noted
+
+HIGHEST = {"fraction": ONE, "acute": PI / 2}  # by what a key says of its values; the lowest one of all is 0
 
 
 class Key(Struct, frozen=True):

@@ -7,11 +7,9 @@ from collections.abc import Iterator
 from msgspec import Struct
 from msgspec.structs import astuple
 
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Problem
-
-HIGHEST = {"fraction": ONE, "acute": PI / 2}  # by what a key says of its values; the lowest one of all is 0
 
 
 def limited_letters(problem: Problem) -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property, partial
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -16,7 +16,6 @@ from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import is_key
 from rotsolve.language.bodies import Body, Ride, Surface
 from rotsolve.language.elements import Action, Connection, Event
-from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import Problem
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, positive_letters
@@ -59,7 +58,13 @@ class Arrangement(Struct, frozen=True, dict=True):
     def signs(self) -> SignOracle:
         """What tells the sign of a formula of givens."""
         problem = self.problem
-        return SignOracle(problem.values, self.positive, partial(limited_letters, problem), trials=problem.trials)
+
+        def limits() -> dict[str, str]:
+            from rotsolve.language.limited import limited_letters
+
+            return limited_letters(problem)
+
+        return SignOracle(problem.values, self.positive, limits, trials=problem.trials)
 
     def certain_sign(self, value: Formula, question: str, span: Span | None = None) -> int:
         """The sign on which it hangs what the scene is: answers the `question`, which is refused by name where nothing tells it.

@@ -18,7 +18,8 @@ from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.elements.shapes import Shape
 from rotsolve.elements.shapes.material import bored
 from rotsolve.language.bodies import Part
-from rotsolve.language.limited import HIGHEST, limited_values
+from rotsolve.language.keys import HIGHEST
+from rotsolve.language.limited import limited_values
 from rotsolve.language.problem import Body, Problem, references
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rigid import materials, part_rows, part_spot

@@ -26,8 +26,7 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move, Section, Words
 from rotsolve.page.blocks import WITH
-
-FEWEST = 4  # terms of a sum that gets a letter
+from rotsolve.page.depth import FEWEST_TERMS
 
 LETTERS = ("D", "S", "Q", "H", "B", "U", "V", "W")
 
@@ -100,7 +99,7 @@ def repeated_sums(derivation: Derivation) -> list[Sum]:
 def inner_sums(side: Formula) -> Iterator[Sum]:
     """Sums of so many terms within a side of an equation; the side itself is none."""
     for node in side.walk(Sum):
-        if node is not side and isinstance(node, Sum) and len(node.terms) >= FEWEST:
+        if node is not side and isinstance(node, Sum) and len(node.terms) >= FEWEST_TERMS:
             yield node
 
 
@@ -133,7 +132,7 @@ def swapping(letters: Mapping[Key, Abbreviation]) -> Swap:
     def swap(node: Formula) -> Formula:
         if not node.holds(Sum):
             return node
-        if isinstance(node, Sum) and len(node.terms) >= FEWEST:
+        if isinstance(node, Sum) and len(node.terms) >= FEWEST_TERMS:
             key, lead = terms_in_common(node)
             if (known := letters.get(key)) is not None:
                 times = lead / terms_in_common(known.meaning)[1]

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move, Refusal, Section
-from rotsolve.page.abbreviations import abbreviated, printed_forms
 from rotsolve.page.blocks import (
     WITH,
     AnswerRow,
@@ -32,7 +31,7 @@ from rotsolve.page.blocks import (
     Title,
     authored,
 )
-from rotsolve.page.depth import BRIEF, NONE, NORMAL, STEPS
+from rotsolve.page.depth import BRIEF, FEWEST_TERMS, NONE, NORMAL, STEPS
 from rotsolve.page.inserted import CoherentUnits, InsertedNumbers, coherent_units
 from rotsolve.page.plan import plan_of
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
@@ -40,6 +39,7 @@ from rotsolve.page.wording import said_of_step
 
 if TYPE_CHECKING:
     from rotsolve.language.problem import Given, Problem
+    from rotsolve.page.abbreviations import Abbreviation
 
 PLAN = "Plan"
 
@@ -61,7 +61,7 @@ class DerivationPage(Page, frozen=True):
         return False
 
     def blocks(self) -> Iterator[PageBlock]:
-        derivation, shorts = abbreviated(self.derivation)
+        derivation, shorts = with_abbreviations(self.derivation)
         numbers = InsertedNumbers(derivation, shorts, self.digits)
         if derivation.title:
             yield Title(1, (authored(derivation.title),))
@@ -74,7 +74,7 @@ class DerivationPage(Page, frozen=True):
         if derivation.answers:
             yield Title(2, ("Answers",))
             yield Answers(self.answer_rows(derivation))
-            used = {name for answer in derivation.answers for form in printed_forms(answer) for name in form.symbols()}
+            used = names_in_answers(derivation) if shorts else set()
             yield from (Paragraph(("with ", *numbers.meaning(one))) for one in shorts if one.letter.name in used)
         if derivation.insights and self.detail != BRIEF:
             yield Title(2, ("Remarks",))
@@ -118,6 +118,24 @@ class DerivationPage(Page, frozen=True):
         from rotsolve.page.data import derivation_data
 
         return {"file": self.file, **derivation_data(self.derivation, self.digits)}
+
+
+def with_abbreviations(derivation: Derivation) -> tuple[Derivation, tuple[Abbreviation, ...]]:
+    """The derivation with letters for long sums that come back; what looks for these is loaded where there are long sums at all."""
+    moves = (move for section in derivation.sections for move in section.moves)
+    sides = (side for move in moves for one in move.chain for side in (one.left, one.right))
+    if not any(isinstance(node, Sum) and len(node.terms) >= FEWEST_TERMS for side in sides for node in side.walk(Sum)):
+        return derivation, ()
+    from rotsolve.page.abbreviations import abbreviated
+
+    return abbreviated(derivation)
+
+
+def names_in_answers(derivation: Derivation) -> set[str]:
+    """The letters in the forms of the answers."""
+    from rotsolve.page.abbreviations import printed_forms
+
+    return {name for answer in derivation.answers for form in printed_forms(answer) for name in form.symbols()}
 
 
 def laws_told(derivation: Derivation) -> set[Equality]:

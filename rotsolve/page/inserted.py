@@ -34,7 +34,6 @@ from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move
 from rotsolve.core.equation import KINETIC_ENERGY_AT
 from rotsolve.core.letters import Given, system_told
-from rotsolve.page.abbreviations import Abbreviation
 from rotsolve.page.blocks import WITH, Amount, Math, Phrase
 from rotsolve.page.values import certified_digits, machine_number
 
@@ -50,6 +49,7 @@ VALUED = {KINETIC_ENERGY_AT.name: "J"}  # laws whose letters are told with their
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.systems import UnitSystem
+    from rotsolve.page.abbreviations import Abbreviation
 
 
 class NotShown(ValueError):
@@ -135,7 +135,7 @@ class InsertedNumbers:
         """The line with the shortest right side of those that tell the letter of the last one by others."""
         letter = chain[-1].left
         told = [k for k, one in enumerate(chain) if one.left == letter and not letter.symbols() & one.right.symbols()]
-        return min(told, key=lambda k: len(to_text(chain[k].right)))
+        return told[0] if len(told) == 1 else min(told, key=lambda k: len(to_text(chain[k].right)))
 
     def shown(self, formula: Formula, answer: Answer, number: str) -> tuple[Amount, ...]:
         """The formula with numbers in coherent units, and their unit; nothing where that would be no help."""

@@ -123,6 +123,8 @@ def _unsure(answer: Answer, digits: int) -> Iterator[Phrase]:
 
 def _pointing(answer: Answer, number: str, digits: int) -> str:
     """The direction of an answer, and of a slanted vector the angle: "up, at 53.13° to the horizontal"."""
+    if not answer.direction and answer.angle is None:
+        return ""
     angle = certified_digits(answer.angle, digits)[0]
     parts = (answer.direction, f"{angle}° to the horizontal" if answer.angle is not None else "")
     said = ", at ".join(filter(None, parts))

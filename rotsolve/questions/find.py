@@ -23,7 +23,6 @@ from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Given, Term
 from rotsolve.paths.meaning import Meaning, NotYet, whole_vector
-from rotsolve.questions.energies import with_named_energies
 from rotsolve.questions.terms import DIFFERENCE, magnitude, meaning_of
 
 if TYPE_CHECKING:
@@ -248,7 +247,11 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
         from rotsolve.space.entries import refuse_sizes
 
         refuse_sizes(find)
-    meanings = with_named_energies(find, [meaning_of(term, scene, beside) for term in find.terms], scene)
+    meanings = [meaning_of(term, scene, beside) for term in find.terms]
+    if any(term.path.quantity == "kinetic_energy" for term in find.terms):
+        from rotsolve.questions.energies import with_named_energies
+
+        meanings = with_named_energies(find, meanings, scene)
     formula = find_formula(find, [meaning.formula for meaning, _ in meanings], earlier)
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
     known = known_dimensions(meanings, scene, earlier)

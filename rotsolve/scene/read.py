@@ -20,7 +20,6 @@ from rotsolve.language.words import quoted
 from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
-from rotsolve.scene.first_rates import with_first_rates
 from rotsolve.scene.givens import read_givens
 from rotsolve.scene.in_space import in_plane_only, in_space_only
 from rotsolve.scene.literals import Want
@@ -212,7 +211,11 @@ class Sections:
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
         problem = Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
-        return with_first_rates(problem, scope) if scope.space else problem
+        if not scope.space:
+            return problem
+        from rotsolve.scene.first_rates import with_first_rates
+
+        return with_first_rates(problem, scope)
 
     def required(self) -> None:
         scope = self.scope

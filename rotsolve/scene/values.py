@@ -22,7 +22,7 @@ from rotsolve.algebra.units.dimension import (
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.language.limited import HIGHEST
+from rotsolve.language.keys import HIGHEST
 from rotsolve.language.problem import TimeValue
 from rotsolve.language.words import an, hint, quoted
 from rotsolve.scene.literals import (

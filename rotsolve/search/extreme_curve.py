@@ -18,7 +18,7 @@ from rotsolve.algebra.exact.normal import Fractions, coefficients, is_zero, simp
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol, call, formula
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, INERTIA, MASS
-from rotsolve.language.limited import HIGHEST
+from rotsolve.language.keys import HIGHEST
 from rotsolve.language.problem import references
 from rotsolve.motion.limits import limits_of_scene
 from rotsolve.motion.positive import is_angle

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.field import PolynomialSigns
 from rotsolve.algebra.exact.normal import Fractions, coefficients, degree
@@ -10,7 +12,7 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.paths.meaning import NotYet
-from rotsolve.search.extreme_curve import Curve, Domain, Extremum, amid, domain_of, roots_of
+from rotsolve.search.extreme_curve import Curve, Domain, Extremum, amid, certified_roots, domain_of, roots_of
 from rotsolve.search.search import Search
 
 NUMERICALLY = "solved numerically, with certified digits; "
@@ -96,7 +98,7 @@ def check_smooth(course: Curve, domain: Domain) -> None:
     signs = PolynomialSigns(problem.field, positive)
     parts = [part for part, _ in problem.field.factor(bottom)[1]]
     if may_bend(course.smooth, course.letter) or not all(
-        signs.nonnegative(part) or signs.nonnegative(-part) or rootless(problem.shaper.poly(part), course)
+        signs.nonnegative(part) or signs.nonnegative(-part) or rootless(problem.shaper.poly(part), course, domain)
         for part in parts
     ):
         raise NotYet(f"an extremum of what jumps or bends sharply as `{course.letter}` changes is not solved yet")
@@ -107,14 +109,26 @@ def may_bend(curve: Formula, letter: str) -> bool:
     return any(letter in node.symbols() for node in curve.walk("abs"))
 
 
-def rootless(part: Formula, course: Curve) -> bool:
-    """Whether a factor of the second degree in the letter vanishes nowhere: b² < 4 a c."""
+def rootless(part: Formula, course: Curve, domain: Domain) -> bool:
+    """Whether a factor of the second degree in the letter vanishes nowhere, b² < 4 a c, or one in numbers nowhere within the range."""
     letter = course.letter
+    if letter not in part.symbols():
+        return True
     if degree(part, letter) != 2:
-        return letter not in part.symbols()
+        return vanishes_nowhere(part, course, domain)
     bend, zero = differentiate(differentiate(part, letter), letter), {letter: ZERO}
     slope, rest = differentiate(part, letter).substitute(zero), part.substitute(zero)
     return course.search.signs.sign(slope**2 - bend * rest * 2) == -1
+
+
+def vanishes_nowhere(part: Formula, course: Curve, domain: Domain) -> bool:
+    """Whether numbers tell that something vanishes nowhere within a range, its ends left out."""
+    if set(course.search.signs.lacking(part)) - {course.letter}:
+        return False
+    try:
+        return not certified_roots(part, course.letter, replace(domain, open=frozenset((-1, 1))), course.search)
+    except NotYet:
+        return False
 
 
 def check_open_ends(course: Curve, domain: Domain, inside: list[Extremum], best: Extremum | None, word: str) -> None:

@@ -315,7 +315,7 @@ class Trials:
             state = f" from `{group[0].state}` on" if group[0].state else ""
             raise unsolvable(
                 problem,
-                f"whether friction holds {named[0]}{state} is not found: how it is pushed there has no closed form",
+                f"whether friction holds {named[0]}{state} is not told by the laws of motion in closed form",
                 kind=UNSOLVED,
             )
 

@@ -17,9 +17,12 @@ from rotsolve.search.swings import slope_in
 
 def verge_equation(swing: Swing, unknown: str, modifier: str, search: Search) -> Equation:
     """Where an equilibrium is only just stable: displaced a little, nothing drives the bodies back or away."""
-    slope, told = slope_in(frozenset((unknown,)), swing, search)
+    slope, told, there = slope_in(frozenset((unknown,)), swing, search)
     search.displaced.pop(swing.acceleration.name)
     state = spoken(swing.rest.state)
+    if there != ZERO and search.signs.taken(there) != 0:
+        some = f", or with some values of `{unknown}` alone" if unknown in there.symbols() else ""
+        raise NotYet(f"{state} is no equilibrium{some}: it speeds up there")
     if unknown not in slope.symbols():
         raise NotYet(f"whether {state} is stable does not depend on `{unknown}`")
     growing = search.signs.of_sizes(differentiate(slope, unknown))

@@ -158,17 +158,18 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping)
         raise NotYet(f"`{name}` has no small swings about {state}: the equilibrium is unstable")
 
 
-def slope_in(unknowns: frozenset[str], swing: Swing, search: Stepping) -> tuple[Formula, Words]:
-    """The slope of the acceleration at the equilibrium while some letters are still unknown, and how it is told."""
+def slope_in(unknowns: frozenset[str], swing: Swing, search: Stepping) -> tuple[Formula, Words, Formula]:
+    """The slope of the acceleration at the equilibrium while some letters are still unknown, how it is told, and the acceleration there."""
     search.known |= unknowns
     exact = acceleration_of(swing, search)
     search.known -= {*unknowns, swing.coordinate.name, swing.acceleration.name}
     search.solver.solved.pop(swing.acceleration.name, None)
     slope = search.solver.simplify(restoring(exact, swing.coordinate))
     first_order = search.solver.simplify(slope * swing.coordinate)
+    there = search.solver.simplify(exact.substitute({swing.coordinate.name: ZERO}))
     if holds_at_any_size(exact, swing.coordinate):
-        return slope, (swing.acceleration, " = ", first_order)
-    return slope, (swing.acceleration, " ≈ ", first_order, ", as ", *approximations(exact, swing.coordinate))
+        return slope, (swing.acceleration, " = ", first_order), there
+    return slope, (swing.acceleration, " ≈ ", first_order, ", as ", *approximations(exact, swing.coordinate)), there
 
 
 def observe(swing: Swing, search: Stepping) -> None:
@@ -176,7 +177,7 @@ def observe(swing: Swing, search: Stepping) -> None:
     if swing.harmonic in search.swung:
         return
     search.swung.add(swing.harmonic)
-    slope, told = slope_in(search.scene.configuration.problem.sought, swing, search)
+    slope, told, _ = slope_in(search.scene.configuration.problem.sought, swing, search)
     way: Words = (swing.acceleration, " = ", negate(swing.omega**2 * swing.coordinate), " and ", *told)
     search.planner.extend(HARMONIC.equation(swing.omega**2, negate(slope), swing.harmonic, (), way))
     for equation in periods(swing.omega, swing.letters, swing.harmonic, "period"):

@@ -321,9 +321,9 @@ find: {{omega: largest omega where out is stable}}
 
 
 @pytest.mark.parametrize("angle", [-0.94, -30, -44])
-def test_the_side_of_a_limit_of_stability_hangs_on_the_numbers(angle: float) -> None:
-    """A little out, dα/dθ = −ω² cos 2θ + …: below 45° any shaft that turns holds it, so that there is no largest ω."""
-    with pytest.raises(Unsolvable, match="out is stable whatever `omega` is"):
+def test_what_is_steady_with_one_value_alone_has_no_limit_of_stability(angle: float) -> None:
+    """A rod stands out from a shaft that turns with ω² = 3 g/(2 L sin |θ|) and no other."""
+    with pytest.raises(Unsolvable, match="out is no equilibrium, or with some values of `omega` alone"):
         solve(OUT.format(angle=angle))
 
 

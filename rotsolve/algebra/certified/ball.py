@@ -122,7 +122,7 @@ class Precision:
         context.prec = self.old
 
 
-class Certified(Struct, frozen=True):
+class Certified(Struct, frozen=True, dict=True):
     """A real number known to be inside a ball, with the means to know it better."""
 
     ball: Ball
@@ -159,6 +159,13 @@ class Certified(Struct, frozen=True):
 
     def figures(self, digits: int) -> tuple[str, int]:
         """The number to as many of these digits as can be certified, and how many these are; 0 with what is known of it, sure or not."""
+        key = f"figures {digits}"  # a page prints a number in its step and among its answers
+        if key not in self.__dict__:
+            self.__dict__[key] = self._figures(digits)
+        found: tuple[str, int] = self.__dict__[key]
+        return found
+
+    def _figures(self, digits: int) -> tuple[str, int]:
         ball, wanted = self.ball, max(digits + 6, 15)
         finest: list[Ball] = []
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from functools import lru_cache
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -130,6 +131,7 @@ def parts(name: str) -> Letter | None:
     return Letter(name) if name.isalpha() and name.isascii() else None
 
 
+@lru_cache(2048)
 def name_to_text(name: str) -> str:
     """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ, `delta_K` is ΔK, `omega(t)` is ω(t); paths stay."""
     letter = parts(name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
@@ -14,11 +14,13 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
-from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.course.scans import Scans
 
 MEANS = {  # what the mean of a quantity is the mean of, over time
     "power": ("work", ""),
@@ -40,7 +42,7 @@ class Asker:
     """Reads what is asked from the course of a scene; answers found before may be spoken of by name."""
 
     def __init__(self, problem: Problem, course: Course, scans: Scans | None = None) -> None:
-        self.problem, self.course, self.scans = problem, course, scans or Scans()
+        self.problem, self.course, self.scans = problem, course, scans
         self.earlier: dict[str, float] = {}
 
     def answer(self, find: Find, said: Said) -> Reckoned:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import SlipsOn
 from rotsolve.confirm.course.following import Broken, Course
 from rotsolve.confirm.course.reading import Reckoned, number
-from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.instant import STICKS
 from rotsolve.language.problem import EXTREMES, Condition, Find
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.course.scans import Scans
 
 NEAR = 1e-5  # how far beside the answer a condition is tried
 NONE = 1e-9  # share of the gap on one side below which there is none on the other
@@ -19,7 +22,7 @@ NONE = 1e-9  # share of the gap on one side below which there is none on the oth
 Value = Callable[[Find, Course], float]
 
 
-def tried(find: Find, said: float, course: Course, value: Value, scans: Scans) -> Reckoned:
+def tried(find: Find, said: float, course: Course, value: Value, scans: Scans | None) -> Reckoned:
     """The answer itself, where its condition holds with it and not beside it; Broken where it does not hold."""
     condition = find.where
     if condition is None or find.terms or not isinstance(find.formula, Symbol):

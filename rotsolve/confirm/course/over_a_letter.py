@@ -65,20 +65,22 @@ class OverLetter:
         return extreme_place(self.given, word, said, self.at, self.reach, sized=self.sized)
 
 
-def largest_value(find: Find, course: Course, valued: Valued, scans: Scans) -> float | None:
+def largest_value(find: Find, course: Course, valued: Valued, scans: Scans | None) -> float | None:
     """`largest Q` over the one open letter; None of what is asked over a time, and where no letter is open."""
     phrase = phrase_of(find, course.problem)
     letter = letter_of_extreme(find, course.problem)
     if letter is None:
         return None
+    scans = scans or Scans()
     over = OverLetter(phrase, letter, course, valued, scans.fits)
     return scans.once(find, letter, course.numbers, None, lambda: over.most(find.extreme))
 
 
-def place_of_largest(find: Find, said: float, course: Course, valued: Valued, scans: Scans) -> float:
+def place_of_largest(find: Find, said: float, course: Course, valued: Valued, scans: Scans | None) -> float:
     """`x where Q is largest`: the place that is said, or a better one."""
     condition = find.where
     assert condition is not None and condition.phrase is not None and condition.word is not None
     letter = next(given for given in course.problem.givens if Symbol(given.name) == find.formula)
+    scans = scans or Scans()
     over, word = OverLetter(condition.phrase, letter, course, valued, scans.fits), condition.word
     return scans.once(find, letter, course.numbers, said, lambda: over.place(word, said))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import pairwise
 
 from msgspec import Struct
 
@@ -37,6 +38,7 @@ ASK = {
     "largest": ", and is larger",
 }
 NEAR = 1e-3  # share of a number within which what is found over a range is that number
+HALVINGS = 20  # towards an end of the range of a letter
 SCANS = 2  # sets of numbers at which each case is looked at over the range of its letter
 SCAN_BUDGET = 5000  # instants of one body for all of them
 ENOUGH = 0.75  # share of these that has to be left where it is looked once more
@@ -119,7 +121,8 @@ class Rivals:
 
     def roots(self, sought: SoughtLetter, places: Sequence[float], budget: Budget) -> Iterator[float]:
         """What fulfils what is asked or told of the letter, between places that the scene lets it be, while other letters stay."""
-        allowed, letter = [at for at in places if self.fits(sought.numbers(at))], sought.given.name
+        letter = sought.given.name
+        allowed = list(places_allowed(places, lambda at: self.fits(sought.numbers(at))))
         reach = reach_of(sought.find, letter, self.problem, sought.known, budget) if allowed else None
         for value in Scan(reach, sought.said).roots(allowed) if reach is not None else ():
             if abs(value - sought.said) > NEAR * max(abs(value), abs(sought.said)):
@@ -157,7 +160,7 @@ class Rivals:
         if given.asked:
             told |= {one.name for one in self.answers if self.changes_with(one, known, sought.numbers(value))}
         if self.in_numbers:
-            return {name: AnswerConfirmation(name, False, why) for name in told}
+            return {name: AnswerConfirmation(name, False, why, rivalled=True) for name in told}
         letters = {one.name: known[one.name] for one in self.open}
         return {name: not_so(name, why, self.problem, letters) for name in told}
 
@@ -166,6 +169,20 @@ class Rivals:
         own = holding(answer, known)
         said = {} if own is None else said_of(own, known)
         return bool(said) and self.judge(self.finds[answer.name], said, numbers).holds is not True
+
+
+def places_allowed(places: Sequence[float], fits: Callable[[float], bool]) -> Iterator[float]:
+    """The places that a scene lets a letter be, and beside each end of these the last place before it, with one on the way there."""
+    ordered = sorted(places)
+    yield from filter(fits, ordered)
+    for one, other in pairwise(ordered):
+        inner, outer = (one, other) if fits(one) else (other, one)
+        if fits(inner) and not fits(outer):
+            last, beyond = inner, outer
+            for _ in range(HALVINGS):
+                middle = 0.5 * (last + beyond)
+                last, beyond = (middle, beyond) if fits(middle) else (last, middle)
+            yield from (0.5 * (inner + last), last)
 
 
 class SoughtLetter(Struct, frozen=True):

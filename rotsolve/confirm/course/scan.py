@@ -22,6 +22,7 @@ EDGE, END = (
     12,
     4,
 )  # halvings towards where something begins to slip, and towards where the function ceases to have a value
+WAYS = 2  # changes of the way between two places
 CLOSE, SECTIONS = 30, 8  # steps to a root, sections towards a least size
 SMOOTH = 0.01  # share by which it changes where it does not jump
 DROP = 0.9  # how much less than beside it a least size is that is looked at
@@ -71,8 +72,10 @@ class Scan:
         """The places, and those on both sides of where it begins to have a value or where something begins to slip."""
         found = list(looks[:1])
         for low, high in pairwise(looks):
-            if low.way != high.way and 1.0 / NEIGHBOURS < (high.at / low.at if low.at else 0.0) < NEIGHBOURS:
-                found += self.edge(low, high)
+            near = 1.0 / NEIGHBOURS < (high.at / low.at if low.at else 0.0) < NEIGHBOURS
+            for _ in range(WAYS if near else 0):  # from one way through rest to the other
+                if found[-1].way != high.way:
+                    found += self.edge(found[-1], high)
             found.append(high)
         return found
 

@@ -37,7 +37,6 @@ from rotsolve.confirm.course.samples import (
     with_givens,
     within_case,
 )
-from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.verdicts import (
     NO_CASE,
@@ -60,6 +59,7 @@ from rotsolve.language.problem import EXTREMES, Find, Problem
 
 if TYPE_CHECKING:
     from rotsolve.confirm.course.rivals import Rivals
+    from rotsolve.confirm.course.scans import Scans
 
 NEARLY = SAME**0.5  # of roots of what is zero but for rounding, as speeds are where something just comes to rest
 ORDINARY = 1.0  # size beside which what should be 0 is rounding, where nothing else tells one: the assembly finds states by steps
@@ -88,8 +88,8 @@ def confirmations_in_plane(
     seen = set[int]()  # the cases that have been tried
     heard = Heard(answers, problem, solved)
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
-    meeting, own, rivals = Budget(BUDGET), Budget(BUDGET), rivals_of(answers, problem, limits)
-    scans = Scans(fits_of(tuple(limits()))) if any(map(asks_extreme, problem.finds)) else None
+    meeting, own, scans = Budget(BUDGET), Budget(BUDGET), scans_of(problem, limits)
+    rivals = rivals_of(answers, problem, limits, scans)
     for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
         limit = {FAR: far_budget.portion(FAR_BUDGET), MEETING: meeting, OWN: own}.get(kind, budget)
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)):
@@ -112,6 +112,15 @@ def confirmations_in_plane(
             in_vain += 1
     against = rivals.against if rivals is not None else {}
     return tuple(replace(heard.of_all_cases(one), also=against.get(one.name, "")) for one in verdicts.values())
+
+
+def scans_of(problem: Problem, limits: Callable[[], Iterable[Limit]]) -> Scans | None:
+    """What remembers the scans for extremes over letters; None where nothing asks for one."""
+    if not any(map(asks_extreme, problem.finds)):
+        return None
+    from rotsolve.confirm.course.scans import Scans
+
+    return Scans(fits_of(tuple(limits())))
 
 
 def asks_extreme(find: Find) -> bool:
@@ -261,7 +270,9 @@ def numbers_known(answers: Sequence[Answer], problem: Problem, numbers: Numbers,
     return known
 
 
-def rivals_of(answers: Sequence[Answer], problem: Problem, limits: Callable[[], Iterable[Limit]]) -> Rivals | None:
+def rivals_of(
+    answers: Sequence[Answer], problem: Problem, limits: Callable[[], Iterable[Limit]], scans: Scans | None
+) -> Rivals | None:
     """What looks for other values of the letters that answers tell, or hang on; None where there are none."""
     letters = {Symbol(given.name) for given in problem.givens}
     if not problem.sought and not any(find.formula in letters for find in problem.finds):
@@ -270,7 +281,7 @@ def rivals_of(answers: Sequence[Answer], problem: Problem, limits: Callable[[], 
 
     def judge(find: Find, said: dict[str, float | str], numbers: Numbers) -> AnswerConfirmation:
         course = Course(problem, numbers, Budget(BUDGET))
-        verdict = judged(find, said, Asker(problem, course), numbers)
+        verdict = judged(find, said, Asker(problem, course, scans), numbers)
         return replace(verdict, holds=False) if verdict.holds and course.idle_event() else verdict
 
     return Rivals(answers, problem, fits_of(tuple(limits())), judge)

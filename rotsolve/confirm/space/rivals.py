@@ -29,6 +29,7 @@ ROUND = 24  # places at which an angle is looked at
 DECADES, EACH = 2, 4  # powers of ten to both sides of a number, and places in each
 STEPS = 30  # of the search between two places
 SAME = 1e-6
+NOTHING = 1e-9  # of the answer
 FITS = 1e-8  # of what is left over between two places
 UPRIGHT = 1e-7
 STEPPED = 0.01  # share of a number by which it is changed to see how much is then left over
@@ -62,7 +63,8 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
     angle = given.dimension is not None and given.dimension.matches(ANGLE)
     mirrored = (-own,) if is_rate(given) else (math.pi - own,) if angle else ()  # as high on the other side of the top
     others = chain(sought.other_roots(), mirrored, Scan(reach, own).roots(places))
-    beside = next((value for value in others if sought.may_be(value) and fulfils(value)), None)
+    sure = (value for value in others if abs(value) > NOTHING * abs(own))  # beside 0 rounding may fulfil it
+    beside = next((value for value in sure if sought.may_be(value) and fulfils(value)), None)
     if beside is not None or not sought.sized:
         return ("" if beside is None else sought.said_beside(beside)), ""
     if given.name in limited_letters(hearing.problem):

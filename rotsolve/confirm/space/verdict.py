@@ -140,10 +140,22 @@ def hanging_on_doubtful(verdicts: Mapping[str, AnswerConfirmation], hearing: Hea
     for item in verdicts.values():
         own = finds[item.name]
         letter = next(
-            (find for find in doubtful if item.holds and find is not own and share_parts(find, own, hearing)), None
+            (find for find in doubtful if item.holds and may_hang_on(own, find) and share_parts(find, own, hearing)),
+            None,
         )
         why = "" if letter is None else f"`{letter.name}`, on which it may hang, has several values that fit"
         yield replace(item, holds=None, why=why) if why else item
+
+
+def may_hang_on(own: Find, other: Find) -> bool:
+    """Whether a question may hang on the letter of another: not where each seeks its own value of one by a condition of its own."""
+    return own is not other and (own.where is None or other.where is None or other.name in letters_of_question(own))
+
+
+def letters_of_question(find: Find) -> frozenset[str]:
+    """The letters in the arithmetic of a question, and of its condition."""
+    phrase = None if find.where is None else find.where.phrase
+    return find.formula.symbols() | (frozenset() if phrase is None else phrase.formula.symbols())
 
 
 def share_parts(one: Find, other: Find, hearing: Hearing) -> bool:
@@ -200,7 +212,7 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
 
             beside, against = beside_under_condition(hearing, finds[0], own, answer.rivals)
             if beside:
-                return not_so(name, beside, hearing.problem, numbers)
+                return replace(not_so(name, beside, hearing.problem, numbers), rivalled=True)
             letters = numbers_told(numbers, hearing.problem)
             against += f" with {letters}" if against and letters else ""
             return AnswerConfirmation(name, True, "", (own,), (found,), also=against)
