@@ -18,7 +18,7 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import PointRef
-from rotsolve.language.problem import Find, Given
+from rotsolve.language.problem import Find, Given, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.expected import Expected
 from rotsolve.search.first_reached import FirstReached
@@ -307,7 +307,12 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
             for gap in limits
         )
     ]
-    if given.dimension in BODILY:  # without a length, or a mass, there is no body
+    placed = any(
+        name in ref.argument.symbols() for ref in references(search.scene.configuration.problem) if ref.argument
+    )
+    if (
+        given.dimension in BODILY and not placed
+    ):  # without a length, or a mass, there is no body; a place is at an end too
         able = [index for index in able if numbers.side(roots[index]) == 1] or able
     if not able:
         return picked

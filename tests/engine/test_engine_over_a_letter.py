@@ -182,3 +182,76 @@ find: {p: smallest phi where touch sticks, q: largest phi where touch sticks}
         solve(scene)
     lines = {fault.span.column for fault in (refused.value.fault, *refused.value.others)}
     assert len(lines) == 2
+
+
+def test_another_value_near_the_end_of_a_range_is_found() -> None:
+    """On a rough slope m slides up, with m = 3.30 kg, or down, with 4.93 kg; at 6 kg nothing is left of the other body."""
+    scene = """
+given: {m: unknown, S: 6 kg, b: 30 deg, R: 0.1 m, mu: 0.25}
+surfaces: {ramp: {slope: b, down: left}}
+bodies: {A: {mass: m, moves: up}, B: {mass: S - m, moves: down}, p: {shape: disc, mass: 1 kg, radius: R, turns: clockwise}}
+connections: {c1: {contact: [A, ramp], friction: mu}, ax: {axle: p}, s: {string: [A, p, B]}}
+states: {start: at rest}
+find: {q: WORD m where size of A.acceleration = 0.5 m/s^2}
+"""
+    pulled, rubbed = 0.5 * 9.8, 0.25 * 3**0.5 / 2 * 9.8
+    up = (6 * 9.8 - 0.5 * 6.5) / (9.8 + pulled + rubbed)
+    down = (6 * 9.8 + 0.5 * 6.5) / (9.8 + pulled - rubbed)
+    assert solve(scene.replace("WORD", "smallest")).answers["q"].float == pytest.approx(up)
+    assert solve(scene.replace("WORD", "largest")).answers["q"].float == pytest.approx(down)
+    with pytest.raises(Unsolvable, match=f"m = {down:.6g} in SI units makes it so too"):
+        solve(scene.replace("WORD ", ""))
+
+
+def test_another_value_beyond_rest_on_the_other_side_is_found() -> None:
+    """An axle that rubs holds two masses between the two with which they move apart as fast: m ± d of 6 kg."""
+    scene = """
+given: {m: unknown, S: 6 kg, tau: 0.4 N m}
+bodies: {A: {mass: m, moves: up}, B: {mass: S - m, moves: down}, p: {shape: disc, mass: 1 kg, radius: 10 cm, turns: clockwise}}
+connections: {ax: {axle: p, friction_torque: tau}, s: {string: [A, p, B]}}
+states: {start: at rest}
+find: {q: m where size of A.acceleration = 1 m/s^2}
+"""
+    apart = (1 * 6.5 + 4) / (2 * 9.8)
+    with pytest.raises(Unsolvable, match=f"m = {3 + apart:.6g} in SI units makes it so too"):
+        solve(scene)
+
+
+@pytest.mark.parametrize(("word", "value"), [("smallest", 0), ("largest", 1)])
+def test_both_ends_of_a_rod_are_places_on_it(word: str, value: float) -> None:
+    scene = f"""
+given: {{M: 3 kg, L: 1 m, x: m}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{hinge: rod.at(x)}}}}
+find: {{q: {word} x where rod.inertia about pin = 1 kg m^2}}
+"""
+    assert solve(scene).answers["q"].float == pytest.approx(value)
+    with pytest.raises(Unsolvable, match="x = 0 in SI units makes it so too"):
+        solve(scene.replace(f"{word} x", "x"))
+
+
+def test_one_question_with_several_values_takes_no_other_with_it() -> None:
+    scene = """
+given: {m: 1 kg, M: kg, u: 3 m/s}
+plane: horizontal
+bodies: {a: {mass: m, moves: right}, b: {mass: M, moves: right}}
+states: {s: {a.velocity: u, b.velocity: 0}, f: {}}
+events: {h: {collides: [a, b], restitution: 0.5, from: s, to: f}}
+find: {v: a.velocity at f, q: M where size of v = 1 m/s, w: b.velocity at f, x: "b.velocity.y at f"}
+"""
+    found = solve(scene)
+    assert list(found.refused) == ["q"]
+    assert {"v", "w"} <= found.answers.keys()
+
+
+@pytest.mark.parametrize("angle", ["0", "-40 deg", "20 deg"])
+def test_what_is_no_equilibrium_has_no_limit_of_stability(angle: str) -> None:
+    scene = f"""
+given: {{M: 2 kg, L: 1 m, w: unknown}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{shaft: rod.start, turning: w}}, coil: {{torsion: rod, stiffness: 3 N m/rad, rest_angle: {angle}}}}}
+states: {{out: {{rod.angle: {angle}, steady: true}}}}
+find: {{q: smallest w where out is stable}}
+"""
+    with pytest.raises(Unsolvable, match="out is no equilibrium"):
+        solve(scene)

@@ -105,6 +105,7 @@ class Rivals:
         places = places_beside(
             sought.said, natural_units(self.problem).of(sought.given.dimension), sought.given.dimension
         )
+        yield from filter(partial(self.does, sought), (0.0,) if sought.said else ())  # beside which no sign changes
         yield from filter(partial(self.does, sought), self.roots(sought, places, self.budget))
         if sought.sized and sought.find.group not in self.against:
             self.look_against(sought.find.group, sought, [-place for place in places])

@@ -30,6 +30,7 @@ DECADES, EACH = 2, 4  # powers of ten to both sides of a number, and places in e
 STEPS = 30  # of the search between two places
 SAME = 1e-6
 NOTHING = 1e-9  # of the answer
+LESS = 1e-2  # of the gap a step away
 FITS = 1e-8  # of what is left over between two places
 UPRIGHT = 1e-7
 STEPPED = 0.01  # share of a number by which it is changed to see how much is then left over
@@ -51,7 +52,10 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
 
     def fulfils(value: float) -> bool:
         with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
-            return abs(step_to(gap, value) - value) <= SAME * abs(value)
+            near = abs(step_to(gap, value) - value) <= SAME * max(abs(value), abs(own))
+            return near and abs(gap(value)) <= LESS * abs(
+                gap(value + STEPPED * own)
+            )  # no pole, where a step is short too
         return False
 
     if given.dimension is None and fulfils(own + math.tau):  # so it is an angle
@@ -63,7 +67,7 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
     angle = given.dimension is not None and given.dimension.matches(ANGLE)
     mirrored = (-own,) if is_rate(given) else (math.pi - own,) if angle else ()  # as high on the other side of the top
     others = chain(sought.other_roots(), mirrored, Scan(reach, own).roots(places))
-    sure = (value for value in others if abs(value) > NOTHING * abs(own))  # beside 0 rounding may fulfil it
+    sure = (0.0 if abs(value) <= NOTHING * abs(own) else value for value in chain((0.0,), others))
     beside = next((value for value in sure if sought.may_be(value) and fulfils(value)), None)
     if beside is not None or not sought.sized:
         return ("" if beside is None else sought.said_beside(beside)), ""
