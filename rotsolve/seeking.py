@@ -112,6 +112,23 @@ def left_without_seeking(problem: Problem, solve: SolveFor) -> Solution | None:
     return None
 
 
+def where_none_seeks(problem: Problem, solution: Solution, solve: SolveFor) -> Solution:
+    """The solution for the others anew where all questions that seek open letters are refused: for these the letters stand for any value,
+    with what the scene lets them be."""
+    plain = {given.name for given in problem.givens if given.value is None and not given.asked}
+    sought = {find.group for find in problem.finds if letters_sought(find) & plain}
+    refused = [item for item in solution.derivation.refused if item.name in sought]
+    kept = tuple(find for find in problem.finds if find.group not in sought)
+    if not refused or sought - {item.name for item in refused} or not kept:
+        return solution
+    from rotsolve.solution import with_refused
+
+    try:
+        return with_refused(refused, problem, solve(kept))
+    except (Unsolvable, SceneError):
+        return solution
+
+
 def without_seeking(left: list[Find], letters: list[str], problem: Problem, solution: Solution) -> Solution:
     """The solution for the others, and why it has no answer to what is left."""
     words = f"what else is asked holds only for some values of `{', '.join(letters)}`, of which this seeks one"
