@@ -20,6 +20,7 @@ NAMES = {"inertia": "moment of inertia", "gyration": "radius of gyration", "cm":
 SWINGS = ("small swings", "swings")  # modifiers that say of which motion a period is
 WITHIN = ("gravity", "net", "rotational", "translational")  # components that the name of a quantity has in it
 COUNTED = ("rotations", "translations")  # components that are quantities of their own
+PERSONS = {"coriolis": "Coriolis", "euler": "Euler"}  # components that are named after somebody
 
 CONDITIONS = {"stable": "is stable", "steady": "is steady"}  # of words behind `where`, as they are said
 
@@ -88,7 +89,7 @@ def condition_in_words(find: Find, timeline: Timeline) -> Words:
 def named(find: Find, term: Term) -> tuple[str, str]:
     """What a quantity is called, and of what it is: "moment of inertia", " of disc about the centre"."""
     quantity, component = term.path.quantity, term.path.component or ""
-    head, _, owner = label_of(term.path, term).partition(spoken(quantity))
+    head, _, owner = label_of(term.path, replace(term, relative=None)).partition(spoken(quantity))
     if component in COUNTED and not find.whole:
         return component, owner
     return head + NAMES.get(quantity, spoken(quantity)), owner
@@ -101,9 +102,10 @@ def part_asked(find: Find, term: Term) -> str:
     before = "" if modifier in SWINGS or not modifier else f"{modifier} "
     if before.endswith("of "):
         before = f"{before.replace('of change', 'of the change')}the "
-    if component in ("x", "y", "z"):
-        return f"{before}{component} component of the "
-    return before if component in ("", *WITHIN, *COUNTED) else f"{before}{component} "
+    which, _, axis = component.rpartition(" ")
+    if axis in ("x", "y", "z"):
+        before, component = f"{before}{axis} component of the ", which
+    return before if component in ("", *WITHIN, *COUNTED) else f"{before}{PERSONS.get(component, component)} "
 
 
 def observed_in(term: Term) -> str:

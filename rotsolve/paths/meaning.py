@@ -98,7 +98,7 @@ def label_of(path: Path, term: Term | None) -> str:
     word = spoken(path.quantity)
     if path.component in ("rotational", "translational"):
         word = f"{path.component} {word}"
-    named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
+    named = {"gravity": "of the weight", "net": "of all forces"}.get((path.component or "").split(" ")[0], "")
     with_points = POINT in QUANTITIES[path.quantity].owners or path.quantity in OF_BEARINGS
     of_point = path.point is not None and with_points
     owner = spoken_point(path) if of_point else spoken(path.owner)
@@ -106,7 +106,7 @@ def label_of(path: Path, term: Term | None) -> str:
     if named and owner:
         return f"{word} {named} on {owner}{about}"
     seen = f" relative to {spoken(term.relative)}" if term is not None and term.relative else ""
-    return f"{word} of {owner}{about}{seen}" if owner else word
+    return f"{word} of {owner}{about}{seen}" if owner else f"{word}{about}"
 
 
 def spoken_about(ref: PointRef) -> str:
@@ -118,7 +118,9 @@ def spoken_about(ref: PointRef) -> str:
 
 def path_text(path: Path) -> str:
     """A path as it is written."""
-    return ".".join(part for part in (path.owner, path.point, path.quantity, path.component) if part)
+    return ".".join(
+        part for part in (path.owner, path.point, path.quantity, *(path.component or "").split(" ")) if part
+    )
 
 
 def spoken_point(path: Path) -> str:

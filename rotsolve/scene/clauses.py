@@ -46,9 +46,7 @@ class Clauses:
             word = words[index]
             seen_from = word.text == "relative" and len(words) > index + 1 and words[index + 1].text == "to"
             end = index + 1 + seen_from
-            while (end < len(words) and not (words[end].text in CLAUSES and words[end].kind == "name")) or (
-                word.text == "where" and end < len(words) and words[end].text != "in"
-            ):
+            while end < len(words) and not self.ends(words, end, index):
                 end += 1
             self.clause(word, words[index + 1 + seen_from : end])
             index = end
@@ -56,6 +54,16 @@ class Clauses:
             self.scope.fault(self.node, "`from` and `to` belong together", "write `from A to B`", "find")
         self.check_order()
         return len(self.scope.faults) == faults
+
+    def ends(self, words: list[Lexeme], place: int, first: int) -> bool:
+        """Whether the clause that begins at `first` ends before a word: all that follows `where` is of its condition, in which axes one
+        with `=` looks too, but for the unit of the answer."""
+        piece = words[place]
+        if words[first].text != "where":
+            return piece.text in CLAUSES and piece.kind == "name"
+        equal = any(word.text == "=" for word in words[first:])
+        in_axes = equal and [word.text for word in words[place + 2 : place + 3]] == ["axes"]
+        return piece.text == "in" and not in_axes
 
     def check_order(self) -> None:
         """`from A to B` leads to a later state."""
@@ -157,10 +165,14 @@ class Clauses:
                 self.scope.fault(self.places[word], message, f"`{word}` is for {', '.join(quantities)}", "idle")
 
     def applied(self, term: Term) -> Term:
-        """The term with the clauses that it has not got of its own."""
+        """The term with the clauses that it has not got of its own, and that say something of its quantity."""
         names = ("at", "during", "start", "end", "about", "along", "by", "axes", "relative")
         changes = {
-            name: self.words[name] for name in names if self.words.get(name) is not None and getattr(term, name) is None
+            name: self.words[name]
+            for name in names
+            if self.words.get(name) is not None
+            and getattr(term, name) is None
+            and term.path.quantity in SAID_OF.get(name, (term.path.quantity,))
         }
         if any((term.at, term.during, term.start)):
             for name in ("at", "during", "start", "end"):

@@ -197,8 +197,8 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
     if len(words) == 1:
         return system_path(scope, node, first, span)
     kind = scope.kinds.get(first)
-    if not kind and first in SUMMED and not scope.space:
-        return finish(scope, node, "", None, None, words, span, [*SUMMED], [])
+    if not kind and first in (SUMMED_IN_SPACE if scope.space else SUMMED):
+        return finish(scope, node, "", None, None, words, span, [*SUMMED_IN_SPACE], [])
     if kind not in OWNERS:
         if first in scope.conflicts:
             return None
@@ -281,6 +281,7 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
 
 
 SUMMED = ("momentum",)  # what the whole scene has a component of: `momentum.y`
+SUMMED_IN_SPACE = (*SUMMED, "angular_momentum")
 OF_ENDS = (
     "tension",
 )  # what is told of the part of a connection at one of its ends; all else is of the whole, or on the body named last
@@ -321,6 +322,8 @@ def finish(
     component = read_component(scope, node, entry, rest[1]) if len(rest) > 1 else None
     if len(rest) > 1 and component is None:
         return None
+    if len(rest) == 3 and scope.space and entry.word in VECTORS and component not in SPACE and rest[2] in SPACE:
+        component, rest = f"{component} {rest[2]}", rest[:2]  # of one of the forces on a body
     if len(rest) > 2:
         message = f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}"
         return scope.fault(word_place(node, rest[2]), message, "", "path")

@@ -233,7 +233,11 @@ class PhraseReader:
                 return None
             if found != Symbol("#0") or reader.phrase.terms[0].path.quantity not in DIRECTED:
                 span = self.node.part(part[0].start, part[-1].end)
-                return self.scope.fault(span, "an angle is between vectors", "write `angle of A from B`", "find")
+                words = self.node.value[part[0].start : part[-1].end]
+                message, help = "an angle is between vectors", "write `angle of A from B`, A and B paths of vectors"
+                if words in self.answers:
+                    help = f"write what `{words}` asks for in place of its name"
+                return self.scope.fault(span, message, help, "find")
             terms += map(clauses.applied, reader.phrase.terms)
         self.phrase.unit = clauses.unit or self.phrase.unit
         self.phrase.terms.append(replace(terms[0], modifier=ANGLE_OF, other=terms[1]))

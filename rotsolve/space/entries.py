@@ -97,7 +97,10 @@ def is_linear(find: Find) -> bool:
 def entries_of(term: Term) -> tuple[str, ...]:
     """The names of the entries of what a term asks for; none of a scalar."""
     path = term.path
-    if term.modifier not in ("", "change of", "lost", "mean") or path.component in (*AXES, *ENTRIES):
+    if term.modifier not in ("", "change of", "lost", "mean") or (path.component or "").split(" ")[-1] in (
+        *AXES,
+        *ENTRIES,
+    ):
         return ()
     if path.quantity in DIRECTED or path.quantity == "cm":
         return AXES

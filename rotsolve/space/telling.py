@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, add
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
@@ -66,12 +66,17 @@ class TellingMoment:
         return False
 
     def now(self, value: Formula) -> Formula:
-        """A formula of the time at this moment; by t where nothing tells it."""
+        """A formula of the time at this moment; by t where nothing tells it, and 0 where it is that then, as sin ω t at the start."""
         if TIME not in value.symbols():
             return value
         clock = self.clock()
         self.hangs_on_time()
-        return value if clock is None else value.substitute({TIME: clock})
+        if clock is None:
+            return value
+        then = value.substitute({TIME: clock})
+        if clock == ZERO:  # sin 0 and cos 0 are numbers
+            return simplify(then)
+        return ZERO if is_zero(then) else then
 
     def clock(self) -> Formula | None:
         """The running time: its letter in the midst of a phase; at the first state as told, else 0; at a later one that of the

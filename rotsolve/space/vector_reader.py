@@ -61,12 +61,9 @@ class VectorReader:
 
     def vector(self, path: Path, term: Term) -> Seen:
         """A vector, and the axes along which its components are."""
-        if not path.owner and path.quantity == "momentum":
-            return self.momentum_of_all(path, term)
-        reading = (OF_BODIES if path.owner in self.bodies else OF_ELEMENTS).get(path.quantity)
         if not path.owner:
-            message = f"`{path_text(path)}` of all bodies together is not solved in space"
-            raise NotYet(message, path.span, "name a body")
+            return self.of_all(path, term)
+        reading = (OF_BODIES if path.owner in self.bodies else OF_ELEMENTS).get(path.quantity)
         if reading is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet", help=self.of_body_instead(path, OF_BODIES))
         if term.relative and (path.component or "").split()[:1] not in ([which] for which in INERTIAL):
@@ -144,12 +141,19 @@ class VectorReader:
         velocity, axes = self.velocity(replace(path, point=None), term)
         return scaled_by(self.held.mass(path.owner), velocity), axes
 
-    def momentum_of_all(self, path: Path, term: Term) -> Seen:
-        """Σ M v of all bodies, along the axes of space."""
+    def of_all(self, path: Path, term: Term) -> Seen:
+        """Σ M v of all bodies, or the sum of their angular momenta about one point, along the axes of space."""
+        reading = {"momentum": self.momentum, "angular_momentum": self.angular_momentum}.get(path.quantity)
+        if reading is None:
+            message = f"`{path_text(path)}` of all bodies together is not solved in space"
+            raise NotYet(message, path.span, "name a body")
+        if path.quantity == "angular_momentum" and term.about is None:
+            message = "nothing tells about which point the angular momentum of all bodies together is asked"
+            raise NotYet(message, path.span, "write `angular_momentum about [0, 0, 0]`, or about a point of a body")
         whole = NOTHING
         for name in self.held.order:
-            momentum, axes = self.momentum(replace(path, owner=name), term)
-            whole = vector_sum(whole, axes.to(IN_SPACE, momentum))
+            own, axes = reading(replace(path, owner=name), term)
+            whole = vector_sum(whole, axes.to(IN_SPACE, own))
         return whole, IN_SPACE
 
     def about(self, path: Path, term: Term) -> tuple[Triple, str]:

@@ -80,7 +80,9 @@ STEPS = 24
 def test_no_case_is_missing_and_none_says_too_much(
     text: str, unit: str, ends: tuple[float, float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rotsolve.search.acting.acting_forward", lambda _: frozenset())  # friction in one sense in all cases
+    monkeypatch.setattr(
+        "rotsolve.search.acting.acting_forward", lambda _: frozenset()
+    )  # friction in one sense in all cases
     lettered = solve_problem(read_text(text.replace("LETTER", unit)), confirm=False).derivation
     told = {answer.name: answer for answer in lettered.answers}
     assert all(len(answer.otherwise) > 1 for answer in told.values())

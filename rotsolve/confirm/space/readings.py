@@ -100,7 +100,7 @@ class Reading:
         """A vector along the axes of space."""
         if term.relative is not None and path.quantity not in ("force", "velocity", "acceleration"):
             raise NotConfirmed(f"`{path.quantity}` relative to a body")
-        of_all = not path.owner and path.quantity == "momentum"
+        of_all = not path.owner and path.quantity in ("momentum", "angular_momentum")
         table = VECTORS_OF_BODIES if of_all or path.owner in self.rig.bodies else VECTORS_OF_ELEMENTS
         reading = table.get(path.quantity)
         if reading is None:
@@ -173,7 +173,9 @@ class Reading:
         return less(place, self.stance.place(name))
 
     def angular_momentum(self, path: Path, term: Term) -> Arrow:
-        """I ω + r × m v of the centre of mass."""
+        """I ω + r × m v of the centre of mass; without a body the sum over all."""
+        if not path.owner:
+            return sum_of(*(self.angular_momentum(replace(path, owner=name), term) for name in self.rig.bodies))
         name = path.owner
         if path.point is not None:
             raise NotConfirmed("the angular momentum of a part")
