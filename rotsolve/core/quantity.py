@@ -248,7 +248,9 @@ QUANTITIES: dict[str, QuantityKind] = {
             "number",
             "e",
             (BODY,),
-            "direction of the axis of the one principal moment that differs from two equal ones",
+            "direction of the axis of the one principal moment that differs from two equal ones; `principal_axis.1`, `.2`, `.3` those of "
+            "the moments from the smallest on; of its two senses either is right",
+            ("1", "2", "3"),
             space=True,
         ),
         kind(
@@ -316,6 +318,7 @@ DIRECTED = (
     "rotation_axis",
     "principal_axis",
 )  # between which there are angles
+EITHER_WAY = ("principal_axis",)  # directions that have no sense: the angle of one from a vector is the acute one
 INERTIAL = ("centrifugal", "euler", "coriolis")  # forces in a frame that turns
 FELT = {"force": INERTIAL}  # components that a quantity has beside its three in space
 BEARINGS = {"bearing1": "bearing 1", "bearing2": "bearing 2"}  # of a hinge in space, and how they are spoken of

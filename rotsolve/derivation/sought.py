@@ -20,7 +20,13 @@ NAMES = {"inertia": "moment of inertia", "gyration": "radius of gyration", "cm":
 SWINGS = ("small swings", "swings")  # modifiers that say of which motion a period is
 WITHIN = ("gravity", "net", "rotational", "translational")  # components that the name of a quantity has in it
 COUNTED = ("rotations", "translations")  # components that are quantities of their own
-PERSONS = {"coriolis": "Coriolis", "euler": "Euler"}  # components that are named after somebody
+SAID = {
+    "coriolis": "Coriolis",
+    "euler": "Euler",
+    "1": "first",
+    "2": "second",
+    "3": "third",
+}  # components as they are said
 
 CONDITIONS = {"stable": "is stable", "steady": "is steady"}  # of words behind `where`, as they are said
 
@@ -105,7 +111,7 @@ def part_asked(find: Find, term: Term) -> str:
     which, _, axis = component.rpartition(" ")
     if axis in ("x", "y", "z"):
         before, component = f"{before}{axis} component of the ", which
-    return before if component in ("", *WITHIN, *COUNTED) else f"{before}{PERSONS.get(component, component)} "
+    return before if component in ("", *WITHIN, *COUNTED) else f"{before}{SAID.get(component, component)} "
 
 
 def observed_in(term: Term) -> str:

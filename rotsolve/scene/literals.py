@@ -68,7 +68,7 @@ def infer(
 
 DIGITS = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+−]?\d+)?"
 NAME = r"[^\W\d]\w*"
-PATH = rf"{NAME}(?:\.{NAME})*(?:\.\d+)?"  # a component may be a number: `box.principal_moments.1`
+PATH = rf"{NAME}(?:\.{NAME})*(?:\.\d+(?:\.[xyz]\b)?)?"  # a component may be a number: `box.principal_axis.1.x`
 SCAN = re.compile(rf"(?P<number>{DIGITS})|(?P<name>{PATH})|(?P<space>\s+)|(?P<mark>.)", re.DOTALL)
 POWER = r"(?:\s*\^\s*(?:[-−]?\d+|\([-−]?\d+/\d\))|[²³⁻¹⁴]+)?"
 UNIT = re.compile(rf"\s*(?P<word>[^\W\d_]+|°|%){POWER}")

@@ -11,13 +11,13 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import (
     BEARINGS,
     BODY,
+    DIRECTED,
     FELT,
     OF_BEARINGS,
     POINT,
     QUANTITIES,
     SPACE,
     SYSTEM,
-    VECTORS,
     QuantityKind,
 )
 from rotsolve.core.symbols import PLACES, RATES
@@ -322,7 +322,7 @@ def finish(
     component = read_component(scope, node, entry, rest[1]) if len(rest) > 1 else None
     if len(rest) > 1 and component is None:
         return None
-    if len(rest) == 3 and scope.space and entry.word in VECTORS and component not in SPACE and rest[2] in SPACE:
+    if len(rest) == 3 and scope.space and entry.word in DIRECTED and component not in SPACE and rest[2] in SPACE:
         component, rest = f"{component} {rest[2]}", rest[:2]  # of one of the forces on a body
     if len(rest) > 2:
         message = f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}"
@@ -336,7 +336,7 @@ def finish(
 
 def read_component(scope: Scope, node: Text, entry: QuantityKind, word: Segment) -> str | None:
     allowed = [*entry.components]
-    if scope.space and entry.word in VECTORS:
+    if scope.space and entry.word in DIRECTED:
         allowed = [*dict.fromkeys((*allowed, *SPACE, *FELT.get(entry.word, ())))]
     if entry.word in ANY_FORCE:
         allowed += scope.names("connection", "action")

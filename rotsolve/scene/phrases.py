@@ -233,10 +233,10 @@ class PhraseReader:
                 return None
             if found != Symbol("#0") or reader.phrase.terms[0].path.quantity not in DIRECTED:
                 span = self.node.part(part[0].start, part[-1].end)
-                words = self.node.value[part[0].start : part[-1].end]
+                name = self.node.value[part[0].start : part[-1].end]
                 message, help = "an angle is between vectors", "write `angle of A from B`, A and B paths of vectors"
-                if words in self.answers:
-                    help = f"write what `{words}` asks for in place of its name"
+                if name in self.answers:
+                    help = f"write what `{name}` asks for in place of its name"
                 return self.scope.fault(span, message, help, "find")
             terms += map(clauses.applied, reader.phrase.terms)
         self.phrase.unit = clauses.unit or self.phrase.unit

@@ -6,12 +6,14 @@ One that waits for another is tried again; where a law asked for does not reach,
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from typing import TypeVar
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.effort import Exhausted, Purse
 from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import Symbol
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Unsolvable
 from rotsolve.core.letters import letters_of
@@ -21,10 +23,10 @@ from rotsolve.language.problem import Find, Problem, Term, references
 from rotsolve.motion.timeline import Timeline
 from rotsolve.paths.meaning import NotYet, Unclear
 from rotsolve.paths.points import resting
-from rotsolve.questions.find import entries, question_for
+from rotsolve.questions.find import Asked, entries, question_for
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
-from rotsolve.search.search import Search, is_unreal
+from rotsolve.search.search import Search, asked_letter, is_unreal
 
 Got = TypeVar("Got")
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
@@ -58,6 +60,7 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
     A question that has an answer alone is asked before those that stood in its way.
     """
     search.thorough = len(finds) == 1
+    finds = letters_first(finds, search.scene.configuration.problem)
     finds = in_sequence(finds, search.scene.configuration.timeline)
     failed = answer_all(search, finds)
     if not failed:
@@ -71,6 +74,19 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
     if again:
         raise again[0][1]
     return search
+
+
+def letters_first(finds: Sequence[Find], problem: Problem) -> list[Find]:
+    """The questions, that for a letter of the scene before all that name it: which of several values it has is settled with it, not with
+    what is made of it."""
+    found = list(finds)
+    for letter in problem.sought:
+        own = next((find for find in found if find.formula == Symbol(letter) and not find.terms), None)
+        naming = [k for k, find in enumerate(found) if find is not own and letter in letters_named(find)]
+        if own is not None and naming and naming[0] < found.index(own):
+            found.remove(own)
+            found.insert(naming[0], own)
+    return found
 
 
 def in_sequence(finds: Sequence[Find], timeline: Timeline) -> list[Find]:
@@ -270,6 +286,9 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
 
     `whole` names the choice to which the question belongs.
     """
+    refuse_other_value(search, find)
+    if find.terms or not isinstance(find.formula, Symbol):
+        settle(search, letters_named(find) & search.scene.configuration.problem.sought)
     question = question_for(find, search.scene, search.letters(), search.beside())
     question = replace(question, whole=whole)
     if search.scene.configuration.problem.space:
@@ -281,13 +300,51 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
     extreme = find.extreme_letter if search.scene.configuration.problem.space else ""
     search.solver.once_round = extreme if extreme and search.may_be_angle(extreme) else ""
     try:
-        return search.answer(question)
+        return with_letters(search, question)
     except NoAnswer as error:
         if NEWTON in search.families:
             raise
-        return with_newton(search, whole or find.name, lambda: search.answer(question), error)
+        return with_newton(search, whole or find.name, lambda: with_letters(search, question), error)
     finally:
         search.solver.once_round = ""
+
+
+def refuse_other_value(search: Search, find: Find) -> None:
+    """Refuse the largest of a letter that the scene seeks where its smallest has been told: in one scene it has one value."""
+    sought = search.scene.configuration.problem.sought
+    if (
+        find.terms
+        or find.where is not None
+        or not find.formula.symbols() <= sought
+        or not isinstance(find.formula, Symbol)
+    ):
+        return
+    for other in (item.asked.find for item in search.answered if not item.aside):
+        same = other.formula == find.formula and not other.terms and other.where is None
+        if same and other.modifier != find.modifier:
+            name = find.formula.name
+            message = f"`{name}` has one value in a scene, that of `{other.name}`, which asks for another"
+            raise NotYet(message, find.span, "ask for it in a scene of its own")
+
+
+def with_letters(search: Search, question: Asked) -> Answered:
+    """The answer to a question; where it has none, once more with the letters settled that the scene seeks, of which a number may tell."""
+    try:
+        return search.answer(question)
+    except NoAnswer:
+        if not settle(search, search.scene.configuration.problem.sought - {question.letter}):
+            raise
+        return search.answer(question)
+
+
+def settle(search: Search, letters: Iterable[str]) -> bool:
+    """Answer aside what is sought of the letters of the scene; False where none of them is told that has not been before."""
+    before = len(search.answered)
+    for name in sorted(letters):
+        if name not in search.solver.solved:
+            with suppress(NoAnswer):
+                search.answer(asked_letter(name), aside=True)
+    return len(search.answered) > before
 
 
 def stands_still(velocity: Vector, search: Search) -> bool:

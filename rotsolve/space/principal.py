@@ -149,6 +149,11 @@ def principal_moment(
 ) -> Formula | None:
     """The first, second or third of them, from the smallest on, None where no axis shows; `side` tells the sign of a difference."""
     found = principal(tensor, spelled, vanishes)
+    return found[in_order(found, spelled, path, side)[number - 1]][0] if found else None
+
+
+def in_order(found: list[Found], spelled: Spelled, path: Path, side: Side) -> list[int]:
+    """The places of principal moments from the smallest on; refused where that hangs on letters."""
     moments = [moment for moment, _ in found]
     ordered: list[int] = []
     for one in range(len(moments)):
@@ -165,7 +170,7 @@ def principal_moment(
                 break
             place += 1
         ordered.insert(place, one)
-    return moments[ordered[number - 1]] if found else None
+    return ordered
 
 
 def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> int | None:
@@ -182,6 +187,25 @@ def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> 
     if ratio == ONE or ratio.symbols():
         return None
     return 1 if evaluate(ratio - ONE, {}).float > 0 else -1
+
+
+def numbered_axis(
+    tensor: InertiaTensor, spelled: Spelled, number: int, path: Path, vanishes: Nothing, side: Side
+) -> tuple[Formula, Triple] | None:
+    """The first, second or third moment from the smallest on, with its axis; None where no axis shows.
+
+    Refused where another moment equals it: any line across the third axis is one then.
+    """
+    found = principal(tensor, spelled, vanishes)
+    if not found:
+        return None
+    one = in_order(found, spelled, path, side)[number - 1]
+    moment, way = found[one]
+    alike = any(vanishes(spelled(moment - other)) for place, (other, _) in enumerate(found) if place != one)
+    if alike or way is None:
+        message = f"`{path_text(path)}`: two principal moments are equal, and all lines in a plane are axes of theirs"
+        raise NotYet(message, path.span, f"ask for the axis of the third: `{path.owner}.principal_axis`")
+    return moment, way
 
 
 def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> tuple[Formula, Triple]:

@@ -8,11 +8,11 @@ from functools import partial
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, sqrt, total
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, negate, sqrt, total
 from rotsolve.algebra.units.dimension import ANGLE, Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINETIC_ENERGY, PART_OF_ROOTS, Equation
-from rotsolve.core.quantity import DIRECTED, QUANTITIES
+from rotsolve.core.quantity import DIRECTED, EITHER_WAY, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.triple import (
@@ -178,11 +178,15 @@ class SpaceReader(VectorReader):
         if NOTHING in (one, two):
             lost = path_text((term if one == NOTHING else other).path)
             raise NotYet(f"`{lost}` is nothing, so that it is at no angle from anything", term.path.span)
+        along = dot_product(one, two)
+        if {term.path.quantity, other.path.quantity}.intersection(EITHER_WAY):
+            side = self.side(along)
+            along = call("abs", along) if side is None else negate(along) if side < 0 else along
         if sum(part != ZERO for part in cross_product(one, two)) > 1:
-            cosine = simplify(dot_product(one, two) / sqrt(multiply(square_of(one), square_of(two))))
+            cosine = simplify(along / sqrt(multiply(square_of(one), square_of(two))))
             return Meaning(Call("acos", (cosine,)), ANGLE, label="angle between two vectors, cos = a · b/(|a| |b|)")
         words = "angle between two vectors, tan = |a × b|/(a · b)"
-        return Meaning(call("atan2", length_of(cross_product(one, two)), dot_product(one, two)), ANGLE, label=words)
+        return Meaning(call("atan2", length_of(cross_product(one, two)), along), ANGLE, label=words)
 
     # scalars
 
@@ -304,12 +308,7 @@ class SpaceReader(VectorReader):
 
         tensor, number = self.tensor_about(path, term), int((path.component or "1").split()[-1])
         spelled, signs = self.dynamics.tensors.spelled, self.moment.signs
-
-        def side(gap: Formula) -> int | None:
-            sign = signs.decide(gap)
-            return signs.whatever_way(gap) if sign is None else sign
-
-        found, parts = principal_moment(tensor, spelled, number, path, self.held.vanishes, side), list[Equation]()
+        found, parts = principal_moment(tensor, spelled, number, path, self.held.vanishes, self.side), list[Equation]()
         if found is None:
             if nearly_alike(
                 tensor, lambda value: None if (size := signs.number(spelled(value))) is None else size.float
@@ -322,12 +321,10 @@ class SpaceReader(VectorReader):
         return Meaning(found, QUANTITIES["inertia"].dimension, label=PRINCIPAL, laws=steps, said=ground)
 
     def axis_ground(self, path: Path, term: Term) -> Words:
-        """Of which principal moment the axis is asked that stands alone."""
-        from rotsolve.space.principal import lone_axis
-
-        tensor = self.tensor_about(path, term)
-        moment, _ = lone_axis(tensor, self.dynamics.tensors.spelled, path, self.held.vanishes)
-        return "λ = ", moment, ", which stands alone"
+        """Of which principal moment the axis is asked."""
+        moment, _ = self.principal_pair(path, term)
+        numbered = (path.component or "").split(" ")[0].isdecimal()
+        return "λ = ", moment, "" if numbered else ", which stands alone"
 
     def part_of_cubic(
         self,

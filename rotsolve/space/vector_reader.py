@@ -249,11 +249,27 @@ class VectorReader:
         return self.dynamics.own_tensor(point)
 
     def principal_axis(self, path: Path, term: Term) -> Seen:
-        from rotsolve.space.principal import lone_axis
+        return self.principal_pair(path, term)[1], self.moment.own_axes(path.owner)
 
-        tensor = self.tensor_about(path, term)
-        _, way = lone_axis(tensor, self.dynamics.tensors.spelled, path, self.held.vanishes)
-        return way, self.moment.own_axes(path.owner)
+    def principal_pair(self, path: Path, term: Term) -> tuple[Formula, Triple]:
+        """The principal moment that a question numbers, else the one that stands alone, and its axis."""
+        from rotsolve.space.principal import lone_axis, numbered_axis
+
+        tensor, spelled, nothing = self.tensor_about(path, term), self.dynamics.tensors.spelled, self.held.vanishes
+        number = (path.component or "").split(" ")[0]
+        if not number.isdecimal():
+            return lone_axis(tensor, spelled, path, nothing)
+        path = replace(path, component=number)
+        found = numbered_axis(tensor, spelled, int(number), path, nothing, self.side)
+        if found is None:
+            message = f"`{path_text(path)}`: no principal axis shows in closed form"
+            raise NotYet(message, path.span, "ask for `principal_moments`, or for `inertia_tensor`")
+        return found
+
+    def side(self, gap: Formula) -> int | None:
+        """The sign of a difference, by its numbers or whatever its letters are."""
+        sign = self.moment.signs.decide(gap)
+        return self.moment.signs.whatever_way(gap) if sign is None else sign
 
     # of connections and actions
 

@@ -29,7 +29,7 @@ from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.confirm.space.rig import AXES, NODAL
 from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING
 from rotsolve.confirm.space.worlds import World
-from rotsolve.core.quantity import DIRECTED, INERTIAL
+from rotsolve.core.quantity import DIRECTED, EITHER_WAY, INERTIAL
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import Path, Term
@@ -53,7 +53,9 @@ class Reading:
         path = term.path
         if term.modifier == ANGLE_OF and term.other is not None:
             one, two = self.vector(path, term), self.vector(term.other.path, term.other)
-            return math.atan2(arrow_length(crossed(one, two)), inner_product(one, two))
+            across, along = arrow_length(crossed(one, two)), inner_product(one, two)
+            free = {path.quantity, term.other.path.quantity}.intersection(EITHER_WAY)
+            return math.atan2(across, abs(along) if free else along)
         if path.quantity in DIRECTED:
             vector = self.seen(term)
             last = (path.component or "").split()[-1:]
@@ -399,9 +401,15 @@ class Reading:
         return found[int((path.component or "1").split()[-1]) - 1][0]
 
     def principal_axis(self, path: Path, term: Term) -> Arrow:
-        """The axis of the moment that no other equals, beside two that are equal."""
-        (low, first), (middle, _), (high, last) = moments_and_axes(self.tensor_about(path, term))
+        """The axis of the moment that is numbered, or that no other equals, beside two that are equal."""
+        (low, first), (middle, second), (high, last) = moments_and_axes(self.tensor_about(path, term))
         alike = 1e-9 * max(abs(high), 1e-300)
+        number = (path.component or "").split(" ")[0]
+        if number.isdecimal():
+            near = {"1": middle - low, "2": min(middle - low, high - middle), "3": high - middle}[number]
+            if near <= alike:
+                raise NotConfirmed("two principal moments are equal")
+            return {"1": first, "2": second, "3": last}[number]
         if (middle - low <= alike) == (high - middle <= alike):
             raise NotConfirmed("no principal moment stands alone")
         return last if middle - low <= alike else first

@@ -111,6 +111,18 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
     return own == (min if word == "smallest" else max)(left)
 
 
+def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> str:
+    """What is said of a letter that no equation tests where another root of its own equation may be meant as well; else ''."""
+    given = next((given for given in hearing.problem.givens if find.formula == Symbol(given.name)), None)
+    if given is None or find.modifier in EXTREMES:
+        return ""
+    sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
+    value = next(filter(sought.may_be, sought.other_roots()), None)
+    if value is None:
+        return ""
+    return f"{given.name}{sought.equal_to(value)}: ask for `smallest {given.name}` or `largest {given.name}`"
+
+
 def steady_somewhere(hearing: Hearing) -> bool:
     """Whether a state is steady, which is the same motion seen from behind where all rates have other signs."""
     return any(state.steady for state in hearing.problem.states)

@@ -30,6 +30,7 @@ from rotsolve.confirm.verdicts import (
     said_of,
 )
 from rotsolve.core.derivation import Answer, AnswerConfirmation
+from rotsolve.core.quantity import EITHER_WAY
 from rotsolve.core.symbols import TIME
 from rotsolve.language.block import asked_block, asked_parts
 from rotsolve.language.problem import EXTREMES, Find, Problem
@@ -42,7 +43,6 @@ SQUARED = 1e-8  # of the square of that size, for the square of a rate at which 
 RATES = ("angular_velocity", "velocity", "speed", "precession", "nutation", "spin")
 ROUNDED = 1e-14  # of the same, for a float that should be nothing
 COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
-EITHER_WAY = ("principal_axis",)  # directions that have no sense
 
 Said = Mapping[str, "float | str"]
 
@@ -240,7 +240,15 @@ def tested(
     """An answer that was put in is right where the equations then leave nothing over."""
     own, size = parts[""], max(hearing.size(hearing.place_of(find)), 1e-9)
     letter = hearing.letter(find)
-    off = hearing.correction(find)
+    try:
+        off = hearing.correction(find)
+    except NotConfirmed:
+        from rotsolve.confirm.space.rivals import beside_untested
+
+        beside = beside_untested(hearing, find, own, answer.rivals)
+        if not beside:
+            raise
+        return not_so(answer.name, beside, hearing.problem, numbers)  # what hangs on it is another with another value
     found = off + (own if letter is None else hearing.known[letter])
     holds = abs(found - own) <= SAME * size
     if holds:

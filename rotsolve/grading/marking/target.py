@@ -12,6 +12,7 @@ from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
+from rotsolve.core.quantity import EITHER_WAY
 from rotsolve.core.symbols import TIME, key_of
 from rotsolve.core.vectors.tensor import AXES
 from rotsolve.derivation.letters import in_printed_letters
@@ -180,7 +181,7 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
         turns = [term.path.quantity for term in find.terms] == ["turns"]
         whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, turns)
         directional = told and bool(answer.direction)
-        either = [term.path.quantity for term in find.terms] == ["principal_axis"]
+        either = [term.path.quantity for term in find.terms if not term.other] == [*EITHER_WAY]
         yield Target(answer.name, marking, whole, parts, labels_of(answer), len(rows) or 1, "", (), directional, either)
 
 
