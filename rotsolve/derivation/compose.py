@@ -61,7 +61,9 @@ def state_words(state: State, bare: str, printed: Callable[[Formula], Formula]) 
                 continue
             parts.append(" ".join(word for word in (*line_words(line), value) if word))
     parts += [f"{' '.join(words)} ({', '.join(values)})" for words, values in vectors.items()]
-    parts += [word for word, so in (("in balance", state.balance), ("steady", state.steady)) if so]
+    parts += [
+        word for word, so in (("in balance", state.balance), ("steady", state.steady and not state.balance)) if so
+    ]
     return (f"{spoken(state.name)}: " + (", ".join(parts) if parts else bare),)
 
 

@@ -12,7 +12,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate, sqrt, total
 from rotsolve.core.limits import Limit
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.vectors.tensor import ONE_AXIS, displaced
+from rotsolve.core.vectors.tensor import ONE_AXIS, InertiaTensor, displaced
 from rotsolve.core.vectors.triple import Z
 from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.elements.shapes import Shape
@@ -104,9 +104,12 @@ def tensor_limits(body: Body) -> Iterator[Limit]:
     off = displaced(mass or ZERO, (x, y, z))
     own = [simplify(tensor.entry(word) - off.entry(word)) for word in ONE_AXIS]
     words = f"no body has the moments of inertia of `{body.name}`: about its centre of mass one would be larger than the other two together"
+    about = (
+        f"those about `{body.inertia_about}` are larger by M d²: check its mass, and how far away its centre of mass is"
+    )
     for number in range(3):
         rest = [moment for place, moment in enumerate(own) if place != number]
-        yield Limit(simplify(rest[0] + rest[1] - own[number]), words)
+        yield Limit(simplify(rest[0] + rest[1] - own[number]), words, help=about if off != InertiaTensor() else "")
 
 
 def hole_margins(hole: Part, whole: Shape | None) -> Iterator[Formula]:

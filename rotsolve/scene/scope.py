@@ -139,10 +139,14 @@ class Scope:
         self.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
 
     def automatic(self, letter: str, owner: str, quantity: UnitValue, span: Span | None, hint: str = "") -> Symbol:
-        """The letter of a quantity that was written in place, so that derivations print letters; in questions one for each value."""
-        own = (quantity.value, quantity.dimension, quantity.text)
-        for given in self.givens.values() if not owner else ():
-            if given.automatic and given.span is not None and (given.value, given.dimension, given.text) == own:
+        """The letter of a quantity that was written in place, so that derivations print letters; in questions one for each value.
+
+        Of one body the same height, written twice, is one letter: what cancels by numbers then does in letters.
+        """
+        own, base = (quantity.value, quantity.dimension, quantity.text), f"{letter}_{owner}"
+        for given in self.givens.values() if not (owner and hint) else ():
+            named = not owner or given.name.rstrip("0123456789") == base
+            if named and given.automatic and given.span and (given.value, given.dimension, given.text) == own:
                 return Symbol(given.name)
         name = self.free(letter, owner, hint)
         self.givens[name] = Given(

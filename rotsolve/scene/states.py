@@ -39,6 +39,9 @@ def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
             conditions.extend(read_at_rest(scope, written))
         else:
             conditions.extend(conditions_of_line(scope, name, line, written))
+    if scope.space and flags["balance"]:  # nothing turns, and nothing starts to
+        conditions.append(Condition(None, rest=True, owner="all", span=key.span))
+        flags["steady"] = True
     return State(name, tuple(conditions), flags["balance"], flags["steady"], key.span)
 
 

@@ -160,7 +160,10 @@ def formula_fault(
         help = "only actions and driven hinges vary"
         scope.fault(span, "`time` can't stand here: this value is constant", help, "formula")
     elif kind and kind != "given":
-        scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", hint("", letters, "givens"), "formula")
+        help = hint("", letters, "givens")
+        if kind == "find":
+            help = f"a line may name answers of the lines above it; else write what `{wrong}` asks for in its place"
+        scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", help, "formula")
     elif names_unit(wrong):
         help = f"write `2 {wrong}`, or choose a letter for it"
         scope.fault(span, f"`{wrong}` is a unit without a number", help, "unit")

@@ -100,3 +100,39 @@ def test_equal_moments_that_no_letter_shows_are_refused_by_name() -> None:
     parts += ", s: {shape: sphere, mass: m, radius: a, at: [0, 0, 0]}"
     with pytest.raises(Unsolvable, match="two principal moments of `b` are equal"):
         solution(parts, "P: b.principal_moments", NUMBERS)
+
+
+PLATE = """up: z
+given: {M: 6 kg, a: 0.3 m, b: 0.4 m}
+bodies: {t: {shape: triangle, mass: M, corners: [[0, 0], [a, 0], [0, b]]}}
+find:
+  e: t.principal_axis.1 about t.corner1
+  f: t.principal_axis.2 about t.corner1
+  h: t.principal_axis.3 about t.corner1
+  x: t.principal_axis.1.x about t.corner1
+  q: angle of t.x_axis from (t.principal_axis.1 about t.corner1)
+"""
+
+
+def test_each_of_three_moments_has_its_axis() -> None:
+    """The tensor of a triangle about its right angle, M b²/6, M a²/6 and the product M a b/12; its axes by numpy."""
+    rows = numpy.diag([0.16, 0.09, 0.25])
+    rows[0, 1] = rows[1, 0] = -0.06
+    _, axes = numpy.linalg.eigh(rows)
+    found = solve(PLATE)
+    for name, axis in zip("efh", axes.T, strict=True):
+        own = numpy.array([part.float for part in found.answers[name].components.values()])
+        assert abs(own @ axis) == pytest.approx(1)
+    assert abs(found.answers["x"].float or 0) == pytest.approx(abs(axes[0, 0]))
+    assert found.answers["q"].float == pytest.approx(math.acos(abs(axes[0, 0])))  # an axis has no sense
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_two_equal_moments_have_no_axes_of_their_own(number: int) -> None:
+    scene = (
+        f"up: z\nbodies: {{d: {{shape: disc, mass: 2 kg, radius: 0.1 m}}}}\nfind: {{e: d.principal_axis.{number}}}\n"
+    )
+    with pytest.raises(Unsolvable, match="two principal moments are equal, and all lines in a plane are axes"):
+        solve(scene)
+    assert solve(scene.replace(f"axis.{number}", "axis.3")).answers["e"].components["z"].float == 1

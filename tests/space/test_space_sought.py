@@ -165,3 +165,100 @@ find: {v: w.velocity}
 """
     with pytest.raises(Unsolvable, match="its mass is not the same all round its axis"):
         solve(scene)
+
+
+ROD = """up: z
+given: {m: 2 kg, L: 0.6 m, W: 8 rad/s, q: unknown, g: 9.81 m/s^2}
+bodies: {rod: {shape: rod, mass: m, length: L}}
+connections: {hook: {ball: rod.start}}
+states: {now: {rod.tilt: q, rod.precession: W, steady: true}}
+find: {FIND}
+"""
+ASKED = ("b: 180 deg - q in deg", "q: q in deg", "F: hook.force.z")
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (0, 2), (1, 0, 2)])
+def test_what_is_made_of_a_letter_is_that_of_the_letter(order: tuple[int, ...]) -> None:
+    """Beer and Johnston, problem 18.79: cos β = 3 g/(2 L ω²), whatever is asked first; upright is an answer where there is no other."""
+    beta = np.arccos(3 * 9.81 / (2 * 0.6 * 64))
+    found = solve(ROD.replace("FIND", ", ".join(ASKED[k] for k in order)))
+    assert found.answers["b"].float == pytest.approx(np.degrees(beta))
+    assert found.answers["F"].float == pytest.approx(2 * 9.81)
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+ARM = """up: z
+given: {m: 2 kg, L: 0.6 m, d: 0.2 m, W: 8 rad/s, q: unknown, g: 9.81 m/s^2}
+bodies:
+  arm: {mass: 0, points: {O: [0, 0, 0], P: [PLACE, 0, 0]}}
+  rod: {shape: rod, mass: m, length: L}
+connections:
+  post: {hinge: arm.O, along: z, angular_velocity: W}
+  pin: {hinge: [arm.P, rod.start], along: y}
+states: {now: {rod.angle: q, steady: true}}
+find: {FIND}
+"""
+
+
+@pytest.mark.parametrize("place", ["0", "d"])
+@pytest.mark.parametrize(
+    "find",
+    ["q: q", "c: 90 deg - q, q: q", "c: cos(q)", "v: rod.end.speed", "F: pin.force.z", "K: rod.kinetic_energy, q: q"],
+)
+def test_one_of_several_motions_is_not_chosen_by_what_is_asked(find: str, place: str) -> None:
+    scene = ARM.replace("PLACE", place).replace("FIND", find)
+    with pytest.raises(Unsolvable, match="several motions are possible"):
+        solve(scene if place == "d" else scene.replace("d: 0.2 m, ", ""))
+
+
+PUSHED = """up: z
+given: {M: 1 kg, l: 0.1 m, I1: 0.02 kg m^2, I3: 0.004 kg m^2, s: 50 rad/s, W: unknown, g: 9.81 m/s^2}
+bodies: {top: {mass: M, inertia: {about: O, principal: [I1, I1, I3]}, axis: z, points: {O: [0, 0, -l]}}}
+connections: {pin: {ball: top.O}}
+states:
+  start: {top.tilt: 60 deg, top.axial_rate: s, top.precession: W, top.nutation: 0 rad/s}
+  low: {top.tilt: 75 deg, top.nutation: 0 rad/s}
+find: {FIND}
+"""
+
+
+def pushes() -> list[float]:
+    """The precessions at 60° with which the tilt comes to rest at 75°: energy with φ̇ = (L_z − L₃ cos θ)/(I₁ sin² θ)."""
+    one, two = np.radians(60), np.radians(75)
+    spin, fall = 0.004 * 50, 2 * 0.981 * (np.cos(one) - np.cos(two)) / 0.02
+    share, gain = np.sin(one) ** 2 / np.sin(two) ** 2, spin * (np.cos(one) - np.cos(two)) / (0.02 * np.sin(two) ** 2)
+    a, b, c = np.sin(two) ** 2 * np.array([share**2, 2 * share * gain, gain**2])
+    return sorted(np.roots([a - np.sin(one) ** 2, b, c - fall]).real)
+
+
+def test_a_letter_has_one_value_in_a_scene() -> None:
+    small, large = pushes()
+    for word, value in (("smallest", small), ("largest", large)):
+        assert solve(PUSHED.replace("FIND", f"W: {word} W")).answers["W"].float == pytest.approx(value)
+    both = solve(PUSHED.replace("FIND", "W: smallest W, V: largest W"))
+    assert both.answers["W"].float == pytest.approx(small)
+    assert [(item.name, "has one value in a scene" in item.fault.message) for item in both.derivation.refused] == [
+        ("V", True)
+    ]
+
+
+@pytest.mark.parametrize("find", ["W: W", "W: W, P: top.precession at low"])
+def test_one_of_two_values_that_no_equation_tests_is_not_chosen(find: str) -> None:
+    with pytest.raises(Unsolvable, match=r"20\.6095 in SI units makes it so too: ask for `smallest W` or `largest W`"):
+        solve(PUSHED.replace("FIND", find))
+
+
+def test_a_letter_is_told_by_another_that_has_no_closed_form() -> None:
+    """A mass that balances two others, beside the angle at which it lies: m r = |m₁ r₁ + m₂ r₂|."""
+    scene = """up: z
+gravity: none
+given: {m1: 2 kg, m2: 3 kg, r1: 80 mm, r2: 70 mm, r: 100 mm, m: unknown, q: unknown, w: 10 rad/s}
+bodies:
+  disc:
+    parts: {A: {mass: m1, at: [r1, 0, 0]}, B: {mass: m2, at: [0, r2, 0]}, X: {mass: m, at: ["r*cos(q)", "r*sin(q)", 0]}}
+    points: {O: [0, 0, 0]}
+connections: {axis: {hinge: disc.O, along: z, angular_velocity: w}}
+states: {now: {disc.angle: 0 deg, axis.force.x: 0 N, axis.force.y: 0 N}}
+find: {m: m}
+"""
+    assert solve(scene).answers["m"].float == pytest.approx(np.hypot(0.16, 0.21) / 0.1)

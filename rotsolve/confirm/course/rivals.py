@@ -82,6 +82,8 @@ class Rivals:
         for several in self.answers:
             find, verdict = self.finds[several.name], verdicts[several.name]
             answer, given = holding(several, known), self.givens.get(find.formula)
+            if given is not None and given.value is not None and find.where is None:
+                continue  # a number that the scene tells, in another unit
             if verdict.holds and answer is not None and given is not None:
                 yield SoughtLetter(find, given, known, verdict.answered[0], f"{find.group} {id(answer)}", answer.rivals)
         told = {find.formula for find in self.finds.values()}

@@ -68,11 +68,12 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
     mirrored = (-own,) if is_rate(given) else (math.pi - own,) if angle else ()  # as high on the other side of the top
     others = chain(sought.other_roots(), mirrored, Scan(reach, own).roots(places))
     sure = (0.0 if abs(value) <= NOTHING * abs(own) else value for value in chain((0.0,), others))
-    beside = next((value for value in sure if sought.may_be(value) and fulfils(value)), None)
+    none = given.name in limited_letters(hearing.problem)  # its key lets it be no 0
+    beside = next((value for value in sure if sought.may_be(value) and (value or not none) and fulfils(value)), None)
     if beside is not None or not sought.sized:
         return ("" if beside is None else sought.said_beside(beside)), ""
-    if given.name in limited_letters(hearing.problem):
-        return "", ""  # its key lets it have no other sense
+    if none:
+        return "", ""  # nor one of the other sense
     against = chain(sought.other_roots(), mirrored, Scan(reach, own).roots([-place for place in places]))
     found = next((value for value in against if sought.may_be(value, sized=False) and fulfils(value)), None)
     return "", "" if found is None else sought.equal_to(found)
