@@ -113,20 +113,33 @@ def left_without_seeking(problem: Problem, solve: SolveFor) -> Solution | None:
 
 
 def where_none_seeks(problem: Problem, solution: Solution, solve: SolveFor) -> Solution:
-    """The solution for the others anew where all questions that seek open letters are refused: for these the letters stand for any value,
-    with what the scene lets them be."""
+    """The solution with what the letters that are sought may be for the others, for which they stand for any value; that for the others
+    anew where all that seeks is refused."""
     plain = {given.name for given in problem.givens if given.value is None and not given.asked}
-    sought = {find.group for find in problem.finds if letters_sought(find) & plain}
-    refused = [item for item in solution.derivation.refused if item.name in sought]
+    sought = {find.group: letters for find in problem.finds if (letters := letters_sought(find) & plain)}
     kept = tuple(find for find in problem.finds if find.group not in sought)
-    if not refused or sought - {item.name for item in refused} or not kept:
+    refused = [item for item in solution.derivation.refused if item.name in sought]
+    none_seeks = bool(refused) and sought.keys() <= {item.name for item in refused}
+    if not kept or not (none_seeks or hangs_on(set().union(*sought.values()), solution, sought)):
         return solution
     from rotsolve.solution import with_refused
 
     try:
-        return with_refused(refused, problem, solve(kept))
+        others = solve(kept)
     except (Unsolvable, SceneError):
         return solution
+    if none_seeks:
+        return with_refused(refused, problem, others)
+    told = solution.derivation.conventions
+    more = tuple(line for line in others.derivation.conventions if line not in told)
+    return replace(solution, derivation=replace(solution.derivation, conventions=(*told, *more)))
+
+
+def hangs_on(letters: set[str], solution: Solution, sought: Mapping[str, set[str]]) -> bool:
+    """Whether one of some letters stands in an answer that does not seek them."""
+    answers = [case for one in solution.derivation.answers if one.name not in sought for case in (one, *one.otherwise)]
+    parts = [part for one in answers for part in (one, *one.components, *(entry for row in one.rows for entry in row))]
+    return any(part.closed is not None and letters & part.closed.symbols() for part in parts)
 
 
 def without_seeking(left: list[Find], letters: list[str], problem: Problem, solution: Solution) -> Solution:

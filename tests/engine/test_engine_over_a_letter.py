@@ -255,3 +255,12 @@ find: {{q: smallest w where out is stable}}
 """
     with pytest.raises(Unsolvable, match="out is no equilibrium"):
         solve(scene)
+
+
+@pytest.mark.parametrize(
+    "sought", ["", ", q: k where va = 1 m/s", ", q: k where va is largest", ", q: k where va = 9 m/s"]
+)
+def test_what_a_letter_may_be_is_told_beside_what_seeks_it(sought: str) -> None:
+    found = solve(BUMP.replace("ASKED", f"va: a.velocity at f{sought}"))
+    assert any("k ≤ ½" in str(line) for line in found.derivation.conventions)
+    assert ("q" in found.refused) == ("9 m/s" in sought)
