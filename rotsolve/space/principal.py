@@ -149,10 +149,10 @@ def principal_moment(
 ) -> Formula | None:
     """The first, second or third of them, from the smallest on, None where no axis shows; `side` tells the sign of a difference."""
     found = principal(tensor, spelled, vanishes)
-    return found[in_order(found, spelled, path, side)[number - 1]][0] if found else None
+    return found[rising_order(found, spelled, path, side)[number - 1]][0] if found else None
 
 
-def in_order(found: list[Found], spelled: Spelled, path: Path, side: Side) -> list[int]:
+def rising_order(found: list[Found], spelled: Spelled, path: Path, side: Side) -> list[int]:
     """The places of principal moments from the smallest on; refused where that hangs on letters."""
     moments = [moment for moment, _ in found]
     ordered: list[int] = []
@@ -199,7 +199,7 @@ def numbered_axis(
     found = principal(tensor, spelled, vanishes)
     if not found:
         return None
-    one = in_order(found, spelled, path, side)[number - 1]
+    one = rising_order(found, spelled, path, side)[number - 1]
     moment, way = found[one]
     alike = any(vanishes(spelled(moment - other)) for place, (other, _) in enumerate(found) if place != one)
     if alike or way is None:
