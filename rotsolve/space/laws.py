@@ -23,7 +23,7 @@ from rotsolve.core.equation import (
     Equation,
 )
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import is_key, key_of, of_kinds
+from rotsolve.core.symbols import has_quantities, is_key, key_of, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.triple import (
@@ -265,8 +265,8 @@ class SpaceLaws:
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
             if (left, change, across) == (ZERO, ZERO, ZERO) or self.goes_on(name):
                 continue
-            if axis == "y" and own.axes.name == NODE:
-                self.refuse_upright(name, left)
+            if axis == "y" and own.axes.name == NODE and self.leans_upright(name, left):
+                continue
             right, relation = add(change, across), "="
             # what does not change in its axes turns with them
             rate = "Ω × L" if change == ZERO else "(dL/dt in the axes) + Ω × L"
@@ -282,16 +282,24 @@ class SpaceLaws:
                 left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
             )
 
-    def refuse_upright(self, name: str, torque: Formula) -> None:
-        """Refuse a torque along e₂ on what stands upright: how it turns the axis off, φ̈ sin θ cannot tell where sin θ = 0."""
+    def leans_upright(self, name: str, torque: Formula) -> bool:
+        """Whether a torque along e₂ that is sought acts on what stands upright; one that is known is refused.
+
+        It turns the axis off, which φ̈ sin θ does not tell where sin θ = 0: by that there would be none.
+        """
         tilt = self.moment.told(name, "tilt")
         if tilt is None or torque == ZERO or self.moment.state.steady:
-            return
-        if self.moment.held.vanishes(heading(tilt).sin()) and not self.moment.held.vanishes(torque):
+            return False
+        if not self.moment.held.vanishes(heading(tilt).sin()):
+            return False
+        if has_quantities(torque) or torque.symbols() & self.moment.held.problem.sought:
+            return True
+        if not self.moment.held.vanishes(torque):
             words = f"`{name}` stands upright at {self.moment.spoken_of()}"
             message = f"{words}, where its tilt and precession don't tell which way its axis goes"
             help = f"tell `{name}.angular_velocity: [0, 0, w]` in place of its tilt and rates"
             raise Unsolvable(message, span=self.moment.held.bodies[name].span, help=help)
+        return False
 
     def torque_about(self, name: str, pushes: list[ForceInSpace], place: Triple) -> Triple:
         """Στ about a place: of two bearings by letters of their own where it is asked, so that the law tells it at once."""
