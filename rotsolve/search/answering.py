@@ -297,7 +297,7 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
         question = by_answers(question, [item.asked for item in search.answered if not item.aside])
     if question.moving.parts and stands_still(question.moving, search):
         raise NotYet(resting(find.terms[0].path))
-    extreme = find.extreme_letter if search.scene.configuration.problem.space else ""
+    extreme = find.extreme_letter
     search.solver.once_round = extreme if extreme and search.may_be_angle(extreme) else ""
     try:
         return with_letters(search, question)

@@ -124,7 +124,7 @@ class RootChoice(Struct, frozen=True):
         """Of several roots that have numbers the one that is meant: a double one, the stable one, the first reached, the expected sign."""
         if all(self.numbers.side(root - numbered[0][1]) == 0 for _, root in numbered[1:]):
             return PickedRoot(real[0][0], ("the roots coincide: it is only just reached",))
-        stable = self._stable(name, [root for _, root in numbered])
+        stable = self.coming_back(name, [root for _, root in numbered])
         if stable:
             found = sorted([real[place] for place in stable], key=lambda entry: entry[1] < 0)
             one = "the stable one" if len(found) == 1 else f"of {len(found)} stable ones that nearest to zero"
@@ -212,7 +212,7 @@ class RootChoice(Struct, frozen=True):
 
         return bool(on_shaft(name, self.scene))
 
-    def _stable(self, name: str, roots: Sequence[Formula]) -> list[int]:
+    def coming_back(self, name: str, roots: Sequence[Formula]) -> list[int]:
         """Places of the roots at which a body that stands somewhere comes back when it is displaced."""
         if not any(state.balance or state.steady for state in self.scene.configuration.timeline.states):
             return []
@@ -314,6 +314,10 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
         given.dimension in BODILY and not placed
     ):  # without a length, or a mass, there is no body; a place is at an end too
         able = [index for index in able if numbers.side(roots[index]) == 1] or able
+    if not search.scene.configuration.problem.space:  # as without the word, what a displaced body comes back to
+        choice = RootChoice(search.scene, search.givens, numbers, search.definitions.formula)
+        stable = choice.coming_back(name, roots) if asked.where is None else []
+        able = [index for index in able if index in stable] or able
     if not able:
         return picked
     sign = -1 if word == "largest" else 1

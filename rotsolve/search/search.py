@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle, real_where
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
@@ -148,36 +149,38 @@ class Search(Struct, dict=True):
         A question that seeks the letter, `asked`, the one at hand or the only one, may say that its `largest` or `smallest` value is meant.
         """
         turns = [0] * len(roots)
-        if name in self.givens and period is None and name == self.solver.once_round:
+        round_ = period is None or is_zero(period - TURN)
+        if name in self.givens and round_ and name == self.solver.once_round:
             turns = [whole_turns(root, self) for root in roots]
             roots = [root + count * TURN for root, count in zip(roots, turns, strict=True)]
         picked = self.picked_root(name, roots, period)
         if picked is not None and name in self.givens:
             finds = (self.seeking, *self.scene.configuration.problem.finds)
             asked = asked or next((find for find in finds if find is not None and find.seeks == name), None)
-            asked = asked or self.extreme_asked(name)
+            asked = asked or self.extreme_asked(name, picked)
             if asked is not None and asked.modifier in EXTREMES:
                 from rotsolve.search.roots import extreme_root
 
                 picked = extreme_root(name, roots, picked, asked, self)
-            if picked.guessed:
+            if (
+                picked.guessed or self.scene.configuration.problem.space
+            ):  # there a rate of the other sense may have another size
                 self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
         if picked is not None and turns[picked.root]:
             return replace(picked, turns=picked.turns + turns[picked.root])
         return picked
 
-    def extreme_asked(self, name: str) -> Find | None:
-        """The question for the largest or smallest value of a letter in space, where no motion tells which it comes to first."""
-        if not self.scene.configuration.problem.space:
-            return None
+    def extreme_asked(self, name: str, picked: PickedRoot) -> Find | None:
+        """The question for the largest or smallest value of a letter, where no motion tells which it comes to first."""
+        asked = next((find for find in self.scene.configuration.problem.finds if find.extreme_letter == name), None)
+        if asked is None or not self.scene.configuration.problem.space:
+            from rotsolve.search.first_reached import FIRST
+
+            return None if picked.words == FIRST else asked
         from rotsolve.space.roots import way_on_hinge
         from rotsolve.space.steady import steady_letter
 
-        finds = self.scene.configuration.problem.finds
-        asked = next((find for find in finds if find.extreme_letter == name), None)
-        if asked is None or steady_letter(name, self.scene) or way_on_hinge(name, self.scene, self.numbers):
-            return None
-        return asked
+        return None if steady_letter(name, self.scene) or way_on_hinge(name, self.scene, self.numbers) else asked
 
     def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""

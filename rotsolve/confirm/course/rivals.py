@@ -94,7 +94,8 @@ class Rivals:
                 and given.name in known
                 and any(map(stands_confirmed, verdicts.values()))
             ):
-                yield SoughtLetter(Find(given.name, letter, ()), given, known, known[given.name], given.name)
+                find = Find(given.name, letter, ())
+                yield SoughtLetter(find, given, known, known[given.name], given.name, on_the_way=True)
 
     def rivals(self, sought: SoughtLetter) -> Iterator[float]:
         """The values with which all holds as well, those of the equation's other roots first; others of a size stay `against` it."""
@@ -117,10 +118,21 @@ class Rivals:
         try:
             for value in self.roots(sought, places, self.budget):
                 if self.does(sought, value, sized=False):
-                    self.against[name] = f"{sought.equal_to(value)}{self.numbers_of(sought)}"
+                    self.against |= dict.fromkeys(self.others_with(sought, value), self.equal_to(sought, value))
                     break
         except OverBudget:
             self.against[name] = UNTOLD
+
+    def others_with(self, sought: SoughtLetter, value: float) -> list[str]:
+        """The answers that are others with another value: that of the letter, or where no question asks for it all that hang on it."""
+        if not sought.on_the_way:
+            return [sought.find.group]
+        return [one.name for one in self.answers if self.changes_with(one, sought.known, sought.numbers(value))]
+
+    def equal_to(self, sought: SoughtLetter, value: float) -> str:
+        """That another value does as well, with the numbers of open letters."""
+        letter = f": {sought.given.name}" if sought.on_the_way else ""
+        return f"{letter}{sought.equal_to(value)}{self.numbers_of(sought)}"
 
     def roots(self, sought: SoughtLetter, places: Sequence[float], budget: Budget) -> Iterator[float]:
         """What fulfils what is asked or told of the letter, between places that the scene lets it be, while other letters stay."""
@@ -198,6 +210,7 @@ class SoughtLetter(Struct, frozen=True):
     case: str
     roots: tuple[Formula, ...] = ()  # others of its equation
     signed: bool = False  # whether it goes by value: a rate in space
+    on_the_way: bool = False  # whether no question asks for it: then it is told of no angle to which side it is
 
     @property
     def turned_round(self) -> bool:
@@ -214,9 +227,10 @@ class SoughtLetter(Struct, frozen=True):
             yield math.remainder(self.said, math.tau)
         for root in self.roots:
             try:
-                yield float(value_of(root, self.known))
+                value = float(value_of(root, self.known))
             except (NotConfirmed, ArithmeticError, ValueError, TypeError):
                 continue
+            yield math.remainder(value, math.tau) if self.given.dimension == ANGLE and abs(value) > math.pi else value
 
     @property
     def sized(self) -> bool:
@@ -252,7 +266,8 @@ class SoughtLetter(Struct, frozen=True):
         apart = abs(math.remainder(value - said, math.tau) if angle else value - said)
         if not math.isfinite(value) or apart <= SAME * max(abs(value), abs(said)):
             return False
-        if angle and (abs(value) > math.pi or (sized and said > 0.0 and abs(value + said) <= SAME * said)):
+        mirrored = sized and said > 0.0 and abs(value + said) <= SAME * said and not self.on_the_way
+        if angle and (abs(value) > math.pi or mirrored):
             return False  # an angle to one side is that to the other, seen in a mirror
         inside = {"largest": value < said, "smallest": value > said}.get(self.find.modifier, False)
         return (angle or value >= 0.0 or said < 0.0 or not sized or self.signed) and not inside

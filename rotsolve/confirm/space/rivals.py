@@ -149,6 +149,30 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
     return False
 
 
+def others_on_the_way(hearing: Hearing) -> Iterator[tuple[str, float, str]]:
+    """Other values of the only letter that is put in where no question asks for it, with which a scene of one moment is as good.
+
+    With a rate of the other sense and the same size goes what is said of it; what is no rate and no angle is positive.
+    """
+    (place, *more) = hearing.places or ("",)
+    asked = {find.formula.name for find in hearing.problem.finds if isinstance(find.formula, Symbol) and not find.terms}
+    if (
+        more
+        or not isinstance(place, str)
+        or place not in hearing.known
+        or place in asked
+        or len(hearing.problem.states) > 1
+    ):
+        return
+    own, angle = hearing.known[place], hearing.is_angle(place)
+    for value in others(hearing, own):
+        near = math.remainder(value - own, math.tau) if angle else value - own
+        if abs(near) <= SAME * max(abs(own), abs(value)) or not (value > 0 or own < 0 or rate_or_angle(hearing, place)):
+            continue
+        behind = not angle and abs(value + own) <= SAME * abs(own)
+        yield place, value, f": {place} = {value:g} in SI units makes it so too" if behind else ""
+
+
 def others(hearing: Hearing, own: float) -> Iterator[float]:
     """The numbers, beside one, with which the equations of all bodies leave nothing over."""
     angle, place = hearing.is_angle(hearing.places[0]), hearing.places[0]

@@ -44,6 +44,8 @@ RATES = ("angular_velocity", "velocity", "speed", "precession", "nutation", "spi
 ROUNDED = 1e-14  # of the same, for a float that should be nothing
 COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
 
+OF_SEVERAL = "`{letter}`, on which it may hang, has several values that fit"
+
 Said = Mapping[str, "float | str"]
 
 
@@ -128,6 +130,18 @@ def judged_in_space(
         found = found or heard(finds, answer, said[answer.name], hearing, numbers)
         exact |= {answer.name: found.found[0]} if len(found.found) == 1 else {}
         verdicts[answer.name] = found
+    sure = [answer for answer in answers if verdicts[answer.name].holds]
+    from rotsolve.confirm.space.rivals import others_on_the_way
+
+    for letter, value, behind in others_on_the_way(hearing) if sure else ():
+        other = Hearing(problem, {**known, letter: value}, told, scans)
+        for answer in sure:
+            finds = [find for find in problem.finds if find.group == answer.name]
+            own = verdicts[answer.name]
+            if not own.holds or heard(finds, answer, said[answer.name], other, numbers).holds:
+                continue
+            why = OF_SEVERAL.format(letter=letter)
+            verdicts[answer.name] = replace(own, also=behind) if behind else AnswerConfirmation(answer.name, None, why)
     yield from hanging_on_doubtful(verdicts, hearing)
 
 
@@ -143,7 +157,7 @@ def hanging_on_doubtful(verdicts: Mapping[str, AnswerConfirmation], hearing: Hea
             (find for find in doubtful if item.holds and may_hang_on(own, find) and share_parts(find, own, hearing)),
             None,
         )
-        why = "" if letter is None else f"`{letter.name}`, on which it may hang, has several values that fit"
+        why = "" if letter is None else OF_SEVERAL.format(letter=letter.name)
         yield replace(item, holds=None, why=why) if why else item
 
 
