@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
+import numpy
 import pytest
 
 import rotsolve
+from rotsolve import Unsolvable, solve
 from rotsolve.confirm.course.samples import holding
 from rotsolve.confirm.course.scan import Scan, places_beside
 from rotsolve.confirm.numbers import value_of
@@ -190,3 +193,84 @@ find: {{th: th}}
     assert [verdict.holds for verdict in solution.derivation.confirmed] == [
         True if start < 0 else None
     ]  # not all looked for
+
+
+SHAFT = """
+given: {M: 1 kg, L: 60 cm, w: 8 rad/s, b: 10 cm, q: unknown, g: 9.8 m/s^2}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {pin: {shaft: rod.start, turning: w, distance: b}}
+states: {round: {rod.angle: q - 90 deg, steady: true}}
+find: {FIND}
+"""
+
+
+def places_on_shaft() -> list[tuple[float, float]]:
+    """Where a rod stands on its shaft, from hanging on, and the slope of what drives it there: below 0 it comes back."""
+
+    def drive(q: float) -> float:
+        return 64 * math.cos(q) * (0.1 * 0.3 + 0.36 / 3 * math.sin(q)) - 9.8 * 0.3 * math.sin(q)
+
+    places = [-math.pi + k * math.tau / 1000 for k in range(1001)]
+    found = []
+    for low, high in pairwise(places):
+        if drive(low) * drive(high) <= 0:
+            place = low - drive(low) * (high - low) / (drive(high) - drive(low))  # 0.36° apart: good to 1e-5
+            found.append((math.degrees(place), drive(place + 1e-6) - drive(place - 1e-6)))
+    return found
+
+
+@pytest.mark.parametrize("word", ["largest", "smallest"])
+def test_the_largest_place_on_a_shaft_is_one_to_which_it_comes_back(word: str) -> None:
+    stable = [place for place, slope in places_on_shaft() if slope < 0]
+    value = (max if word == "largest" else min)(stable)
+    assert solve(SHAFT.replace("FIND", f"q: {word} q in deg")).answers["q"].float == pytest.approx(value, abs=1e-3)
+
+
+LUMP = """
+given: {m: 1 kg, M: 2 kg, L: 1 m, a: -15.2 rad/s^2, x: unknown, g: 9.8 m/s^2}
+bodies: {rod: {shape: rod, mass: M, length: L}, lump: {mass: m}}
+connections: {pin: {hinge: rod.start}, w1: {weld: [rod.at(x), lump]}}
+states: {now: {rod.angle: 0, rod.angular_velocity: 0, rod.angular_acceleration: a}}
+find: {x: FIND x}
+"""
+
+
+@pytest.mark.parametrize("word", ["largest", "smallest"])
+def test_the_largest_root_is_not_the_one_that_is_taken_without_the_word(word: str) -> None:
+    """(M L²/3 + m x²) a = −(½ M L + m x) g."""
+    roots = sorted(numpy.roots([-15.2, 9.8, 9.8 - 15.2 * 2 / 3]).real)
+    value = roots[-1] if word == "largest" else roots[0]
+    assert solve(LUMP.replace("FIND", word)).answers["x"].float == pytest.approx(value)
+    with pytest.raises(Unsolvable, match="makes it so too"):
+        solve(LUMP.replace("FIND", ""))
+
+
+SWUNG = """
+given: {M: 2 kg, L: 1 m, w: W, q: Q, g: 9.8 m/s^2}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: rod.start}}
+states: {now: {rod.angle: q, rod.angular_velocity: w, TOLD}}
+find: {FIND}
+"""
+
+
+@pytest.mark.parametrize("find", ["F: pin.force.y", "v: rod.end.velocity.x", "K: rod.kinetic_energy, F: pin.force.y"])
+def test_an_angle_on_the_way_may_be_to_either_side(find: str) -> None:
+    """With cos q told q may be ±114.09°, and the forces differ; what is the same on both sides stays."""
+    scene = (
+        SWUNG.replace("W,", "4 rad/s,").replace("Q,", "unknown,").replace("TOLD", "rod.angular_acceleration: 6 rad/s^2")
+    )
+    with pytest.raises(Unsolvable, match=r"q = −114\.09° makes it so too"):
+        solve(scene.replace("FIND", find.rpartition(", ")[2]))
+    if find.startswith("K"):
+        found = solve(scene.replace("FIND", find))
+        assert found.answers["K"].float == pytest.approx(2 / 6 * 16)
+        assert "F" in found.refused
+
+
+def test_a_rate_on_the_way_is_positive_and_that_is_said() -> None:
+    scene = SWUNG.replace("W,", "unknown,").replace("Q,", "30 deg,").replace("TOLD", "pin.force.x: -20 N")
+    found = solve(scene.replace("FIND", "v: rod.end.velocity.y, K: rod.kinetic_energy"))
+    notes = {item.name: item.also for item in found.derivation.confirmed}
+    assert "makes it so too" in notes["v"]
+    assert not notes["K"]

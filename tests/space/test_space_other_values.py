@@ -86,3 +86,64 @@ def test_a_value_against_the_sense_of_a_size_is_named() -> None:
     (verdict,) = found.derivation.confirmed
     assert verdict.holds
     assert verdict.also == " = -1.49331 in SI units makes it so too"
+
+
+ROTOR = """up: z
+gravity: none
+given: {m1: 0.6 kg, mb: 0.5 kg, r: 0.1 m, n: 30 rad/s, q: unknown}
+bodies:
+  rotor:
+    parts:
+      one: {shape: particle, mass: m1, at: [r, 0, 0]}
+      b1: {shape: particle, mass: mb, at: [r*cos(q), r*sin(q), 0]}
+    points: {O: [0, 0, 0]}
+connections: {shaft: {hinge: rotor.O, along: z, angular_velocity: n}}
+states: {now: {rotor.angle: 0 deg, TOLD}}
+find: {FIND}
+"""
+UNSURE = "`q`, on which it may hang, has several values that fit"
+
+
+def test_a_letter_on_the_way_may_have_several_values() -> None:
+    """F_x = −n² r (m₁ + m cos q) = −40 N: cos q is told, and F_y = ∓42.8 N; what hangs on cos q alone is sure."""
+    found = solve(ROTOR.replace("TOLD", "shaft.force.x: -40 N").replace("FIND", "F: shaft.force.y, c: rotor.cm.x"))
+    verdicts = {item.name: (item.holds, item.why) for item in found.derivation.confirmed}
+    assert verdicts == {"F": (None, UNSURE), "c": (True, "")}
+    assert found.answers["c"].float == pytest.approx(40 / (1.1 * 900))
+
+
+@pytest.mark.parametrize(("word", "degrees"), [("smallest", -153.61), ("largest", -26.39)])
+def test_angles_are_compared_once_round(word: str, degrees: float) -> None:
+    """F_y = −m r n² sin q = 20 N."""
+    found = solve(ROTOR.replace("TOLD", "shaft.force.y: 20 N").replace("FIND", f"q: {word} q in deg"))
+    assert found.answers["q"].float == pytest.approx(degrees, abs=0.01)
+
+
+def test_one_of_two_angles_is_not_confirmed() -> None:
+    found = solve(ROTOR.replace("TOLD", "shaft.force.y: 20 N").replace("FIND", "q: q"))
+    assert [(item.holds, item.why) for item in found.derivation.confirmed] == [(None, "several motions fit its state")]
+
+
+EGG = """up: z
+gravity: none
+given: {I1: 0.02 kg m^2, I2: 0.05 kg m^2, I3: 0.06 kg m^2, a: unknown, c: 5 rad/s}
+bodies: {egg: {mass: 2 kg, inertia: {principal: [I1, I2, I3]}, axis: z}}
+connections: {pin: {ball: egg.cm}}
+states:
+  now:
+    egg.tilt: 50 deg
+    egg.precession: a
+    egg.nutation: 0 rad/s
+    egg.spin: c
+    egg.precession_angle: 0 deg
+    egg.spin_angle: 30 deg
+    egg.kinetic_energy: 12 J
+find: {FIND}
+"""
+
+
+@pytest.mark.parametrize("find", ["a: a", "w: egg.axial_rate"])
+def test_a_rate_of_the_other_sense_may_have_another_size(find: str) -> None:
+    found = solve(EGG.replace("FIND", find))
+    assert [item.holds for item in found.derivation.confirmed] == [None]
+    assert "several" in found.derivation.confirmed[0].why
