@@ -61,6 +61,7 @@ class Ground:
         problem = configuration.problem
         self.scene = scene
         self.chose = False  # whether some equation had several roots
+        self.working_out: set[str] = set()  # the letters that are being told aside
         self.givens = {given.name: given for given in problem.givens}
         self.signs = SignOracle(
             problem.values, configuration.positive, configuration.signs.limits, trials=problem.trials
@@ -472,11 +473,17 @@ class Search(Struct, dict=True):
         return self.numbers.of(value)
 
     def aside(self, letter: str) -> Formula | None:
-        """A letter by Newton's laws alone, without a trace in this search."""
+        """A letter by Newton's laws alone, without a trace in this search; None of one that is being told, which hangs on itself."""
+        assert self.ground is not None
+        if letter in self.ground.working_out:
+            return None
+        self.ground.working_out.add(letter)
         try:
             return self.beside_by((NEWTON,)).value_of(letter)
         except NoAnswer:
             return None
+        finally:
+            self.ground.working_out.discard(letter)
 
     def apart(self, *, careful: bool = False) -> Search:
         """A search by all laws that knows the answers of this one, and the rates on the way to them, and leaves no trace in it."""

@@ -274,3 +274,12 @@ def test_a_rate_on_the_way_is_positive_and_that_is_said() -> None:
     notes = {item.name: item.also for item in found.derivation.confirmed}
     assert "makes it so too" in notes["v"]
     assert not notes["K"]
+
+
+@pytest.mark.parametrize("find", ["q: q", "a: rod.angular_acceleration at up"])
+def test_what_hangs_on_a_start_that_is_sought_ends(find: str) -> None:
+    """Which way a rod sets out hangs on the angle that is sought by how fast it comes to its lowest place: either side does."""
+    scene = SWUNG.replace("w: W, ", "").replace("q: Q", "q: unknown").partition("states")[0]
+    states = "states: {up: {rod.angle: q, at rest: all}, low: {rod.angle: -90 deg, rod.end.speed: 5 m/s}}\n"
+    with pytest.raises(Unsolvable, match="makes it so too"):
+        solve(f"{scene}{states}find: {{{find}}}\n")
