@@ -236,7 +236,13 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
 
         trace, admitted = solution.trace, partial(may_be, problem, whole)
         return confirmations(
-            solution.derivation.answers, whole.problem, trace.letter, admitted, trace.points, partial(limits_of, whole)
+            solution.derivation.answers,
+            whole.problem,
+            trace.letter,
+            admitted,
+            trace.points,
+            partial(limits_of, whole),
+            trace.others,
         )
 
     return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))

@@ -269,6 +269,7 @@ def composed(
         forward=search.scene.configuration.forward,
         by_law=lambda law: solved(problem, search.scene.configuration, law, digits, at).derivation,
         letter=lambda letter: solved_for(letter, search),
+        others=lambda letter: tuple(search.solver.with_found(root) for root in search.rivals.get(letter, ())),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 

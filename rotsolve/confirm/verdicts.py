@@ -50,9 +50,10 @@ def confirmations(
     admitted: Callable[[Numbers], bool],
     points: Sequence[Mapping[str, Fraction]] = (),
     limits: Callable[[], Iterable[Limit]] = tuple,
+    others: Callable[[str], tuple[Formula, ...]] | None = None,
 ) -> tuple[AnswerConfirmation, ...]:
     """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object; the
-    plane's `limits` tell most of that at once.
+    plane's `limits` tell most of that at once, and `others` are other roots for a letter that is settled on the way.
 
     Cases of letters to which no set belongs that was drawn are tried at the `points` at which they were found, and near their edges.
     """
@@ -62,7 +63,7 @@ def confirmations(
         return confirmations_in_space(answers, problem, solved, admitted, points)
     from rotsolve.confirm.course.verdict import confirmations_in_plane
 
-    return confirmations_in_plane(answers, problem, solved, admitted, points, limits)
+    return confirmations_in_plane(answers, problem, solved, admitted, points, limits, others)
 
 
 def confirmed_at(answers: Sequence[Answer], problem: Problem, solved: Solved, numbers: Numbers) -> tuple[str, ...]:

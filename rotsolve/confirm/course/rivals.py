@@ -52,8 +52,16 @@ class Rivals:
     Sizes are taken to be positive: of those that do against that sense `against` has the words, by answers.
     """
 
-    def __init__(self, answers: Sequence[Answer], problem: Problem, fits: Fits, judge: Judge) -> None:
+    def __init__(
+        self,
+        answers: Sequence[Answer],
+        problem: Problem,
+        fits: Fits,
+        judge: Judge,
+        others: Callable[[str], tuple[Formula, ...]] | None = None,
+    ) -> None:
         self.answers, self.problem, self.fits, self.judge = answers, problem, fits, judge
+        self.others = others or (lambda _: ())
         self.finds = {find.group: find for find in problem.finds}
         self.givens: dict[Formula, Given] = {Symbol(given.name): given for given in problem.givens}
         sought = {find.formula for find in problem.finds}
@@ -95,7 +103,8 @@ class Rivals:
                 and any(map(stands_confirmed, verdicts.values()))
             ):
                 find = Find(given.name, letter, ())
-                yield SoughtLetter(find, given, known, known[given.name], given.name, on_the_way=True)
+                name, roots = given.name, self.others(given.name)
+                yield SoughtLetter(find, given, known, known[name], name, roots, on_the_way=True)
 
     def rivals(self, sought: SoughtLetter) -> Iterator[float]:
         """The values with which all holds as well, those of the equation's other roots first; others of a size stay `against` it."""

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.following import Broken, Course
@@ -78,9 +78,10 @@ def confirmations_in_plane(
     admitted: Callable[[Numbers], bool],
     points: Sequence[Mapping[str, Fraction]] = (),
     limits: Callable[[], Iterable[Limit]] = tuple,
+    others: Callable[[str], tuple[Formula, ...]] | None = None,
 ) -> tuple[AnswerConfirmation, ...]:
     """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object; its
-    `limits` tell most of that at once.
+    `limits` tell most of that at once, and `others` are other roots for a letter that is settled on the way.
 
     Cases of letters to which no set belongs that was drawn are tried at the `points` at which they were found, and near their edges.
     """
@@ -89,7 +90,7 @@ def confirmations_in_plane(
     heard = Heard(answers, problem, solved)
     tried, in_vain, wanted, budget, far_budget = 0, 0, sets_wanted(problem), Budget(BUDGET), Budget(BUDGET)
     meeting, own, scans = Budget(BUDGET), Budget(BUDGET), scans_of(problem, limits)
-    rivals = rivals_of(answers, problem, limits, scans)
+    rivals = rivals_of(answers, problem, limits, scans, others)
     for kind, numbers in sets_tried(answers, problem, admitted, points, limits):
         limit = {FAR: far_budget.portion(FAR_BUDGET), MEETING: meeting, OWN: own}.get(kind, budget)
         if limit.left < 0 or (kind == DRAWN and wanted in (tried, in_vain)):
@@ -271,7 +272,11 @@ def numbers_known(answers: Sequence[Answer], problem: Problem, numbers: Numbers,
 
 
 def rivals_of(
-    answers: Sequence[Answer], problem: Problem, limits: Callable[[], Iterable[Limit]], scans: Scans | None
+    answers: Sequence[Answer],
+    problem: Problem,
+    limits: Callable[[], Iterable[Limit]],
+    scans: Scans | None,
+    others: Callable[[str], tuple[Formula, ...]] | None = None,
 ) -> Rivals | None:
     """What looks for other values of the letters that answers tell, or hang on; None where there are none."""
     letters = {Symbol(given.name) for given in problem.givens}
@@ -284,7 +289,7 @@ def rivals_of(
         verdict = judged(find, said, Asker(problem, course, scans), numbers)
         return replace(verdict, holds=False) if verdict.holds and course.idle_event() else verdict
 
-    return Rivals(answers, problem, fits_of(tuple(limits())), judge)
+    return Rivals(answers, problem, fits_of(tuple(limits())), judge, others)
 
 
 def judged_in_plane(

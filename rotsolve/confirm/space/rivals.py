@@ -115,7 +115,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
 def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> str:
     """What is said of a letter that no equation tests where another root of its own equation may be meant as well; else ''."""
     given = next((given for given in hearing.problem.givens if find.formula == Symbol(given.name)), None)
-    if given is None or find.modifier in EXTREMES:
+    if given is None or find.modifier in EXTREMES or len(hearing.letters) > 1:  # what else is sought may forbid it
         return ""
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
     value = next(filter(sought.may_be, sought.other_roots()), None)
@@ -168,6 +168,9 @@ def others_on_the_way(hearing: Hearing) -> Iterator[tuple[str, float, str]]:
     for value in others(hearing, own):
         near = math.remainder(value - own, math.tau) if angle else value - own
         if abs(near) <= SAME * max(abs(own), abs(value)) or not (value > 0 or own < 0 or rate_or_angle(hearing, place)):
+            continue
+        tilt = tilt_with(hearing, place, value)
+        if tilt is not None and not UPRIGHT < tilt < math.pi - UPRIGHT:
             continue
         behind = not angle and abs(value + own) <= SAME * abs(own)
         yield place, value, f": {place} = {value:g} in SI units makes it so too" if behind else ""
