@@ -43,9 +43,8 @@ class Trace(Struct, frozen=True):
     forward: frozenset[str] = frozenset()  # whose friction acts the way in which its body is counted
     by_law: Callable[[str], Derivation] | None = None  # the same questions by another law
     letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
-    others: Callable[[str], tuple[Formula, ...]] | None = (
-        None  # other roots for a letter of the scene, if only on the way
-    )
+    # other roots for a letter of the scene, if only on the way
+    others: Callable[[str], tuple[Formula, ...]] = lambda _: ()
     points: tuple[Mapping[str, Fraction], ...] = ()  # numbers of which letters the cases of the answers were found
     confirmation: Callable[[], tuple[AnswerConfirmation, ...]] | None = None  # what an assembly says of the answers
 

@@ -50,7 +50,7 @@ def confirmations(
     admitted: Callable[[Numbers], bool],
     points: Sequence[Mapping[str, Fraction]] = (),
     limits: Callable[[], Iterable[Limit]] = tuple,
-    others: Callable[[str], tuple[Formula, ...]] | None = None,
+    others: Callable[[str], tuple[Formula, ...]] = lambda _: (),
 ) -> tuple[AnswerConfirmation, ...]:
     """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object; the
     plane's `limits` tell most of that at once, and `others` are other roots for a letter that is settled on the way.
@@ -60,7 +60,7 @@ def confirmations(
     if problem.space:
         from rotsolve.confirm.space.verdict import confirmations_in_space
 
-        return confirmations_in_space(answers, problem, solved, admitted, points)
+        return confirmations_in_space(answers, problem, solved, admitted, points, others)
     from rotsolve.confirm.course.verdict import confirmations_in_plane
 
     return confirmations_in_plane(answers, problem, solved, admitted, points, limits, others)

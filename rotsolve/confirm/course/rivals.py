@@ -58,10 +58,10 @@ class Rivals:
         problem: Problem,
         fits: Fits,
         judge: Judge,
-        others: Callable[[str], tuple[Formula, ...]] | None = None,
+        others: Callable[[str], tuple[Formula, ...]],
     ) -> None:
         self.answers, self.problem, self.fits, self.judge = answers, problem, fits, judge
-        self.others = others or (lambda _: ())
+        self.others = others
         self.finds = {find.group: find for find in problem.finds}
         self.givens: dict[Formula, Given] = {Symbol(given.name): given for given in problem.givens}
         sought = {find.formula for find in problem.finds}

@@ -78,7 +78,7 @@ def confirmations_in_plane(
     admitted: Callable[[Numbers], bool],
     points: Sequence[Mapping[str, Fraction]] = (),
     limits: Callable[[], Iterable[Limit]] = tuple,
-    others: Callable[[str], tuple[Formula, ...]] | None = None,
+    others: Callable[[str], tuple[Formula, ...]] = lambda _: (),
 ) -> tuple[AnswerConfirmation, ...]:
     """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object; its
     `limits` tell most of that at once, and `others` are other roots for a letter that is settled on the way.
@@ -276,7 +276,7 @@ def rivals_of(
     problem: Problem,
     limits: Callable[[], Iterable[Limit]],
     scans: Scans | None,
-    others: Callable[[str], tuple[Formula, ...]] | None = None,
+    others: Callable[[str], tuple[Formula, ...]] = lambda _: (),
 ) -> Rivals | None:
     """What looks for other values of the letters that answers tell, or hang on; None where there are none."""
     letters = {Symbol(given.name) for given in problem.givens}

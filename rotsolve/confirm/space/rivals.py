@@ -19,6 +19,7 @@ from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.rivals import SoughtLetter
 from rotsolve.confirm.course.scan import Scan, places_beside
+from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.hearing import VERGES, Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.verge import gap_under, step_to
@@ -141,31 +142,51 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
         return False
     sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=is_rate(givens[place]))
     mirrored = (-own,) if is_rate(givens[place]) else ()
-    for value in filter(sought.may_be, chain(sought.other_roots(), mirrored)):
-        with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
-            most = max(map(abs, hearing.left({0: STEPPED * hearing.size(place)})), default=0.0)
-            if max(map(abs, hearing.left({0: value - own})), default=math.inf) <= SAME * most:
-                return True
+    return any(
+        leaves_nothing(hearing, place, value) for value in filter(sought.may_be, chain(sought.other_roots(), mirrored))
+    )
+
+
+def letter_on_the_way(hearing: Hearing) -> str:
+    """The only letter that is put in, where no question asks for it; else ''."""
+    (place, *more) = hearing.places or ("",)
+    asked = {find.formula for find in hearing.problem.finds if not find.terms}
+    told = isinstance(place, str) and place in hearing.known and Symbol(place) not in asked
+    return place if isinstance(place, str) and told and not more else ""
+
+
+def fitting_roots(hearing: Hearing, letter: str, roots: tuple[Formula, ...]) -> Iterator[float]:
+    """Other roots for a letter with which the equations of all bodies leave nothing over; of an angle once round."""
+    for root in roots:
+        with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError, TypeError):
+            value = float(value_of(root, hearing.known))
+            value = math.remainder(value, math.tau) if hearing.is_angle(letter) else value
+            if leaves_nothing(hearing, letter, value):
+                yield value
+
+
+def leaves_nothing(hearing: Hearing, letter: str, value: float) -> bool:
+    """Whether the equations of all bodies leave nothing over with another value of the only letter that is put in."""
+    with suppress(NotConfirmed, Unfit, ArithmeticError, ValueError):
+        most = max(map(abs, hearing.left({0: STEPPED * hearing.size(letter)})), default=0.0)
+        return max(map(abs, hearing.left({0: value - hearing.known[letter]})), default=math.inf) <= SAME * most
     return False
 
 
-def others_on_the_way(hearing: Hearing) -> Iterator[tuple[str, float, str]]:
-    """Other values of the only letter that is put in where no question asks for it, with which a scene of one moment is as good.
+def others_on_the_way(
+    hearing: Hearing, roots: Callable[[str], tuple[Formula, ...]]
+) -> Iterator[tuple[str, float, str]]:
+    """Other values of the only letter that is put in where no question asks for it, with which a scene is as good: in one moment all that
+    it may be are looked at, else the other `roots` of its equation.
 
     With a rate of the other sense and the same size goes what is said of it; what is no rate and no angle is positive.
     """
-    (place, *more) = hearing.places or ("",)
-    asked = {find.formula.name for find in hearing.problem.finds if isinstance(find.formula, Symbol) and not find.terms}
-    if (
-        more
-        or not isinstance(place, str)
-        or place not in hearing.known
-        or place in asked
-        or len(hearing.problem.states) > 1
-    ):
+    place = letter_on_the_way(hearing)
+    if not place:
         return
     own, angle = hearing.known[place], hearing.is_angle(place)
-    for value in others(hearing, own):
+    at_once = len(hearing.problem.states) < 2
+    for value in others(hearing, own) if at_once else fitting_roots(hearing, place, roots(place)):
         near = math.remainder(value - own, math.tau) if angle else value - own
         if abs(near) <= SAME * max(abs(own), abs(value)) or not (value > 0 or own < 0 or rate_or_angle(hearing, place)):
             continue

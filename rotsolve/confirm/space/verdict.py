@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.samples import Numbers, holding, sets_of_numbers, sets_wanted, with_givens
 from rotsolve.confirm.course.scans import Scans
@@ -46,6 +46,14 @@ COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole
 
 OF_SEVERAL = "`{letter}`, on which it may hang, has several values that fit"
 
+Others = Callable[[str], "tuple[Formula, ...]"]
+
+
+def no_others(_: str) -> tuple[Formula, ...]:
+    """No other roots."""
+    return ()
+
+
 Said = Mapping[str, "float | str"]
 
 
@@ -55,14 +63,18 @@ def confirmations_in_space(
     solved: Solved,
     admitted: Callable[[Numbers], bool],
     points: Sequence[Mapping[str, Fraction]] = (),
+    others: Others = no_others,
 ) -> tuple[AnswerConfirmation, ...]:
-    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object."""
+    """What the assembly says of each answer; `admitted` says whether a scene may have such numbers, and is asked before they object.
+
+    `others` are other roots for a letter that is settled on the way.
+    """
     verdicts: dict[str, AnswerConfirmation] = {}
     wanted, tried, scans = sets_wanted(problem), 0, Scans()
     for numbers in numbers_tried(problem, points):
         if tried >= wanted + len(points):
             break
-        found = {item.name: item for item in heard_at(answers, problem, numbers, solved, scans)}
+        found = {item.name: item for item in heard_at(answers, problem, numbers, solved, scans, others)}
         objects = any(item.holds is False or item.astray for item in found.values())
         if objects and letters_open(problem) and not admitted(numbers):  # numbers of its own a scene may have
             found = {name: AnswerConfirmation(name, None, NO_CASE) for name in found}
@@ -87,7 +99,12 @@ def confirmed_in_space_at(
 
 
 def heard_at(
-    answers: Sequence[Answer], problem: Problem, numbers: Numbers, solved: Solved, scans: Scans | None = None
+    answers: Sequence[Answer],
+    problem: Problem,
+    numbers: Numbers,
+    solved: Solved,
+    scans: Scans | None = None,
+    others: Others = no_others,
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of each answer at one set of numbers."""
     known = {TIME: NOW, **numbers, **asked_letters(problem, numbers, solved)}
@@ -99,7 +116,7 @@ def heard_at(
         for case in cases
     }
     known |= letters_by_cases(problem, answers, said)
-    found = {item.name: item for item in judged_in_space(cases, problem, known, said, numbers, scans)}
+    found = {item.name: item for item in judged_in_space(cases, problem, known, said, numbers, scans, others)}
     for several in answers:
         yield found.get(several.name, AnswerConfirmation(several.name, None, NO_CASE))
 
@@ -117,6 +134,7 @@ def judged_in_space(
     said: Mapping[str, Said],
     numbers: Numbers,
     scans: Scans | None = None,
+    others: Others = no_others,
 ) -> Iterator[AnswerConfirmation]:
     """What the assembly says of answers that come to some numbers."""
     put: Put = answers_put_in(problem)
@@ -133,7 +151,7 @@ def judged_in_space(
     sure = [answer for answer in answers if verdicts[answer.name].holds]
     from rotsolve.confirm.space.rivals import others_on_the_way
 
-    for letter, value, behind in others_on_the_way(hearing) if sure else ():
+    for letter, value, behind in others_on_the_way(hearing, others) if sure else ():
         other = Hearing(problem, {**known, letter: value}, told, scans)
         for answer in sure:
             finds = [find for find in problem.finds if find.group == answer.name]
