@@ -20,7 +20,7 @@ from rotsolve.language.problem import TimeValue
 from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
 from rotsolve.search.consistency import KnownBalls
 from rotsolve.search.openings import stops
-from rotsolve.search.search import Search
+from rotsolve.search.search import Search, is_unreal
 
 
 def dimensions(search: Search) -> Iterator[Check]:
@@ -56,6 +56,8 @@ def limit_checks(search: Search) -> Iterator[Check]:
                 continue
             value = limit(formula, given.name, search)
             if value is None or length(value) > SHORT or value == formula or length(formula) < 6:
+                continue
+            if is_unreal(value, search):  # there is no such motion without the mass
                 continue
             words: Words = (Symbol(given.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
             if value != ZERO and (best is None or length(value) < best[0]):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from math import isclose
 
@@ -213,6 +214,14 @@ def test_not_equal(left: str, right: str) -> None:
 def test_division_by_zero() -> None:
     with pytest.raises(ZeroDivisionError):
         is_zero(parse("1/(sin(x)**2+cos(x)**2-1)"))
+
+
+def test_the_angle_of_two_roots_is_written_whole() -> None:
+    """A ratio of the sides may have a root of a half in it, which is no polynomial with whole coefficients."""
+    side = parse("sqrt((8*m - M)*(M - 4*m)/2)/2")
+    found = simplify(Call("atan2", (side, parse("2*m"))), positive=POSITIVE)
+    ratio = evaluate(found, {"m": Number(Fraction(3, 20)), "M": Number(Fraction(4, 5))}).float
+    assert isclose(ratio, math.atan2(math.sqrt(0.4 * 0.2 / 2) / 2, 0.3))
 
 
 def test_huge_coefficients_are_left_unfactored() -> None:

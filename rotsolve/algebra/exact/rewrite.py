@@ -276,7 +276,7 @@ class Rewriter:
         if function == "acos" and self.split_logs:
             return add(divide(PI, Number(Fraction(2))), negate(self._same("asin", first)))
         if function == "atan2" and self._surely_positive(arguments[1]):
-            return self._inverse("atan", (self.tidy(divide(first, arguments[1])),))
+            return self._inverse("atan", (self.tidy(self._rewrite(divide(first, arguments[1]))),))
         return (
             self._same(function, first) if len(arguments) == 1 else call(function, *self._reduced(first, arguments[1]))
         )
