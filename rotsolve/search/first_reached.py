@@ -65,7 +65,7 @@ class FirstReached(Struct, frozen=True):
         ways = self._round(places, start, way) if again else self._there_and_back(places, start, way)
         first = min(ways, key=cmp_to_key(self._compared))
         turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
-        return PickedRoot(first.root, FIRST, turns)
+        return PickedRoot(first.root, FIRST, turns, reached=True)
 
     def _compared(self, one: WayToRoot, other: WayToRoot) -> int:
         """Which way is shorter; from a summit it may go to either side, equally far: the smaller angle is told."""

@@ -175,9 +175,7 @@ class Search(Struct, dict=True):
         """The question for the largest or smallest value of a letter, where no motion tells which it comes to first."""
         asked = next((find for find in self.scene.configuration.problem.finds if find.extreme_letter == name), None)
         if asked is None or not self.scene.configuration.problem.space:
-            from rotsolve.search.first_reached import FIRST
-
-            return None if picked.words == FIRST else asked
+            return None if picked.reached else asked
         from rotsolve.space.roots import way_on_hinge
         from rotsolve.space.steady import steady_letter
 
