@@ -147,3 +147,17 @@ def test_a_rate_of_the_other_sense_may_have_another_size(find: str) -> None:
     found = solve(EGG.replace("FIND", find))
     assert [item.holds for item in found.derivation.confirmed] == [None]
     assert "several" in found.derivation.confirmed[0].why
+
+
+def test_an_angle_to_the_other_side_is_said() -> None:
+    found = solve(ROTOR.replace("TOLD", "shaft.force.x: -40 N").replace("FIND", "q: q in deg"))
+    (verdict,) = found.derivation.confirmed
+    assert verdict.holds
+    assert verdict.also == " = −108.126° makes it so too"
+
+
+def test_angles_are_looked_at_all_round() -> None:
+    """What another value does is found where it is just short of half a turn: −39.0° and −177.9°."""
+    scene = ROTOR.replace("[r*cos(q), r*sin(q), 0]", "[0, 0.4*r, 0]").replace("rotor.angle: 0 deg", "rotor.angle: q")
+    found = solve(scene.replace("TOLD", "shaft.force.y: 20 N").replace("FIND", "F: shaft.force.x"))
+    assert [(item.holds, item.why) for item in found.derivation.confirmed] == [(None, UNSURE)]

@@ -125,6 +125,18 @@ def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     return f"{given.name}{sought.equal_to(value)}: ask for `smallest {given.name}` or `largest {given.name}`"
 
 
+def mirrored_as_well(hearing: Hearing, find: Find, own: float) -> str:
+    """What is said of an angle that no motion tells, with which to the other side all equations hold too; else ''."""
+    letter = hearing.letter(find)
+    if letter is None or len(hearing.places) > 1 or len(hearing.problem.states) > 1 or steady_somewhere(hearing):
+        return ""
+    if find.modifier in EXTREMES or not hearing.is_angle(letter) or abs(math.sin(own)) <= UPRIGHT:
+        return ""
+    given = next(given for given in hearing.problem.givens if given.name == letter)
+    sought = SoughtLetter(find, given, hearing.known, own, find.group)
+    return sought.equal_to(-own) if leaves_nothing(hearing, letter, -own) else ""
+
+
 def steady_somewhere(hearing: Hearing) -> bool:
     """Whether a state is steady, which is the same motion seen from behind where all rates have other signs."""
     return any(state.steady for state in hearing.problem.states)
@@ -208,8 +220,8 @@ def others(hearing: Hearing, own: float) -> Iterator[float]:
 
     if angle:
         low = 0.0 if not isinstance(place, str) else -math.pi
-        places = [low + (math.pi - low) * (number + 0.37) / ROUND for number in range(ROUND)]
-        places += [low + 2 * math.pi + 0.01] if isinstance(place, str) else []
+        whole = ROUND + isinstance(place, str)  # of a letter once round, up to where it began
+        places = [low + (math.pi - low) * (number + 0.37) / ROUND for number in range(whole)]
     else:
         sizes = [abs(own or 1.0) * 10 ** (number / EACH) for number in range(-DECADES * EACH, DECADES * EACH + 1)]
         places = [-size * 1.003 for size in reversed(sizes)] + [size * 1.003 for size in sizes]

@@ -284,11 +284,13 @@ def tested(
     found = off + (own if letter is None else hearing.known[letter])
     holds = abs(found - own) <= SAME * size
     if holds:
-        from rotsolve.confirm.space.rivals import fits_as_asked
+        from rotsolve.confirm.space.rivals import fits_as_asked, mirrored_as_well
 
         meant = fits_as_asked(hearing, find, own, answer.rivals)
         if not meant:
             return AnswerConfirmation(answer.name, meant, SEVERAL, (own,), (found,))
+        also = mirrored_as_well(hearing, find, own)
+        return replace(verdict_of(answer.name, holds, (own,), (found,), hearing, numbers), also=also)
     return verdict_of(answer.name, holds, (own,), (found,), hearing, numbers)
 
 
