@@ -162,7 +162,9 @@ def formula_fault(
     elif kind and kind != "given":
         help = hint("", letters, "givens")
         if kind == "find":
-            help = f"a line may name answers of the lines above it; else write what `{wrong}` asks for in its place"
+            help = (
+                f"a line may name numbers that lines above it answer; else write what `{wrong}` asks for in its place"
+            )
         scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", help, "formula")
     elif names_unit(wrong):
         help = f"write `2 {wrong}`, or choose a letter for it"

@@ -58,7 +58,7 @@ def answers(problem: Problem, law: str | None) -> dict[str, Formula]:
 
 
 def closed_forms(search: Search) -> dict[str, Formula]:
-    found = {answered.asked.find.name: answered.found.formula for answered in search.answered}
+    found = {item.asked.find.name: item.found.formula for item in search.answered if not item.aside}
     return {name: formula for name, formula in found.items() if formula is not None}
 
 

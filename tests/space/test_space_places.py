@@ -117,7 +117,9 @@ REFUSED = {  # a scene, and what is said of it
             "bodies: {one: {shape: sphere, mass: 2 kg, radius: 1 m}, two: {shape: disc, mass: 3 kg, radius: 1 m}}\n"
             "states: {now: {at rest: all}}\n"
             f"find: {{x: {word} at now}}\n",
-            "of all bodies together is not solved in space",
+            "nothing tells about which point"
+            if word == "angular_momentum"
+            else "of all bodies together is not solved in space",
         )
         for word in ("cm", "inertia", "angular_momentum")
     },
