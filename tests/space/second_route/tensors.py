@@ -49,7 +49,7 @@ def cube_corner(n: Numbers) -> Answers:
     whole = tensor(cuboid(n.M, n.a, n.a, n.a).moved(np.full(3, n.a / 2)))
     (one, two, three), axes = np.linalg.eigh(whole)
     axis = axes[:, 0] * np.sign(axes[0, 0])  # towards the body
-    invariants = {"tr": one + two + three, "I_2": one * two + two * three + three * one, "I_3": one * two * three}
+    invariants = {"tr": one + two + three, "c_2": one * two + two * three + three * one, "det": one * two * three}
     return {"I": whole, "I_p": [one, two, three], "e": axis, **invariants}
 
 
