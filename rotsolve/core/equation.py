@@ -230,6 +230,7 @@ STEADY_LIMIT = Law(
 STATED = Law("stated")
 CONDITION = Law("condition", "the condition{words}")
 DEFINITION = Law("definition", cost=1)
+COMPONENTS = Law("components", "{words}", cost=1)  # of a size and an angle that are both sought
 KINETIC_ENERGY = Law("kinetic energy", cost=1, kinetic=True)
 KINETIC_ENERGY_AT = Law("kinetic energy at a moment", "kinetic energy, {moment}", cost=1, kinetic=True, apart=True)
 FOUND = Law("found", "", cost=0)  # found before: no law of its own

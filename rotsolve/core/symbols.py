@@ -21,6 +21,7 @@ REST = "="  # marks the equilibrium about which a state's bodies swing
 NEAR = "≈"  # marks a moment of their swings
 COURSE = "…"  # marks a moment of a motion that is followed in time: all places and speeds are letters
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
+COMPONENT = "component"  # the kind of a component of a size and an angle that are both sought
 COORDINATE = "coordinate "  # in front of the kind of a place that a page writes as a coordinate
 SECOND = "rate of "  # in front of the kind of a rate: how fast that changes
 MARKED = "dot"  # behind the letter of such a rate, which is printed with a dot

@@ -20,7 +20,7 @@ from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import POSITION, RATE, RATES, has_quantities, is_key, key_of, of_kinds
+from rotsolve.core.symbols import COMPONENT, POSITION, RATE, RATES, has_quantities, is_key, key_of, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import EXTREMES, Find
 from rotsolve.matching import Plan
@@ -67,6 +67,10 @@ class Ground:
             problem.values, configuration.positive, configuration.signs.limits, trials=problem.trials
         )
         self.equations = scene.with_asked(families)
+        if len(problem.sought) > 1:
+            from rotsolve.search.components import by_components
+
+            self.equations = by_components(self.equations, scene, self.signs.positive)
         self.planner = Planner(self.equations, [given.name for given in problem.givens if given.asked])
         running = {"time"} | places_and_speeds(scene.passages.values())
         self.known = {given.name for given in problem.givens if not given.asked} | running
@@ -335,11 +339,16 @@ class Search(Struct, dict=True):
         finally:
             self.solver.numeric = False
 
+    @property
+    def components(self) -> list[str]:
+        """The letters of the components of sizes and angles that are both sought."""
+        return of_kinds(self.scene.registry.quantities, (COMPONENT,))
+
     def _settle_first(self, asked: Asked) -> None:
         """Settle the letters that are worked out by themselves (`Law.apart`, and rates with roots of their own), of those with which a
         question is planned."""
         told = (law.left.name for law in self.planner.pool if law.law.apart and isinstance(law.left, Symbol))
-        apart = {*told, *self.scene.settled_first()} - self.known - self.settling - {asked.letter}
+        apart = {*told, *self.scene.settled_first(), *self.components} - self.known - self.settling - {asked.letter}
         plan = self._plan(asked.letter, set()) if apart and not self.confirming else None
         if isinstance(plan, Plan):
             self.settling.add(asked.letter)

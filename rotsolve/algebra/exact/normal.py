@@ -32,9 +32,11 @@ class Fractions:
         *,
         split_logs: bool = False,
         extra: Iterable[str] = (),
+        constants_apart: bool = False,
     ) -> None:
         self.order, self.positive = tuple(order), frozenset(positive)
-        rewrite = Rewriter(formulas, self.order, positive, split_logs)
+        rewrite = Rewriter(formulas, self.order, positive, split_logs, constants_apart)
+        self.constants_tied = rewrite.constants_tied
         self.formulas = [rewrite(formula) for formula in formulas]
         self.field = Field([*self.formulas, *(Symbol(name) for name in extra)])
 
@@ -147,7 +149,11 @@ def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str]
 @lru_cache(REMEMBERED)
 def _simplify(f: Formula, order: tuple[str, ...], positive: frozenset[str]) -> Formula:
     problem = Fractions([f], order, positive)
-    return problem.shortest(problem.ratio())
+    shown = problem.shortest(problem.ratio())
+    if not problem.constants_tied:
+        return shown
+    apart = Fractions([f], order, positive, constants_apart=True)
+    return min(shown, apart.shortest(apart.ratio()), key=length)
 
 
 def coefficients(
@@ -185,7 +191,13 @@ def expanded(
 ) -> tuple[Fractions, list[Poly] | None]:
     """The numerator of f by powers of the unknown, and the problem in which it is; None when the unknown is inside an atom."""
     problem = Fractions([f], order, positive, extra=(unknown,))
-    return problem, polynomial(problem, unknown)
+    parts = polynomial(problem, unknown)
+    if not problem.constants_tied or parts is None:
+        return problem, parts
+    apart = Fractions([f], order, positive, extra=(unknown,), constants_apart=True)
+    other = polynomial(apart, unknown)
+    same = other is not None and [not len(part) for part in other] == [not len(part) for part in parts]
+    return (apart, other) if same else (problem, parts)  # no identity between the constants makes a power vanish
 
 
 def polynomial(problem: Fractions, unknown: str) -> list[Poly] | None:

@@ -54,6 +54,7 @@ class Rewriter:
         order: Sequence[str] = (),
         positive: Collection[str] = (),
         split_logs: bool = False,
+        constants_apart: bool = False,
     ) -> None:
         self.order = order
         self.positive = positive
@@ -63,6 +64,7 @@ class Rewriter:
         self.known: dict[tuple[str, Formula], Formula] = {}
         self.shares: dict[Formula, int] = {}  # term -> denominator of its base angle, for terms to be expanded
         self.exp_shares: dict[Formula, int] = {}
+        self.constants_apart = constants_apart  # whether sin 25° and sin 35° are not written by sin 5°
         found = [node for f in formulas for node in f.walk(Call) if isinstance(node, Call)]
         self.plain = all(node.function in SIN_COS and isinstance(node.arguments[0], Symbol) for node in found)
         if not self.plain:
@@ -91,8 +93,13 @@ class Rewriter:
                     for term, value in vector.items():
                         self.shares[term] = lcm(self.shares.get(term, 1), value.denominator)
         share = lcm(*(t.denominator for t in turns)) if len(turns) > 1 else 1
-        if len(turns) > 1 and all(t * share <= CONSTANT_LIMIT for t in turns):
+        if len(turns) > 1 and all(t * share <= CONSTANT_LIMIT for t in turns) and not self.constants_apart:
             self.shares[PI] = share
+
+    @property
+    def constants_tied(self) -> bool:
+        """Whether sines of several constants are written by those of their common base angle."""
+        return PI in self.shares
 
     def _linear(self, argument: Formula) -> Vector:
         return angles.linear(self(argument) if argument.holds("sqrt", "abs", *INVERSE) else argument, self.order)
@@ -287,8 +294,14 @@ class Rewriter:
         if x == ZERO or any(node.function not in TRIG for node in calls):
             return y, x
         ratio = self.tidy(divide(y, x))
-        if isinstance(ratio, Quotient) and self._surely_positive(self.tidy(divide(x, ratio.denominator))):
-            return ratio.numerator, ratio.denominator
+        bare = ratio.operand if isinstance(ratio, Negative) else ratio
+        if isinstance(bare, Quotient):
+            above = negate(bare.numerator) if isinstance(ratio, Negative) else bare.numerator
+            common = self.tidy(divide(x, bare.denominator))
+            if self._surely_positive(common):
+                return above, bare.denominator
+            if isinstance(common, Negative) and self._surely_positive(common.operand):
+                return negate(above), negate(bare.denominator)
         return y, x
 
     def _surely_positive(self, node: Formula) -> bool:

@@ -145,6 +145,15 @@ def two_plane_balancing(n: Numbers) -> Answers:
     return dict(zip(("x1", "y1", "x2", "y2"), np.linalg.solve(slopes, -still), strict=True))
 
 
+def masses_that_balance_a_rotor(n: Numbers) -> Answers:
+    """Lumps with m r = p: the moments about each of the two planes vanish, 3 d p_F + Σ z m r = 0 and 3 d p_N + Σ (3 d − z) m r = 0."""
+    lumps = (n.m1, n.r1 * X + n.d * Z), (n.m2, n.r2 * Y + 2 * n.d * Z)
+    near = -sum(m * (3 * n.d - r[2]) * (r[0] + 1j * r[1]) for m, r in lumps) / (3 * n.d)
+    far = -sum(m * r[2] * (r[0] + 1j * r[1]) for m, r in lumps) / (3 * n.d)
+    masses = {name: abs(p) / n.r for name, p in (("mN", near), ("mF", far))}
+    return {**masses, "qN": np.angle(near), "qF": np.angle(far)}
+
+
 def gyrocompass_let_go(n: Numbers) -> Answers:
     """dL/dt = A dω/dt + (C − A) ω₃ de₃/dt has no part along the hinge: what turns the rotor there would have to turn a light gimbal."""
     axle, earth = turn(X, n.eta) @ Z, n.W * Z
@@ -166,5 +175,6 @@ CALCULATIONS = {
     "skew-disc": skew_disc,
     "skew-rod": skew_rod,
     "two-plane-balancing": two_plane_balancing,
+    "masses-that-balance-a-rotor": masses_that_balance_a_rotor,
     "gyrocompass-let-go": gyrocompass_let_go,
 }
