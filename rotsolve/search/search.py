@@ -28,7 +28,7 @@ from rotsolve.motion.positive import is_angle
 from rotsolve.plan import Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
-from rotsolve.search.answers import Answered, Chosen, NoAnswer
+from rotsolve.search.answers import Answered, Chosen, NoAnswer, unsolvable
 from rotsolve.search.definitions import Definitions, Stepwise
 from rotsolve.search.numbers import Numbers
 from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
@@ -178,8 +178,11 @@ class Search(Struct, dict=True):
     def extreme_asked(self, name: str, picked: PickedRoot) -> Find | None:
         """The question for the largest or smallest value of a letter, where no motion tells which it comes to first."""
         asked = next((find for find in self.scene.configuration.problem.finds if find.extreme_letter == name), None)
+        if asked is not None and picked.reached:
+            message = f"`{name}` is where its state is reached first: `{asked.modifier}` chooses none of several there"
+            raise unsolvable(self.scene.configuration.problem, message, asked.span, f"write `{asked.name}: {name}`")
         if asked is None or not self.scene.configuration.problem.space:
-            return None if picked.reached else asked
+            return asked
         from rotsolve.space.roots import way_on_hinge
         from rotsolve.space.steady import steady_letter
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from rotsolve.algebra.exact.normal import is_zero
@@ -264,3 +266,19 @@ def test_what_a_letter_may_be_is_told_beside_what_seeks_it(sought: str) -> None:
     found = solve(BUMP.replace("ASKED", f"va: a.velocity at f{sought}"))
     assert any("k ≤ ½" in str(line) for line in found.derivation.conventions)
     assert ("q" in found.refused) == ("9 m/s" in sought)
+
+
+@pytest.mark.parametrize("word", ["smallest", "largest"])
+def test_of_the_first_place_on_the_way_there_is_no_largest(word: str) -> None:
+    scene = """
+title: Where a falling rod is as fast as that
+given: {m: 2 kg, L: 1 m, q: unknown, w: 3 rad/s}
+bodies: {rod: {shape: rod, mass: m, length: L}}
+connections: {pin: {hinge: rod.start}}
+states: {start: {rod.angle: 60 deg, at rest: all}, then: {rod.angle: q, rod.angular_velocity: -w}}
+find: {q: q in deg}
+"""
+    height = math.sin(math.radians(60)) - 3**2 / (3 * 9.8)  # sin q, by the energy ⅙ M L² w² = ½ M g L (sin 60° − sin q)
+    assert solve(scene).answers["q"].float == pytest.approx(math.degrees(math.asin(height)), rel=1e-12)
+    with pytest.raises(Unsolvable, match=f"reached first: `{word}` chooses none"):
+        solve(scene.replace("q: q in", f"q: {word} q in"))
