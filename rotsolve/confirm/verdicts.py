@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.samples import Numbers
 from rotsolve.confirm.course.sizes import letters_open
@@ -22,7 +23,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
-ASSEMBLED = "an assembly of all bodies' equations gives the same "
+ASSEMBLED = "all bodies' equations solved at once with numbers give the same "
 SUMMED = "another sum over the masses gives the same "
 TOLD_BY_MASSES = (
     "inertia_tensor",
@@ -251,13 +252,17 @@ def not_so(name: str, why: str, problem: Problem, numbers: Numbers) -> AnswerCon
     letters = numbers_told(numbers, problem)
     if not letters:
         return AnswerConfirmation(name, False, why)
-    return AnswerConfirmation(name, None, f"not so with {letters} in SI units: {why}", astray=True)
+    return AnswerConfirmation(name, None, f"not so with {letters}: {why}", astray=True)
 
 
 def numbers_told(numbers: Numbers, problem: Problem) -> str:
-    """m = 0.806, R = 1.01: the letters that have no number in the scene."""
-    told = (given.name for given in letters_open(problem) if given.name in numbers)
-    return ", ".join(f"{name_to_text(name)} = {numbers[name]:g}" for name in told)
+    """m = 0.806, R = 1.01 in SI units, θ = 57.9°: the letters that have no number in the scene."""
+    told = [given for given in letters_open(problem) if given.name in numbers]
+    sizes = [f"{name_to_text(one.name)} = {numbers[one.name]:g}" for one in told if one.dimension != ANGLE]
+    angles = [
+        f"{name_to_text(one.name)} = {math.degrees(numbers[one.name]):.4g}°" for one in told if one.dimension == ANGLE
+    ]
+    return ", ".join([*([", ".join(sizes) + " in SI units"] if sizes else []), *angles])
 
 
 def pairs(verdict: AnswerConfirmation) -> Iterator[tuple[float, float]]:

@@ -111,6 +111,7 @@ class Encounter(Struct, frozen=True):
     closing: tuple[Formula, Formula] | None = None  # approach speed, separation speed of two that do not stay together
     rules: tuple[Rule, ...] = ()  # of what sticks through the event, though it slips from then on
     joined: tuple[tuple[frozenset[str], BodyFacts], ...] = ()  # who turns about the common point as one body afterwards
+    armless: str = ""  # why what acts at the common point does not turn them
 
     def gives(self, impulse: Force | Couple) -> bool:
         """Whether an impulse is the event's own, from outside the scene."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Quotient, Symbol
-from rotsolve.algebra.units.dimension import MASS, TIME, DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import ANGLE, MASS, NONE, TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.passage import Passage, Travel
@@ -45,25 +45,29 @@ SHORT = 3  # a limit is told when its value is no longer than this many nodes
 
 
 def limit_checks(search: Search) -> Iterator[Check]:
-    """What becomes of an answer when a mass is left out or an angle is square: the most telling one."""
-    best: tuple[int, Check] | None = None
+    """What becomes of an answer when a mass is left out, and when a pure number or an angle is nothing: of each the most telling one."""
+    plain = not search.scene.modes  # else a body that slides may stick when an angle is small
+    for dimensions, least in ((MASS,), 1), ((NONE, ANGLE), 0):
+        found = [item for item in limits(search, dimensions) if item[0] >= least] if least or plain else []
+        if found:
+            yield min(found, key=lambda item: item[0])[1]
+
+
+def limits(search: Search, dimensions: Sequence[Dimension]) -> Iterator[tuple[int, Check]]:
+    """What the first answers come to without a letter of some dimensions, by how long that is: 0 is nothing, 1 a letter."""
     for answered in search.wholes()[:2]:
         formula = answered.found.formula
-        if answered.asked.find.runs or formula is None or not formula.symbols() or has_quantities(formula):
+        if answered.asked.find.runs or formula is None or has_quantities(formula) or length(formula) < 6:
             continue
-        for given in search.givens.values():
-            if given.name not in formula.symbols() or given.dimension != MASS:
-                continue
+        letters = [given for given in search.givens.values() if given.name in formula.symbols()]
+        for given in (given for given in letters if given.dimension in dimensions):
             value = limit(formula, given.name, search)
-            if value is None or length(value) > SHORT or value == formula or length(formula) < 6:
+            if value is None or length(value) > SHORT or value == formula:
                 continue
-            if is_unreal(value, search):  # there is no such motion without the mass
+            if is_unreal(value, search):  # there is no such motion without it
                 continue
             words: Words = (Symbol(given.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
-            if value != ZERO and (best is None or length(value) < best[0]):
-                best = (length(value), Check(words, vanishing=given.name))
-    if best is not None:
-        yield best[1]
+            yield length(value) if value != ZERO else 0, Check(words, vanishing=given.name)
 
 
 def limit(formula: Formula, name: str, search: Search) -> Formula | None:

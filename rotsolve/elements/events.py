@@ -204,6 +204,7 @@ class Fixes(Event, frozen=True):
 class Grips(Event, frozen=True):
     word = "grips"
     about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
+    armless = "what acts there has no arm, whatever it is"  # a blow, or friction that lasts until it rolls
     quantities = ("impulse",)
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
 

@@ -413,6 +413,7 @@ class Event(Element, frozen=True):
     spatial: ClassVar[bool] = False
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     bodily: ClassVar[bool] = False
+    armless: ClassVar[str] = "the blow there has no arm"  # why it does not turn what it acts on about its place
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
     to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)

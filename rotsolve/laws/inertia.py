@@ -34,7 +34,8 @@ def moment(spread: Spread, entry: str) -> Told:
     told = product_of_inertia(spread, entry) if entry not in ONE_AXIS else one_axis(spread, entry)
     if told.formula == ZERO or isinstance(told.formula, Symbol):
         return told
-    axis = entry[0] if spread.spatial and entry in ONE_AXIS else INDICES.get(entry, entry)
+    own = spread.axes and entry in ONE_AXIS
+    axis = spread.axes[AXES.index(entry[0])] if own else INDICES.get(entry, entry)
     letter = spread.letter("inertia", f"{axis} {spread.spot}")
     if isinstance(spread.known, Symbol) and spread.central and entry == "zz":
         letter = spread.known

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol, multiply
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Sum, Symbol, multiply
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import INTEGRATED, PARALLEL_AXES, Equation, Law
 from rotsolve.core.slicing import Slicing
@@ -149,10 +149,12 @@ def integral_of(
     integral = cut.total(multiply(sigma, second), spread.tidy)
     if second == ZERO or integral == ZERO or (isinstance(integral, Integral) and integral.integrand == ZERO):
         return ZERO, label, ()
-    plain = {item.variable**2 for item in cut.ranges}
+    plain: dict[Formula, Formula] = {item.variable**2: item.variable for item in cut.ranges}
     factor: Words = ("(", second, ")") if isinstance(second, Sum) else (second,)
-    each: Words = () if second in plain else (NEXT, f"In {words[entry]} each adds ", *factor, " dm.")
-    return integral, label, (*elements(spread, cut, sigma, piece.shape.spread), *each)
+    each: Words = (f"In {words[entry]} each adds ", *factor, " dm.")
+    if second in plain:
+        each = ("Each is at the distance ", plain[second], " from the axis, and adds ", second, " dm.")
+    return integral, label, (*elements(spread, cut, sigma, piece.shape.spread), NEXT, *each)
 
 
 def elements(spread: Spread, cut: Slicing, sigma: Formula, over: str = LINE) -> Words:
@@ -161,4 +163,6 @@ def elements(spread: Spread, cut: Slicing, sigma: Formula, over: str = LINE) -> 
     size: Words = ()
     if sigma != ONE and cut.weight != ONE and over != LINE and cut.weight not in cut.element:
         size = (f", each of {DENSITY[over][1]} ", spread.tidy(cut.weight), *width)
+        if cut.weight in {2 * PI * item.variable for item in cut.ranges}:
+            size = (*size, " (its circumference times its width)")
     return ("Cut into ", *cut.element, *size, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width, ".")

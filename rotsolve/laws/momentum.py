@@ -253,11 +253,12 @@ def left_over(efforts: Sequence[Effort], encounter: Encounter) -> list[Formula] 
 def why_none(encounter: Encounter) -> str:
     """Why nothing from outside turns a group about its support: bodies that all turn on it already push it to no side."""
     members = encounter.meetings
-    no_arm = "the blow there has no arm"
     if len(members) < 2:
-        return no_arm
-    cancels = f"what {and_joined([spoken(item.body.name) for item in members])} do to each other cancels"
-    return cancels if all(item.body.motion.kind == "axis" for item in members) else f"{no_arm}, and {cancels}"
+        return encounter.armless
+    on_axis = all(item.body.motion.kind == "axis" for item in members)
+    how = ", by friction too," if on_axis else ""
+    cancels = f"what {and_joined([spoken(item.body.name) for item in members])} do to each other{how} cancels"
+    return cancels if on_axis else f"{encounter.armless}, and {cancels}"
 
 
 def paths_past(encounter: Encounter) -> Iterator[str | Formula]:

@@ -76,7 +76,9 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     needs = tuple(need for need in needs if need.left != ZERO)
     bounce, closing = event.bounce(first, last), event.closing(first, last)
     joined = joined_on_an_axis(involved, last, last_facts)
-    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck, joined)
+    return Encounter(
+        interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck, joined, event.armless
+    )
 
 
 def joined_on_an_axis(

@@ -36,8 +36,8 @@ class Spread(Struct, frozen=True):
     `central` says that the point is the centre of mass; `spot` is the point's name, an index of letters; `known` is the letter of
     the moment about the centre of mass that the laws of the scene use; `integrates` where the question says `by integration`,
     `doubled` where the scene asks for the same without integration too, so that the letters must differ;
-    `begin` is where the coordinates begin in which the scene speaks of the body; `spatial` says that no axis is square to a picture,
-    so that all letters tell theirs.
+    `begin` is where the coordinates begin in which the scene speaks of the body; `axes` are the names of all three in space, where none
+    is square to a picture.
     """
 
     name: str
@@ -54,7 +54,7 @@ class Spread(Struct, frozen=True):
     begin: Place = ORIGIN
     positive: frozenset[str] = frozenset()
     givens: tuple[tuple[str, Dimension | None], ...] = ()
-    spatial: bool = False
+    axes: str = ""
 
     def letter(self, kind: str, component: str = "") -> Symbol:
         """A letter of the derivation, printed with its index where it has one."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import (
     ELLIPTIC,
     ONE,
@@ -65,6 +65,7 @@ class InsertedNumbers:
         self.answers = {to_text(answer.symbol): answer for answer in derivation.answers if answer.value is not None}
         self.dimensions = {given.name: given.dimension for given in derivation.givens if given.dimension is not None}
         self.coherent = coherent_units(derivation.givens)
+        self.units = {given.name: given.unit for given in derivation.givens if given.unit is not None}
         self.roots: dict[str, Certified] = {}
         self.sought: set[str] = set()  # letters whose value is being worked out: a law tells nothing by itself
         self.steps: dict[str, Formula] = {short.letter.name: short.meaning for short in shorts}
@@ -141,8 +142,9 @@ class InsertedNumbers:
         """The formula with numbers in coherent units, and their unit; nothing where that would be no help."""
         if isinstance(formula, (Symbol, Number, Negative)) and not formula.children():
             return ()
+        own = self.of_its_unit(formula, answer)
         try:
-            put_in = self.reproducing(formula, answer)
+            put_in = self.in_its_unit(formula, own) if own else self.reproducing(formula, answer)
         except (NotShown, Undefined):
             return ()
         lone = isinstance(put_in.operand if isinstance(put_in, Negative) else put_in, Decimal)
@@ -151,8 +153,29 @@ class InsertedNumbers:
         text = to_text(put_in)
         if len(text) > LONGEST or text == number or not any(isinstance(node, Decimal) for node in put_in.walk()):
             return ()
-        unit = None if put_in.holds(*INVERSE) else self.coherent.of_answer(answer)
+        unit = answer.unit if own else None if put_in.holds(*INVERSE) else self.coherent.of_answer(answer)
         return (Amount(Product((put_in,)) if isinstance(put_in, Sum) and unit is not None else put_in, unit),)
+
+    def of_its_unit(self, formula: Formula, answer: Answer) -> frozenset[str]:
+        """The givens in the unit of an answer that is none of coherent ones, where it is in proportion to them: ¼·600 rev/min."""
+        if answer.unit is None or answer.unit == self.coherent.of_answer(answer):
+            return frozenset()
+        own = frozenset(name for name in formula.symbols() if self.units.get(name) == answer.unit)
+        alike = {name for name in formula.symbols() if self.dimensions.get(name) == answer.dimension}
+        doubled = formula.substitute({name: 2 * Symbol(name) for name in own})
+        told = formula.symbols() <= self.dimensions.keys()  # what steps have told comes in coherent units
+        return own if told and own == alike and is_zero(doubled - 2 * formula) else frozenset()
+
+    def in_its_unit(self, formula: Formula, own: frozenset[str]) -> Formula:
+        """The formula with numbers, those of some givens in their own unit."""
+        numbers: dict[str, Formula] = {}
+        for name in own:
+            value = simplify(self.givens[name] / self.units[name].factor)
+            text = exact_decimals(value.value) if isinstance(value, Number) else None
+            if text is None:
+                raise NotShown
+            numbers[name] = self.decimal(text, value, self.digits, NONE)
+        return self.put_in(formula, self.digits, numbers)
 
     def reproducing(self, formula: Formula, answer: Answer) -> Formula:
         """The formula with numbers of as many digits as it takes to come to the number that is printed of the answer; of a few more where
@@ -166,8 +189,10 @@ class InsertedNumbers:
                 return put_in
         return self.put_in(formula, self.digits)
 
-    def put_in(self, node: Formula, digits: int) -> Formula:
-        """A formula with decimals for its letters; a sine or an exponential of numbers is one number."""
+    def put_in(self, node: Formula, digits: int, own: Mapping[str, Formula] | None = None) -> Formula:
+        """A formula with decimals for its letters, for some of them their `own`; a sine or an exponential of numbers is one number."""
+        if isinstance(node, Symbol) and own and node.name in own:
+            return own[node.name]
         if isinstance(node, Symbol):
             return self.decimal(self.exact_text(node.name) or "", node, digits, self.dimension(node.name))
         if isinstance(node, Integral):
@@ -175,7 +200,7 @@ class InsertedNumbers:
         if isinstance(node, Call) and (node.function not in SEEN_THROUGH or node.function in ELLIPTIC):
             return self.decimal("", node, digits, NONE)
         children = node.children()
-        return node.with_children(tuple(self.put_in(child, digits) for child in children)) if children else node
+        return node.with_children(tuple(self.put_in(child, digits, own) for child in children)) if children else node
 
     def exact_text(self, name: str) -> str | None:
         """The decimals of a given that are short enough to be written as they are."""

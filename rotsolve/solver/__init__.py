@@ -42,6 +42,7 @@ from rotsolve.solver.steps import (
 from rotsolve.solver.textbook import part_of_whole, quarters_turned, seen_through_no_more, with_constants_in_front
 
 FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
+SHORT_SHARE = 60  # nodes of a share of an energy, with both energies put in, that is a line of its own
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
 NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
 SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
@@ -355,6 +356,8 @@ class Solver(Isolation, kw_only=True):
         if written is not None and written.holds(Integral):
             return [Equality(letter, written), *more]
         stated = written if written is not None and part_of_whole(written) else value
+        if stated is written and length(share := self.with_answers(stated)) <= SHORT_SHARE:
+            return [*more, Equality(letter, stated), Equality(letter, share)]
         drawn = self.drawn_together(value)
         together = [Equality(letter, drawn)] if drawn not in (None, value, final) else []
         return [*more, Equality(letter, stated), *together]

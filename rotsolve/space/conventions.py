@@ -33,6 +33,9 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
     """What the page says of signs: of each body the axes in which its laws are written."""
     for name in scene.held.order:
         if any(kind_of_axes(laws, name) == NODE for laws in scene.dynamics.values()):
+            if fast := carried_round_by_precession(scene, name):
+                yield fast
+                continue
             told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
             turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
             yield (
@@ -53,6 +56,21 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
         yield ("gravity is left out",)
     yield from words_of_line(scene.held, used)
     yield from coincidences(scene.configuration.signs, scene.configuration.problem.givens)
+
+
+def carried_round_by_precession(scene: SpaceEquations, name: str) -> Words:
+    """The argument for a top that spins fast and precesses steadily, in place of its axes; nothing of all others."""
+    nodding = [laws.moment.nodding(name) for laws in scene.dynamics.values() if laws.fast and laws.moment.state.steady]
+    if len(nodding) != len(scene.dynamics) or len(set(nodding)) != 1:
+        return ()
+    rate = nodding[0].rates[0]
+    return (
+        f"{spoken(name)} spins fast: its angular momentum L lies nearly along its axis e₃, which goes round the vertical at ",
+        rate,
+        "; the level part of L goes round with it and so changes by ",
+        rate,
+        " times itself per second, along e₁, level and square to the axis, as the torque acts",
+    )
 
 
 def nodal_rates(scene: SpaceEquations, name: str, used: Collection[Equation]) -> Words:

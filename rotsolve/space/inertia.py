@@ -157,14 +157,18 @@ class Tensors(Struct):
             NOTHING,
             self.positive,
             tuple((given.name, given.dimension) for given in self.givens),
-            spatial=not self._among_others(name),
+            axes=self._named_axes(name),
         )
 
-    def _among_others(self, name: str) -> bool:
-        """Whether a body is looked at in axes that are not its own, in which the letter of its axis would name another one."""
+    def _named_axes(self, name: str) -> str:
+        """What the axes of a body are called: those of one that nods on a ball joint e₁ to e₃; '' where the letter of its axis would name
+        that of another body."""
         joint = self.held.main(name)
-        led = joint is not None and (joint.free or joint.carrier.owner in self.held.bodies)
-        return led and self.held.axis(name) is not None
+        if joint is None or self.held.axis(name) is None:
+            return "xyz"
+        if joint.free:
+            return "123" if name in self.held.nodding else ""
+        return "" if joint.carrier.owner in self.held.bodies else "xyz"
 
     def _shifted(self, name: str, given: InertiaTensor, told: Triple, point: Triple, spot: str) -> InertiaTensor:
         """A tensor that is given about the point `told` about another one: down to the centre of mass by −M d², up again by M d²."""

@@ -276,7 +276,8 @@ class SpaceLaws:
                 left, right, remark = self.without_sine(name, left, right)
             if self.fast and own.axes.name == NODE:
                 right, small = self.of_fast_spin(name, right)
-                remark, relation = small or remark, "≈" if small else relation
+                remark = (*small, "; ", *remark) if small and remark else small or remark
+                relation = "≈" if small else relation
             along = self.along(name, axis)
             yield law.equation(
                 left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along

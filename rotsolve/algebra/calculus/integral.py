@@ -312,6 +312,9 @@ def at_bounds(integral: Integral, tidy: Tidy) -> Formula | None:
     terms = [tidy(term) for term in terms_of_antiderivative(primitive, name)]
     if len(terms) == 1:
         factor, terms[0] = split(terms[0], name)
+        if isinstance(constant, Quotient) and factor != ONE and is_zero(at(terms[0], name, integral.lower, tidy)):
+            last = at(terms[0], name, integral.upper, tidy)
+            return Product((constant, multiply(factor, last)))  # (2 M/R²) (¼ R⁴), as it is found
         constant = tidy(multiply(constant, factor))
         if isinstance(terms[0], Call) and terms[0].function == "log":  # k (ln u − ln l) = k ln(u/l)
             last, first = (at(terms[0].arguments[0], name, end, tidy) for end in (integral.upper, integral.lower))

@@ -147,9 +147,7 @@ class Heard:
             if case is not None and verdict.holds:
                 self.confirmed.add(id(case))
             elif case is not None:
-                self.doubts.setdefault(
-                    id(case), f"with {numbers_told(numbers, self.problem)} in SI units {verdict.why}"
-                )
+                self.doubts.setdefault(id(case), f"with {numbers_told(numbers, self.problem)} {verdict.why}")
 
     def of_all_cases(self, verdict: AnswerConfirmation) -> AnswerConfirmation:
         """A verdict about all cases of an answer: confirmed where each of them was."""
@@ -217,7 +215,7 @@ def on_edge(verdict: AnswerConfirmation, numbers: Numbers, problem: Problem) -> 
         return verdict
     if verdict.found and all(abs(a - b) <= NEARLY * max(abs(a), abs(b), ORDINARY) for a, b in pairs(verdict)):
         return replace(verdict, holds=None)  # a root of what is nearly zero there
-    why = f"not so on an edge of its conditions, with {numbers_told(numbers, problem)} in SI units"
+    why = f"not so on an edge of its conditions, with {numbers_told(numbers, problem)}"
     return AnswerConfirmation(verdict.name, None, why, astray=True)
 
 

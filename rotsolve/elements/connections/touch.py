@@ -290,11 +290,17 @@ class Touch(Connection, frozen=True):
         if not surface.curved:
             yield from self.lies_in_front(facing, instant)
         if self.course(instant) is None:
-            label = f"{spoken(name)} stays on the {spoken(surface.name)}"
+            label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
             point = arm if rim_radius(body, ref.point) is None else instant.hub(ref)
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def told_apart(self, instant: Moment) -> str:
+        """ " at left support" of one of several contacts that a body has, or had, with the same thing; '' of the only one."""
+        own = self.lying(), self.pair()[1].owner
+        alike = (one for one in instant.configuration.problem.connections if isinstance(one, Touch) and one is not self)
+        return f" at {spoken(self.name)}" if any((one.lying(), one.pair()[1].owner) == own for one in alike) else ""
 
     def lies_in_front(self, facing: Heading, instant: Moment) -> Iterator[Requirement]:
         """The body's centre of mass lies on the free side of a flat surface: (r_cm − r_touch) · n ≥ 0, else all that touches with an end or
@@ -423,7 +429,9 @@ class Touch(Connection, frozen=True):
             for part, moving in zip(turning, self.ground(instant), strict=True)
         )
         bodies = (name, instant.host(carrier)) if carrier else (name,)
-        return Rule(self.name, label, bodies, (left[0], right[0]), (left[1], right[1]), linear)
+        still = motion.spin == ZERO and not linear and arm.parts
+        remark = ("at rest: no centripetal part",) if still else ()
+        return Rule(self.name, label, bodies, (left[0], right[0]), (left[1], right[1]), linear, remark)
 
     def friction_facts(
         self, instant: Moment, name: str, arm: Vector, surface: Surface, normal: Formula
