@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import radius_of
+from rotsolve.confirm.bodies import part_of, radius_of
 from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.constraints import Held, prescribed
 from rotsolve.confirm.jet import arctangent, distance
@@ -22,6 +22,7 @@ from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides, Shaft
+from rotsolve.elements.shapes.round import Ring
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
 
@@ -99,12 +100,29 @@ def clutch(item: Clutch, pose: Pose, model: Known) -> Held:
     if item.friction_torque is not None:
         size = model.value(item.friction_torque)
     else:
-        ref = item.clutch[0]
-        radius = radius_of(model.body(ref.owner), ref.point, model.value) or 0.0
         if item.press is None or item.friction is None:
             raise NotConfirmed(f"nothing tells the torque of `{item.name}`")
-        size = 2.0 / 3.0 * model.value(item.friction) * model.value(item.press) * radius
+        size = model.value(item.friction) * model.value(item.press) * mean_arm(item, model)
     yield Grip(item.name, held(item.name, "torque", second - first, pose), size, size)
+
+
+def mean_arm(item: Clutch, model: Known) -> float:
+    """Where friction acts on plates on the average: of two of which a smaller disc is cut out of a larger one, weighed by their areas."""
+    edges = [face_between(ref, model) for ref in item.clutch]
+    outer, inner = edges[0][1], max(edges[0][0], edges[1][0])
+    area = outer**2 - inner**2
+    return (outer**2 * (2 / 3 * outer) - inner**2 * (2 / 3 * inner)) / area if area > 1e-12 * outer**2 else outer
+
+
+def face_between(ref: PointRef, model: Known) -> tuple[float, float]:
+    """Inner and outer edge of the face of a plate."""
+    body = model.body(ref.owner)
+    part = part_of(body, ref.point)
+    body, point = (body, ref.point) if part is None else (part.body, None)
+    outer = radius_of(body, point, model.value) or 0.0
+    walls = dict(getattr(body.shape, "radii", ()))
+    thin = isinstance(body.shape, Ring) and not walls
+    return (outer if thin else model.value(walls["inner"]) if "inner" in walls else 0.0), outer
 
 
 def rims(item: Rims, pose: Pose, model: Known) -> Held:

@@ -137,6 +137,10 @@ class Shape(Element, frozen=True):
         """Place of a named point in the body's axes; a round body's rim points are directions in space, hence not here."""
         return (ZERO, ZERO)
 
+    def face(self) -> tuple[Formula, Formula] | None:
+        """Inner and outer radius of its flat face square to the z axis, with which it may rub on another; None of what has none."""
+        return None
+
     @property
     def outer(self) -> Formula | None:
         """Radius of the rim of a round shape."""

@@ -97,7 +97,7 @@ class RootChoice(Struct, frozen=True):
                 away = item.away(instant)
                 if away is None or item.slider().owner != body.name:
                     continue
-                before = (instant.point(centre) - instant.point(item.slider())).along(away)
+                before = (instant.point(centre) - item.touching_arm(instant)).along(away)
                 if self.numbers.side(before.substitute({name: root})) == -1:
                     return False
         return True

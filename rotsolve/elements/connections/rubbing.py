@@ -10,12 +10,13 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule, enough
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.touch import Friction
-from rotsolve.elements.shapes import rim_radius
-from rotsolve.language.bodies import PointRef
+from rotsolve.elements.shapes import rim_radius, round_part, shape_of
+from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
@@ -68,7 +69,7 @@ class Clutch(Rubbing, frozen=True):
     clutch: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[plate, disc]")
     friction_torque: Formula | None = amount("friction torque between them", "torque", "tau", "positive", default=None)
     press: Formula | None = amount(
-        "force that presses plates together, with `friction`: torque ⅔ μ F R, R the radius of the smaller plate named first",
+        "force that presses plates together evenly, with `friction`: torque ⅔ μ F R of discs, R that of the smaller one, named first",
         "force",
         "F",
         "positive",
@@ -86,24 +87,31 @@ class Clutch(Rubbing, frozen=True):
         return self.clutch[:1] if self.friction_torque is None else ()
 
     def rooms(self, scene: Surroundings) -> Iterator[Limit]:
-        """Of two plates the first is not the larger, which else would rub beyond the other's rim."""
+        """Of two plates the first is not the larger, which else would rub beyond the other's rim, and lies on it, not in a hole of it."""
         refs = self.clutch if self.on_rims(scene) else ()
-        radii = [rim_radius(scene.bodies[ref.owner], ref.point) for ref in refs]
-        if radii and radii[0] is not None and radii[1] is not None:
+        faces = [face_of(scene.bodies[ref.owner], ref) for ref in refs]
+        if refs:
             first, second = (f"{ref.owner}.{ref.point}" if ref.point else ref.owner for ref in refs)
             help = f"the smaller plate is named first: `clutch: [{second}, {first}]`"
-            yield Limit(radii[1] - radii[0], f"of two plates `{first}`, named first, is the smaller one", help=help)
+            (_, outer), (inner, other) = faces
+            yield Limit(other - outer, f"of two plates `{first}`, named first, is the smaller one", help=help)
+            if inner != ZERO:
+                yield Limit(outer - inner, f"`{first}` lies in the hole of `{second}`", help="", strict=True)
 
     def between(self) -> tuple[PointRef, ...]:
         return self.clutch
 
     def torque(self, instant: Moment) -> Formula:
-        """The torque given, or that of flat plates under uniform pressure, ∫ μ p r dA = ⅔ μ F R."""
+        """The torque given, or that of flat plates under uniform pressure p: ∫ μ p r dA, with F = ∫ p dA."""
         if self.friction_torque is not None:
             return self.friction_torque
-        ref = self.clutch[0]
-        radius = rim_radius(instant.body(ref.owner), ref.point)
-        return TWO_THIRDS * (self.friction or ZERO) * (self.press or ZERO) * (radius or ZERO)
+        (inner, outer), (hole, _) = (face_of(instant.body(ref.owner), ref) for ref in self.clutch)
+        if hole != inner and instant.configuration.signs.sign(hole - inner) != -1:
+            if inner != ZERO and instant.configuration.signs.sign(hole - inner) is None:
+                message = f"which of the holes of `{self.clutch[0].owner}` and `{self.clutch[1].owner}` is the larger one nothing tells"
+                raise Unsolvable(message, span=self.clutch[0].span, help="give numbers to their radii")
+            inner = hole
+        return (self.friction or ZERO) * (self.press or ZERO) * mean_arm(inner, outer)
 
     def sides(self, instant: Moment, *, acceleration: bool) -> tuple[Formula, Formula]:
         motions = [instant.motion(name) for name in self.names(instant)]
@@ -127,6 +135,32 @@ class Clutch(Rubbing, frozen=True):
             yield self.grip_rule(instant)
         if sticks and instant.says_to_stick(self.name):
             yield enough(self.name, size, self.torque(instant), "slip")
+
+
+def face_of(body: Body, ref: PointRef) -> tuple[Formula, Formula]:
+    """Inner and outer radius of the face with which a plate rubs; refused is what has none."""
+    part = round_part(body, ref.point) if ref.point is not None else None
+    if part is not None:
+        return face_of(part.body, PointRef(ref.owner, None, span=ref.span))
+    shape = shape_of(body)
+    face = (
+        shape.face() if body.shape is not None and not shape.pointlike else (ZERO, rim_radius(body, ref.point) or ZERO)
+    )
+    if face is None or body.holes or body.parts:
+        message = f"over what face `{body.name}` rubs on another nothing tells"
+        raise Unsolvable(
+            message, span=ref.span, help="give the clutch its `friction_torque`, or it a disc, ring or tube"
+        )
+    return face
+
+
+def mean_arm(inner: Formula, outer: Formula) -> Formula:
+    """∫ r dA/A of a ring between two radii: ⅔ R of a disc, R of a thin ring, ⅔ (R³ − r³)/(R² − r²) between them."""
+    if inner == outer:
+        return outer
+    if inner == ZERO:
+        return TWO_THIRDS * outer
+    return TWO_THIRDS * (outer**2 + outer * inner + inner**2) / (outer + inner)
 
 
 class Rims(Rubbing, frozen=True):

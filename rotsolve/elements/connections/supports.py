@@ -358,6 +358,13 @@ class Rides(Connection, frozen=True):
         if not shape_of(scene.bodies[rider.owner]).pointlike:
             help = "leave out its `shape`: its mass is at its `radius` from the axis"
             raise Unsolvable(f"`{rider.owner}` rides: it has to be a particle", span=rider.span, help=help)
+        shape = shape_of(scene.bodies[carrier.owner])
+        if shape.spread == "line" and not shape.slender:
+            message = f"`{rider.owner}` rides straight out from the axis, where `{carrier.owner}`, a thin {shape.word}, is not"
+            help = (
+                f"what is fixed to it is joined by a `weld`: `weld: [{carrier.owner}.{shape.points[1]}, {rider.owner}]`"
+            )
+            raise Unsolvable(message, span=carrier.span, help=help)
         if carrier.owner not in scene.held or rider.owner in scene.held:
             help = f"give `axle: {carrier.owner}`"
             raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)

@@ -99,8 +99,29 @@ class Touch(Connection, frozen=True):
                 raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
         elif under.owner in scene.bodies:
             self.check_carrier(scene)
+        self.check_side(scene)
+        self.check_seen(scene)
         self.check_places(scene)
         self.check_way(scene)
+
+    def check_side(self, scene: Surroundings) -> None:
+        """What touches is a rim, a point that is named, or a body with corners: what is bent otherwise would rock."""
+        ref, body = self.pair()[0], scene.bodies.get(self.lying())
+        bent = body is not None and body.shape is not None and not body.shape.pointlike and not body.shape.outline()
+        if scene.problem.space or body is None or not bent or rim_radius(body, ref.point) is not None:
+            return
+        if ref.point in (None, "center", "cm"):
+            message = f"on which side `{body.name}` touches `{self.pair()[1].owner}` nothing tells: it is neither round nor has corners"
+            raise Unsolvable(message, span=ref.span, help="such bodies, which rock, are not solved yet")
+
+    def check_seen(self, scene: Surroundings) -> None:
+        """Seen from above nothing presses on a level surface, which lies below the whole picture: friction on it is none of its edge."""
+        under = self.pair()[1]
+        below = scene.problem.plane == "horizontal" and isinstance(scene.surfaces.get(under.owner), Level)
+        if below and self.grip().kind != "none":
+            message = f"friction on `{under.owner}`, which lies below a scene that is seen from above, is not solved"
+            help = "leave out `plane: horizontal` where it slides along a line; a torque of friction may be told as a `couple`"
+            raise Unsolvable(message, span=under.span, help=help)
 
     def check_way(self, scene: Surroundings) -> None:
         """What lies on a surface all the time, and on nothing else, moves along it."""
@@ -145,6 +166,12 @@ class Touch(Connection, frozen=True):
         places = [scene.surfaces[ref.owner] for ref in self.places() if ref.owner in scene.surfaces]
         unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
         curved = all(place.curved for place in places)
+        carrier = next((ref for ref in self.places() if ref.owner in scene.bodies), None)
+        if carrier is not None and len(self.places()) > 1:
+            message = (
+                f"`{self.name}` names a body, `{carrier.owner}`, beside other things on which `{self.lying()}` lies"
+            )
+            raise Unsolvable(message, span=carrier.span, help="write a contact for each two that touch")
         if len(places) > 1 and not (curved and len(places) == 2 and unknown == [True, False]):
             message = f"these surfaces of `{self.name}` together are not solved yet"
             help = "solved is a track of `profile unknown` that leads into a `hollow` or `dome`"

@@ -41,6 +41,9 @@ class Disc(Shape, frozen=True):
     def measure(self) -> Formula:
         return PI * (self.radius or ZERO) ** 2
 
+    def face(self) -> tuple[Formula, Formula]:
+        return ZERO, self.radius or ZERO
+
 
 class Ring(Shape, frozen=True):
     word = "ring"
@@ -68,6 +71,9 @@ class Ring(Shape, frozen=True):
 
     def measure(self) -> Formula:
         return Number(Fraction(2)) * PI * (self.radius or ZERO)
+
+    def face(self) -> tuple[Formula, Formula]:
+        return self.radius or ZERO, self.radius or ZERO
 
 
 class Annulus(Shape, frozen=True):
@@ -98,6 +104,9 @@ class Annulus(Shape, frozen=True):
     def measure(self) -> Formula:
         inner, outer = walls(self.radii)
         return PI * (outer**2 - inner**2)
+
+    def face(self) -> tuple[Formula, Formula]:
+        return walls(self.radii)
 
     @property
     def outer(self) -> Formula | None:
@@ -272,6 +281,9 @@ class CylindricalShell(Ring, frozen=True):
 
     def measure(self) -> Formula:
         return Annulus(self.radii).measure() if self.radii else Ring(self.radius).measure()
+
+    def face(self) -> tuple[Formula, Formula]:
+        return walls(self.radii) if self.radii else Ring(self.radius).face()
 
     def depth(self) -> Formula | None:
         return self.length
