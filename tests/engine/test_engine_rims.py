@@ -93,7 +93,8 @@ def test_one_rim_needs_no_name(element: str) -> None:
     named = answer(written(element, RADII[0], "big"))
     assert answer(written(element, "radii: {big: R}")) == pytest.approx(named)
     assert answer(written(element, "radius: R")) == pytest.approx(named)
-    assert answer(written(element, "shape: annulus, radii: {inner: r, outer: R}")) == pytest.approx(named)
+    if element != "clutch":  # of which the face matters, not the rim alone
+        assert answer(written(element, "shape: annulus, radii: {inner: r, outer: R}")) == pytest.approx(named)
 
 
 @pytest.mark.parametrize("point", ["rim", "top", "bottom"])

@@ -83,8 +83,9 @@ class Rolls(Touch, frozen=True):
     def check(self, scene: Surroundings) -> None:
         """What rolls is round where it touches."""
         wheel, body = self.rolls[0], scene.bodies.get(self.rolls[0].owner)
-        if not scene.problem.space and body is not None and rim_radius(body, wheel.point) is None:
-            message = f"`{body.name}` is not round where it touches, and does not roll"
+        is_round = body is None or "rim" in shape_of(body).points or rim_radius(body, wheel.point) is not None
+        if not (scene.problem.space or is_round):
+            message = f"`{wheel.owner}` is not round where it touches, and does not roll"
             help = "give it a round shape, a `radius` or `radii`; what lies on a side or a corner has a `contact`"
             raise Unsolvable(message, span=wheel.span, help=help)
         super().check(scene)

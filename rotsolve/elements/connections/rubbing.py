@@ -90,10 +90,10 @@ class Clutch(Rubbing, frozen=True):
         """Of two plates the first is not the larger, which else would rub beyond the other's rim, and lies on it, not in a hole of it."""
         refs = self.clutch if self.on_rims(scene) else ()
         faces = [face_of(scene.bodies[ref.owner], ref) for ref in refs]
-        if refs:
+        if faces and all(outer != ZERO for _, outer in faces):
             first, second = (f"{ref.owner}.{ref.point}" if ref.point else ref.owner for ref in refs)
             help = f"the smaller plate is named first: `clutch: [{second}, {first}]`"
-            (_, outer), (inner, other) = faces
+            (_, outer), (inner, other) = faces  # of one without a radius nothing is known
             yield Limit(other - outer, f"of two plates `{first}`, named first, is the smaller one", help=help)
             if inner != ZERO:
                 yield Limit(outer - inner, f"`{first}` lies in the hole of `{second}`", help="", strict=True)

@@ -110,7 +110,7 @@ class Touch(Connection, frozen=True):
         bent = body is not None and body.shape is not None and not body.shape.pointlike and not body.shape.outline()
         if scene.problem.space or body is None or not bent or rim_radius(body, ref.point) is not None:
             return
-        if ref.point in (None, "center", "cm"):
+        if ref.point in (None, "center", "cm") and "rim" not in shape_of(body).points:
             message = f"on which side `{body.name}` touches `{self.pair()[1].owner}` nothing tells: it is neither round nor has corners"
             raise Unsolvable(message, span=ref.span, help="such bodies, which rock, are not solved yet")
 
@@ -167,7 +167,7 @@ class Touch(Connection, frozen=True):
         unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
         curved = all(place.curved for place in places)
         carrier = next((ref for ref in self.places() if ref.owner in scene.bodies), None)
-        if carrier is not None and len(self.places()) > 1:
+        if carrier is not None and len(self.places()) > 1 and carrier.owner not in scene.held:
             message = (
                 f"`{self.name}` names a body, `{carrier.owner}`, beside other things on which `{self.lying()}` lies"
             )
