@@ -197,12 +197,11 @@ def in_own_axes(found: Attitude, spun: Rows = AS_DRAWN) -> Attitude:
 
 
 class HingeTurn(Struct, frozen=True):
-    """How far a body is turned about its hinge, how fast, and the rate of that; `lost` says that nothing tells how far."""
+    """How far a body is turned about its hinge, how fast, and the rate of that."""
 
     angle: Formula = ZERO
     rate: Formula = ZERO
     faster: Formula = ZERO
-    lost: str = ""
 
 
 def on_axle(carrier: Attitude, direction: Triple, spin: Formula, faster: Formula, own: Rows) -> Attitude:
@@ -224,7 +223,7 @@ def hinged_on(carrier: Attitude, drawn: Rows, direction: Triple, turn: HingeTurn
         rotated(inward, carrier.alpha), scaled_by(turn.faster, direction), cross_product(swept, relative)
     )
     rows = after(after(carrier.axes.rows, drawn), turn_about(direction, turn.angle))
-    return as_drawn(rows, vector_sum(swept, relative), alpha, lost=carrier.axes.lost or turn.lost)
+    return as_drawn(rows, vector_sum(swept, relative), alpha, lost=carrier.axes.lost)
 
 
 def permutation(axis: Triple) -> Rows:

@@ -59,6 +59,7 @@ from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.leaning import LeaningMoment
 from rotsolve.space.rolling import Rolling
 from rotsolve.space.sliding import screwed, slid
+from rotsolve.space.untold import UNTOLD
 
 
 class SpaceMoment(LeaningMoment):
@@ -226,17 +227,11 @@ class SpaceMoment(LeaningMoment):
             rows = rows if turned is None else after(turn_about(direction, turned), rows)
             return on_axle(base, direction, rate, faster, rows)
         angle = self.hinge_angle(name, joint)
+        angle = self.untold_angle(name) if angle is None else angle
         if on_body:
-            lost = "" if angle is not None else self.lost(name)
-            return hinged_on(
-                base, self.turned(name), direction, HingeTurn(ZERO if angle is None else angle, rate, faster, lost)
-            )
-        rows, lost = self.turned(name), ""
-        if angle is not None:
-            rows = after(rows, turn_about(direction, angle))
-        else:
-            lost = self.lost(name)
-        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
+            return hinged_on(base, self.turned(name), direction, HingeTurn(angle, rate, faster))
+        rows = after(self.turned(name), turn_about(direction, angle))
+        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction))
 
     def refuse_otherwise(self, name: str, taken: tuple[str, ...] = ()) -> None:
         """Refuse what a state tells, by Euler angles, the vertical or a vector, of how a body stands or turns that a joint holds about one
@@ -274,6 +269,12 @@ class SpaceMoment(LeaningMoment):
         self.hangs_on_time()
         return self.ask("angle", name)
 
+    def untold_angle(self, name: str) -> Formula:
+        """The letter for how far a body on a hinge is turned where nothing tells it, through a blow as before; 0 at first."""
+        if self.before is not None:
+            return self.before.untold_angle(name)
+        return self.ask("angle", name, kind=UNTOLD) if self.later else ZERO
+
     def hangs_on_hinge(self, name: str) -> bool:
         """Whether a body turns about one axis in what holds it."""
         joint = self.held.main(name)
@@ -304,12 +305,17 @@ class SpaceMoment(LeaningMoment):
             return self.before.stood(name, word)
         return ZERO if self.first and word == "angle" else None
 
-    def lost(self, name: str) -> str:
-        """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""
+    def lost(self, name: str, hanging: str = "") -> str:
+        """Why nothing tells how a body stands, or what is `hanging` on that: it has turned since the first state, where it stands as it is
+        drawn."""
         if self.onward is not None and self.onward.passed() is not None:
             said = "is not solved: its motion in time has no closed form that is known here"
-            return f"how `{name}` stands at {self.spoken_of()} {said}"
-        return f"how `{name}` stands at {self.spoken_of()} nothing tells" if self.later else ""
+        elif self.later:
+            said = "nothing tells"
+        else:
+            return ""
+        how = f"how `{name}` stands at {self.spoken_of()}"
+        return f"{hanging} hangs on {how}, which {said}" if hanging else f"{how} {said}"
 
     def axle_spin(self, name: str) -> Formula | None:
         """How fast a body spins on the axle on which another one carries it; None of others."""

@@ -32,7 +32,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import forgetting
-from rotsolve.core.symbols import GENERIC, is_key, of_kinds, paths_in
+from rotsolve.core.symbols import GENERIC, is_key, key_of, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
 from rotsolve.core.writing import in_direction, spoken, with_powers
@@ -50,6 +50,7 @@ from rotsolve.space.pushes import Pushes
 from rotsolve.space.reader import SpaceReader, plainly_named
 from rotsolve.space.stability import limit_of, steady_limit
 from rotsolve.space.understood import refuse_dropped_told
+from rotsolve.space.untold import ANGLE_HELP, law_whatever_the_angle, untold_in
 
 if TYPE_CHECKING:
     from rotsolve.equations.swing import Swing
@@ -66,6 +67,11 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def __post_init__(self) -> None:
         """Nothing is fixed beforehand: each moment puts in what its state tells."""
+
+    @cached_property
+    def hanging(self) -> list[Equation]:
+        """The laws that hang on an angle that nothing tells, which are left out."""
+        return []
 
     @cached_property
     def held(self) -> JointedBodies:
@@ -206,8 +212,15 @@ class SpaceEquations(SceneEquations, dict=True):
             yield "fast spin"
 
     def unwritten_law(self) -> Fault | None:
-        """Why the laws of a body could not be written, at the first state at which they were not."""
-        return next((error.fault for laws in self.dynamics.values() for error in laws.unwritten.values()), None)
+        """Why the laws of a body could not be written, at the first state at which they were not; or on what angle one hangs."""
+        found = next((error.fault for laws in self.dynamics.values() for error in laws.unwritten.values()), None)
+        kept_first = sorted(self.hanging, key=lambda law: law.section in self.dynamics)  # what would stay tells most
+        names = [name for law in kept_first for name in untold_in(add(law.left, law.right))]
+        if found is not None or not names:
+            return found
+        key = key_of(names[0])
+        moment = next(laws.moment for laws in self.dynamics.values() if laws.moment.when == key.when)
+        return Fault(moment.lost(key.owner), help=ANGLE_HELP.format(key.owner))
 
     def unread_lines(self) -> Iterator[Condition]:
         """The lines of states that no moment has read; a time alone says of what moment is asked, though the answer may not hang on it."""
@@ -499,7 +512,16 @@ class SpaceEquations(SceneEquations, dict=True):
         yield CONDITION.equation(meaning.formula, value, moment.when, words=f", {words}")
 
     def _written(self) -> Iterator[Equation]:
-        """All that the laws say at each state."""
+        """All that the laws say at each state, whatever the angles are that nothing tells."""
+        for law in self._written_openly():
+            plain = law_whatever_the_angle(law)
+            if plain is not None:
+                yield law if plain is law else self.put_in_order(plain)
+            else:
+                self.hanging.append(law)
+
+    def _written_openly(self) -> Iterator[Equation]:
+        """All that the laws say at each state, with letters for angles that nothing tells."""
         self.refuse_varying()
         self.refuse_without()
         self.refuse_turned()
@@ -518,11 +540,19 @@ class SpaceEquations(SceneEquations, dict=True):
             if interval.end == OPEN:
                 continue
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
-            laws = through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
+            laws = through(interval, *ends) if interval.event is not None else kept_in(interval, *ends)
             yield from (self.put_in_order(one) for one in laws)
         for dynamics in self.dynamics.values():
             yield from self.told_otherwise(dynamics)
         yield from map(self.put_in_order, self.tensors.steps)
+
+
+def kept_in(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """What bodies keep in a phase, each by itself and all together."""
+    from rotsolve.space.together import kept_together
+
+    yield from conserved(interval, before, after)
+    yield from kept_together(interval, before, after)
 
 
 def first_of_each(laws: Iterable[Equation]) -> list[Equation]:

@@ -172,7 +172,24 @@ class Inquiry:
             return self.struck(event, state, self.followed(event.from_))
         told = time_after(state)
         passed = None if told is None else self.rig.value(told)
-        return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+        try:
+            return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+        except NotConfirmed as reason:
+            with suppress(NotConfirmed):
+                found: list[Manner] = self.kept(
+                    f"{name} by what stays", partial(self.by_what_stays, names[place - 1], state)
+                )
+                return found
+            raise reason
+
+    def by_what_stays(self, before: str, state: State) -> list[Manner]:
+        """The ways in which all moves at a later state, by what stays on the way, where that is too long to be followed."""
+        from rotsolve.confirm.space.kept import kept_manners
+
+        starts = [by_velocities(way.worlds) for way in self.ways(before)]
+        if len(starts) != 1 or len(starts[0]) != 1 or starts[0][0].stance.open:
+            raise NotConfirmed(SEVERAL)
+        return kept_manners(self.rig, starts[0][0], state, self.put)
 
     def kept(self, key: str, follow: Callable[[], Any]) -> Any:
         """What comes of following a motion, which is done once."""

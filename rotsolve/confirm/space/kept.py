@@ -1,0 +1,173 @@
+"""Kept: the rates at a later state of bodies that hang on one joint of the ground, by their energy and their angular momentum.
+
+For where their motion is too long to be followed. What stays is worked out at both states from places and velocities in space, with several
+numbers for angles that no line tells; it is quadratic in the rates that are open. To an angle a body comes in the sense in which that is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm.space.arrows import (
+    Arrow,
+    Z,
+    arrow_length,
+    crossed,
+    inner_product,
+    less,
+    scaled,
+    sum_of,
+    times_arrow,
+)
+from rotsolve.confirm.space.quadratics import quadratic, shared_roots
+from rotsolve.confirm.space.readings import Reading
+from rotsolve.confirm.space.rig import Lines, Rig, Told
+from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.ties import SPEED, SPINS, TURNING, Rates
+from rotsolve.confirm.space.worlds import Manner, Moving, World, natural_rate, with_rates
+from rotsolve.core.symbols import TIME
+from rotsolve.language.bodies import Joint
+from rotsolve.language.problem import Path, State, Term
+
+GUESSES = (0.7, 1.1, 1.9)  # for angles that no line tells
+UPRIGHT = 1e-12  # how nearly a direction is that of the vertical
+WAY = 48  # places on the way at which it is looked whether it gets on
+NEVER = "by what its bodies keep, its motion never comes there"
+NOT_KEPT = "what its bodies keep on the way to its state"
+
+
+def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner]:
+    """The ways in which all moves at a later state with what it has kept since the state before, told apart by the rates on joints."""
+    root, leader = root_alone(rig), leading_joint(rig, state)
+    for share in (number / WAY for number in range(1, WAY) if leader is not None):  # it has to get there
+        assert leader is not None
+        there = Underway(rig, state, put, leader, turned_at(start, leader), share)
+        if not any(True for _ in roots_kept(rig, root, start, Stance(rig, there, GUESSES[0]))):
+            raise Unfit(NEVER)
+    found = [list(roots_kept(rig, root, start, Stance(rig, Lines(rig, state, put), guess))) for guess in GUESSES]
+    if len({len(ways) for ways in found}) > 1:
+        raise NotConfirmed(NOT_KEPT)
+    ordered = [sorted(ways, key=lambda world: spins_of(rig, world)) for ways in found]
+    return [Manner(tuple(worlds), 0.0) for worlds in zip(*ordered, strict=True)]
+
+
+class Underway(Lines):
+    """What a state tells, on the way to it: the joint that leads there is turned by a share of its way, and how fast no line says."""
+
+    def __init__(self, rig: Rig, state: State, put: Told, leader: Joint, begun: float, share: float) -> None:
+        super().__init__(rig, state, put)
+        end = self.told(leader.body.owner, "angle") or 0.0
+        self.lines = []
+        self.put = {(self.name, leader.body.owner, "angle"): begun + share * (end - begun)}
+
+
+def leading_joint(rig: Rig, state: State) -> Joint | None:
+    """The only joint of which the state tells to what angle it has turned, where nothing else is told than that; None where nothing is."""
+    lines = [line for line in state.conditions if line.path is not None]
+    if not lines and not state.conditions and not state.steady:
+        return None
+    joints = [rig.main(line.path.owner) for line in lines if line.path is not None and line.path.quantity == "angle"]
+    if len(lines) != 1 or len(joints) != 1 or joints[0] is None or not joints[0].turning or state.steady:
+        raise NotConfirmed(NOT_KEPT)
+    return joints[0]
+
+
+def turned_at(world: World, joint: Joint) -> float:
+    """How far a body is turned about its joint in a world."""
+    before = world.stance.swung.get(joint.body.owner)
+    return world.stance.angle(joint) if before is None else before
+
+
+def root_alone(rig: Rig) -> Joint:
+    """The only joint with the ground, of bodies that are held by one joint each, on which nothing acts but their weights."""
+    joints = list(rig.joints.values())
+    roots = [joint for joint in joints if joint.carrier.owner not in rig.bodies]
+    plain = not any(joint.rolls or joint.flat or joint.sliding or joint.pitch is not None for joint in joints)
+    each = sorted(joint.body.owner for joint in joints) == sorted(rig.bodies)
+    led = any(body.moved for body in rig.bodies.values())
+    if len(roots) != 1 or not (plain and each) or led or rig.problem.actions:
+        raise NotConfirmed(NOT_KEPT)
+    return roots[0]
+
+
+def roots_kept(rig: Rig, root: Joint, start: World, stance: Stance) -> Iterator[World]:
+    """The worlds of a stance with as much of what is kept as at the start, in which each body comes to its angle as it must."""
+    moving = Moving(stance)
+    count, scale = len(moving.moving.free), natural_rate(moving)
+    wanted = kept_of(rig, root, start)
+
+    def world_with(openly: Sequence[float]) -> World:
+        now = moving.rates(openly)
+        return World(stance, moving.efforts, now, now)
+
+    def over(openly: Sequence[float]) -> list[float]:
+        return [a - b for a, b in zip(kept_of(rig, root, world_with(openly)), wanted, strict=True)]
+
+    model = quadratic(over, count, scale) if count else None
+    if model is None or len(wanted) < count:
+        raise NotConfirmed(NOT_KEPT)
+    for found in shared_roots(model):
+        openly = with_rates([0.0] * count, range(count), [part * scale for part in found])
+        world = world_with(openly)
+        if comes_so(rig, start, world):
+            (whole,) = moving.way([openly]).worlds[:1]
+            yield whole
+
+
+def kept_of(rig: Rig, root: Joint, world: World) -> list[float]:
+    """What stays: the angular momentum about the free direction of the root; the energy, less Ω L where the root is driven round at Ω."""
+    way, kept = free_way(rig, root, world.stance), list[float]()
+    drive, inner = dict(root.drive), [joint for joint in rig.joints.values() if joint is not root]
+    momentum = None if way is None else inner_product(way, whole_momentum(rig, root, world))
+    if momentum is not None and not drive:
+        kept.append(momentum)
+    if any(joint.drive for joint in inner):
+        return kept
+    rate = drive.get("angular_velocity") if len(drive) == 1 else None
+    if drive and (momentum is None or rate is None or TIME in rate.symbols()):
+        return kept
+    energy = Reading(world).energy(Path("", "energy"), Term(Path("", "energy")))
+    return [*kept, energy if rate is None else energy - rig.value(rate) * (momentum or 0.0)]
+
+
+def free_way(rig: Rig, root: Joint, stance: Stance) -> Arrow | None:
+    """The direction about which neither the ground nor a weight turns the bodies."""
+    if root.free:
+        return Z
+    if not root.turning:
+        return None
+    way = stance.way(root)
+    upright = arrow_length(crossed(way, Z)) <= UPRIGHT
+    return way if upright or not rig.gravity else None
+
+
+def whole_momentum(rig: Rig, root: Joint, world: World) -> Arrow:
+    """Σ I ω + r × m v, from the point that the ground holds."""
+    origin, parts = world.stance.held_at(root), list[Arrow]()
+    for name in rig.bodies:
+        arm = less(world.stance.place(name), origin)
+        parts.append(times_arrow(world.efforts.tensor(name), world.now.arrow(TURNING, name)))
+        parts.append(crossed(arm, scaled(rig.solid(name).mass, world.now.arrow(SPEED, name))))
+    return sum_of(*parts)
+
+
+def comes_so(rig: Rig, start: World, world: World) -> bool:
+    """Whether no body passes the angle that it comes to, for the first time, the other way."""
+    for joint in rig.joints.values():
+        name = joint.body.owner
+        if not joint.turning or name in world.stance.open or world.stance.lines.told(name, "angle") is None:
+            continue
+        way = world.stance.angle(joint) - turned_at(start, joint)
+        if way * rate_on_joint(world.now, joint) < 0.0:
+            return False
+    return True
+
+
+def rate_on_joint(now: Rates, joint: Joint) -> float:
+    return now.one(SPINS, joint.owner)
+
+
+def spins_of(rig: Rig, world: World) -> list[float]:
+    """How fast all joints turn, roughly: what tells ways apart."""
+    return [round(rate_on_joint(world.now, joint), 6) for joint in rig.joints.values() if joint.turning]
