@@ -141,6 +141,7 @@ class ActingElement(Element, frozen=True):
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
+    quantities_in_space: ClassVar[tuple[str, ...]] = ()  # beside these, in scenes in space
     later: ClassVar[bool] = False
     planar: ClassVar[bool] = True  # whether scenes in the plane have it
     spatial: ClassVar[bool] = False  # whether scenes in space do

@@ -387,7 +387,7 @@ class SpaceEquations(SceneEquations, dict=True):
             if lasts is None:
                 raise Unclear(f"there is no phase or event `{term.during}`")
             start, end = lasts
-            if path.quantity == "impulse":
+            if path.quantity in ("impulse", "angular_impulse"):
                 return self.reader(end).meaning(path, replace(term, during=None)), end
             term = replace(term, during=None, start=start, end=end)
         assert term.start is not None and term.end is not None

@@ -117,7 +117,7 @@ def in_a_list(names: tuple[str, ...]) -> str:
     return f"{', '.join(most)} and {last}"
 
 
-def held_together(laws: SpaceLaws) -> Iterator[HeldTogether]:
+def hanging_together(laws: SpaceLaws) -> Iterator[HeldTogether]:
     """All that hang together on one joint of the ground by ideal joints, and on which nothing acts but their weights."""
     held = laws.moment.held
     acted = {ref.owner for action in laws.pushes.actions for ref in action.touches()}
@@ -142,7 +142,7 @@ def keeps_nothing(joint: Joint) -> bool:
 
 def kept_together(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
     """What such bodies keep in a phase, as far as it is told how they stand."""
-    for group in held_together(before):
+    for group in hanging_together(before):
         try:
             yield from list(group.kept(interval, before, after))
         except (Unsolvable, NotYet):

@@ -51,6 +51,8 @@ READ = (
     "kinetic_energy",
     "energy",
     "speed",
+    "impulse",
+    "angular_impulse",
 )  # lines held against worlds
 OF_MASS = ("inertia_tensor", "inertia", "principal_moments", "mass")  # what a body has however it moves
 OPEN = "the equations of all bodies leave it open"
@@ -337,7 +339,7 @@ class Inquiry:
         if term.path.quantity in OSCILLATING:
             return self.swinging(term)
         event = next((item for item in self.problem.events if item.name == term.during), None)
-        if event is not None and term.path.quantity == "impulse":
+        if event is not None and term.path.quantity in ("impulse", "angular_impulse"):
             return self.at(term, event.to)
         if term.other is not None and term.other.at not in (None, term.at):
             return [self.angle_between(replace(term, modifier="", other=None), term.other)]
