@@ -378,6 +378,10 @@ class Connection(ActingElement, frozen=True):
         """How it holds a body in space; None for what is no joint."""
         return None
 
+    def motor_in_space(self) -> tuple[PointRef, PointRef] | None:
+        """What it turns in space as hard as it takes, behind what carries that; None of what is no motor."""
+        return None
+
     def rubs(self) -> bool:
         """Whether one of its bodies can slip, against friction of a size that is known."""
         return False

@@ -562,6 +562,14 @@ class SpaceMoment(LeaningMoment):
         own = self.attitude(name)
         if own.axes.name != NODE:
             rows, base, lost = after(own.axes.rows, own.own), own.axes.base, own.axes.lost or self.spun_away(name)
-            return Axes(BODY, rows, own.omega, own.rates, lost, base, own.own if base is not None else AS_DRAWN)
+            return Axes(
+                BODY,
+                rows,
+                own.omega,
+                own.rates,
+                lost,
+                base,
+                after(own.axes.turned, own.own) if base is not None else AS_DRAWN,
+            )
         rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
         return Axes(BODY, rows)

@@ -54,7 +54,7 @@ def left_alone(laws: SpaceLaws, name: str, *, pushed: bool = False) -> bool:
     held = laws.moment.held
     joints = [joint for joint in held.joints if name in (joint.body.owner, joint.carrier.owner)]
     ideal = all(
-        not (joint.drive or joint.rolls or joint.flat or joint.sliding or joint.carrier.owner in held.bodies)
+        not (joint.powered or joint.rolls or joint.flat or joint.sliding or joint.carrier.owner in held.bodies)
         for joint in joints
     )
     acted = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
@@ -319,7 +319,7 @@ def shocks_of_joint(joint: Joint, laws: SpaceLaws) -> Iterator[Shock]:
             push = triple([ZERO if way != ZERO else part for part, way in zip(push, axis, strict=True)])
         elif number > 1:
             nothing = (dot_product(axis, push),)
-        driven = number == 1 and joint.drive
+        driven = number == 1 and joint.powered
         twist = scaled_by(laws.moment.ask("angular_impulse", joint.owner, "drive"), axis) if driven else NOTHING
         yield Shock(push, vector_sum(held_at, scaled_by(place, axis)), twist, nothing)
 
@@ -339,8 +339,8 @@ def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:
     letters = triple([moment.ask("angular_impulse", joint.owner, axis) for axis in AXES])
     push, nothing = free_of_force(joint, moment, push, letters)
     way = laws.pushes.direction(joint) if joint.pitch is None else None
-    if way is not None and not is_axis(way) and not joint.drive:
+    if way is not None and not is_axis(way) and not joint.powered:
         nothing = (*nothing, dot_product(way, letters))
-    elif way is not None and not joint.drive:
+    elif way is not None and not joint.powered:
         letters = triple([ZERO if part != ZERO else letter for part, letter in zip(way, letters, strict=True)])
     return Shock(push, arm, letters, nothing)

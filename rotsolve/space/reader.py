@@ -30,6 +30,7 @@ from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import Path, Term
 from rotsolve.paths.meaning import Meaning, NotYet, label_of, path_text
 from rotsolve.space.arrangement import NODAL
+from rotsolve.space.attitude import IN_SPACE, STANDING_HELP
 from rotsolve.space.energies import energy_in_words, height_above, kinetic_energies, power_of
 from rotsolve.space.inertia import CM, in_axes, moment_along
 from rotsolve.space.telling import turns_untold
@@ -107,6 +108,8 @@ class SpaceReader(VectorReader):
         component = (path.component or "").split()[-1:] or [""]
         if component[0] not in AXES:
             return self.shared_size(path, term) or self.moment.tidy(length_of(vector))
+        if axes.lost and asked == IN_SPACE and vector != NOTHING:
+            raise NotYet(axes.lost, path.span, f"ask for it `in body axes`, or {STANDING_HELP}")
         found = axes.to(asked, vector)
         return tidied_part(found[AXES.index(component[0])])
 

@@ -213,7 +213,8 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def unwritten_law(self) -> Fault | None:
         """Why the laws of a body could not be written, at the first state at which they were not; or on what angle one hangs."""
-        found = next((error.fault for laws in self.dynamics.values() for error in laws.unwritten.values()), None)
+        parts = (part for laws in self.dynamics.values() for part in (laws.unwritten, laws.untravelled))
+        found = next((error.fault for part in parts for error in part.values()), None)
         kept_first = sorted(self.hanging, key=lambda law: law.section in self.dynamics)  # what would stay tells most
         names = [name for law in kept_first for name in untold_in(add(law.left, law.right))]
         if found is not None or not names:

@@ -21,6 +21,7 @@ from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.space.attitude import IN_SPACE
 from rotsolve.space.energies import energy_of
+from rotsolve.space.floating import FloatingTogether
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.working import carried_with, turns_undriven
@@ -36,12 +37,12 @@ class HeldTogether(Struct, frozen=True):
     def kept(self, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
         """Their energy, and their angular momentum about the direction about which nothing outside turns them."""
         whole, way = in_a_list(self.names), self.untwisted(before)
-        if way is not None and not self.root.drive:
+        if way is not None and not self.root.powered:
             first, last = (self.momentum(laws, way) for laws in (before, after))
             if first != last:
                 words = f"angular momentum about {'the vertical' if way == Z else 'the axis'}, {whole}"
                 yield MOMENTUM.equation(first, last, interval.name, self.names, words=words)
-        if any(joint.drive for joint in self.inner) or self.swings_as_one(before):
+        if self.root.motor or any(joint.powered for joint in self.inner) or self.swings_as_one(before):
             return
         rate = self.steady_drive(before)
         if rate is None or (rate != ZERO and way is None):
@@ -117,21 +118,25 @@ def in_a_list(names: tuple[str, ...]) -> str:
     return f"{', '.join(most)} and {last}"
 
 
-def hanging_together(laws: SpaceLaws) -> Iterator[HeldTogether]:
-    """All that hang together on one joint of the ground by ideal joints, and on which nothing acts but their weights."""
+def hanging_together(laws: SpaceLaws) -> Iterator[HeldTogether | FloatingTogether]:
+    """All that hold together by ideal joints, on one joint of the ground or on none, and on which nothing acts but their weights."""
     held = laws.moment.held
     acted = {ref.owner for action in laws.pushes.actions for ref in action.touches()}
     for first in held.order:
         root = held.main(first)
-        if root is None or held.carrier(first):
+        if held.carrier(first):
             continue
         names = [first]
         for name in held.order:
             names += [name] if held.carrier(name) in names else []
         joints = [joint for name in names for joint in held.of_body(name)]
-        alone = len(joints) == len(names) and not any(keeps_nothing(joint) for joint in joints)
+        each = [joint.body.owner for joint in joints] == (names if root is not None else names[1:])
         moved = any(held.bodies[name].moved for name in names)
-        if len(names) > 1 and alone and not moved and acted.isdisjoint(names) and not root.sliding:
+        if len(names) < 2 or moved or not each or any(map(keeps_nothing, joints)) or not acted.isdisjoint(names):
+            continue
+        if root is None:
+            yield FloatingTogether(tuple(names), tuple(joints))
+        else:
             yield HeldTogether(tuple(names), root, tuple(joints[1:]))
 
 

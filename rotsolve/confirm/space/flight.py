@@ -66,6 +66,8 @@ class Flight:
         self.passed = passed  # the time up to the state, where it is told
         if any(TIME in part.symbols() for joint in rig.joints.values() for _, part in joint.drive):
             raise NotConfirmed("a drive that changes on the way to its state")
+        if any(joint.motor for joint in rig.joints.values()):
+            raise NotConfirmed("a motor that gives what it takes on the way to its state")
         if any(body.moved and not rig.led_evenly(name) for name, body in rig.bodies.items()):
             raise NotConfirmed("a prescribed motion on the way to its state")
         lines = [line.path for line in (*state.conditions, *start.stance.lines.lines)]

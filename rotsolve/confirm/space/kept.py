@@ -1,7 +1,8 @@
-"""Kept: the rates at a later state of bodies that hang on one joint of the ground, by their energy and their angular momentum.
+"""Kept: the rates at a later state of bodies that hang together, on one joint of the ground or on none, by what they keep on the way.
 
-For where their motion is too long to be followed. What stays is worked out at both states from places and velocities in space, with several
-numbers for angles that no line tells; it is quadratic in the rates that are open. To an angle a body comes in the sense in which that is.
+For where their motion is too long to be followed, or a motor gives what it takes. What stays is worked out at both states from places and
+velocities in space, with several numbers for how bodies stand of which no line tells it; it is quadratic in the rates that are open. To an
+angle a body comes in the sense in which that is.
 """
 
 from __future__ import annotations
@@ -39,7 +40,8 @@ NOT_KEPT = "what its bodies keep on the way to its state"
 
 def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner]:
     """The ways in which all moves at a later state with what it has kept since the state before, told apart by the rates on joints."""
-    root, leader = root_alone(rig), leading_joint(rig, state)
+    root = root_alone(rig)
+    leader = None if any(joint.motor for joint in rig.joints.values()) else leading_joint(rig, state)
     for share in (number / WAY for number in range(1, WAY) if leader is not None):  # it has to get there
         assert leader is not None
         there = Underway(rig, state, put, leader, turned_at(start, leader), share)
@@ -79,19 +81,20 @@ def turned_at(world: World, joint: Joint) -> float:
     return world.stance.angle(joint) if before is None else before
 
 
-def root_alone(rig: Rig) -> Joint:
-    """The only joint with the ground, of bodies that are held by one joint each, on which nothing acts but their weights."""
+def root_alone(rig: Rig) -> Joint | None:
+    """The only joint with the ground, of bodies that are held by one joint each, on which nothing acts but their weights; None of bodies of
+    which one carries all others, and nothing holds that."""
     joints = list(rig.joints.values())
     roots = [joint for joint in joints if joint.carrier.owner not in rig.bodies]
     plain = not any(joint.rolls or joint.flat or joint.sliding or joint.pitch is not None for joint in joints)
-    each = sorted(joint.body.owner for joint in joints) == sorted(rig.bodies)
+    each = len({joint.body.owner for joint in joints}) == len(joints) == len(rig.bodies) - (not roots)
     led = any(body.moved for body in rig.bodies.values())
-    if len(roots) != 1 or not (plain and each) or led or rig.problem.actions:
+    if len(roots) > 1 or not (plain and each and joints) or led or rig.problem.actions or (rig.gravity and not roots):
         raise NotConfirmed(NOT_KEPT)
-    return roots[0]
+    return roots[0] if roots else None
 
 
-def roots_kept(rig: Rig, root: Joint, start: World, stance: Stance) -> Iterator[World]:
+def roots_kept(rig: Rig, root: Joint | None, start: World, stance: Stance) -> Iterator[World]:
     """The worlds of a stance with as much of what is kept as at the start, in which each body comes to its angle as it must."""
     moving = Moving(stance)
     count, scale = len(moving.moving.free), natural_rate(moving)
@@ -115,20 +118,42 @@ def roots_kept(rig: Rig, root: Joint, start: World, stance: Stance) -> Iterator[
             yield whole
 
 
-def kept_of(rig: Rig, root: Joint, world: World) -> list[float]:
+def kept_of(rig: Rig, root: Joint | None, world: World) -> list[float]:
+    """What stays: on a joint of the ground, or on none."""
+    return kept_afloat(rig, world) if root is None else kept_on_ground(rig, root, world)
+
+
+def kept_afloat(rig: Rig, world: World) -> list[float]:
+    """The momentum, the angular momentum about the common centre of mass, and without motors the energy, along the axes of space."""
+    masses = {name: rig.solid(name).mass for name in rig.bodies}
+    momentum = sum_of(*(scaled(mass, world.now.arrow(SPEED, name)) for name, mass in masses.items()))
+    centre = scaled(
+        1.0 / sum(masses.values()), sum_of(*(scaled(masses[name], world.stance.place(name)) for name in masses))
+    )
+    turning = whole_momentum(rig, centre, world)
+    kept = [*momentum, *turning]
+    return kept if any(joint.powered for joint in rig.joints.values()) else [*kept, energy_in(world)]
+
+
+def kept_on_ground(rig: Rig, root: Joint, world: World) -> list[float]:
     """What stays: the angular momentum about the free direction of the root; the energy, less Ω L where the root is driven round at Ω."""
     way, kept = free_way(rig, root, world.stance), list[float]()
     drive, inner = dict(root.drive), [joint for joint in rig.joints.values() if joint is not root]
-    momentum = None if way is None else inner_product(way, whole_momentum(rig, root, world))
-    if momentum is not None and not drive:
+    momentum = None if way is None else inner_product(way, whole_momentum(rig, world.stance.held_at(root), world))
+    if momentum is not None and not root.powered:
         kept.append(momentum)
-    if any(joint.drive for joint in inner):
+    if root.motor or any(joint.powered for joint in inner):
         return kept
     rate = drive.get("angular_velocity") if len(drive) == 1 else None
     if drive and (momentum is None or rate is None or TIME in rate.symbols()):
         return kept
-    energy = Reading(world).energy(Path("", "energy"), Term(Path("", "energy")))
+    energy = energy_in(world)
     return [*kept, energy if rate is None else energy - rig.value(rate) * (momentum or 0.0)]
+
+
+def energy_in(world: World) -> float:
+    """The kinetic energy of all bodies, and that of their weights."""
+    return Reading(world).energy(Path("", "energy"), Term(Path("", "energy")))
 
 
 def free_way(rig: Rig, root: Joint, stance: Stance) -> Arrow | None:
@@ -142,9 +167,9 @@ def free_way(rig: Rig, root: Joint, stance: Stance) -> Arrow | None:
     return way if upright or not rig.gravity else None
 
 
-def whole_momentum(rig: Rig, root: Joint, world: World) -> Arrow:
-    """Σ I ω + r × m v, from the point that the ground holds."""
-    origin, parts = world.stance.held_at(root), list[Arrow]()
+def whole_momentum(rig: Rig, origin: Arrow, world: World) -> Arrow:
+    """Σ I ω + r × m v, from a place."""
+    parts = list[Arrow]()
     for name in rig.bodies:
         arm = less(world.stance.place(name), origin)
         parts.append(times_arrow(world.efforts.tensor(name), world.now.arrow(TURNING, name)))

@@ -83,6 +83,15 @@ def plate_struck_where_its_hinges_feel_nothing(n: Numbers) -> Answers:
     return {"x": -turning[1] / n.J, "y": turning[0] / n.J, "omega": omega}
 
 
+def satellite_with_a_reaction_wheel(n: Numbers) -> Answers:
+    """Both as heavy points about their common centre, and the wheel's own turn beside that."""
+    shift = n.k * n.d / (n.m + n.k) * X
+    wheel = with_moments(n.k, n.C / 2, n.C, n.C / 2)
+    whole = tensor(cuboid(n.m, n.a, n.b, n.c).moved(-shift)) + tensor(wheel.moved(n.d * X - shift))
+    omega = np.linalg.solve(whole, -tensor(wheel) @ (n.w * Y))
+    return {"W": omega[1], "w_3": omega[1] + n.w}
+
+
 def force_off_the_centre(n: Numbers) -> Answers:
     """At rest accelerations go by forces as velocities go by blows."""
     force, at = n.F * Z, np.array([n.rx, n.ry, n.rz])
@@ -233,6 +242,7 @@ CALCULATIONS = {
     "plate-struck-where-its-hinges-feel-nothing": plate_struck_where_its_hinges_feel_nothing,
     "plate-that-wobbles-in-time": plate_that_wobbles_in_time,
     "pole-of-the-earth-in-time": pole_of_the_earth_in_time,
+    "satellite-with-a-reaction-wheel": satellite_with_a_reaction_wheel,
     "spherical-top": spherical_top,
     "stability-of-three-axes": stability_of_three_axes,
     "tennis-racket": tennis_racket,
