@@ -93,6 +93,31 @@ class FloatingTogether(Struct, frozen=True):
             going = vector_sum(going, own.axes.to(axes, scaled_by(heavy, speed)))
         return moment.tidy(add(total(parts), negate(multiply(HALF, square_of(going)) / mass)))
 
+    def line(self, laws: SpaceLaws) -> Triple | None:
+        """The own direction about which the first has turned since all was at rest, whatever motors do: that of all axles on it, where that
+        is a principal axis of the whole; None where there is none."""
+        held, moment, first = laws.moment.held, laws.moment, self.names[0]
+        wheels = all(joint.carrier.owner == first and held.wheel(joint.body.owner) for joint in self.inner)
+        if not wheels or not (all(map(moment.rests, self.names)) or first in moment.lines):
+            return None
+        ways = [moment.direction(joint.body.owner, joint) for joint in self.inner]
+        across = [
+            cross_product(ways[0], self.inertia_along(ways[0], laws)),
+            *(cross_product(ways[0], way) for way in ways),
+        ]
+        return ways[0] if all(held.vanishes(laws.tensors.spelled(part)) for way in across for part in way) else None
+
+    def inertia_along(self, way: Triple, laws: SpaceLaws) -> Triple:
+        """I n of the whole about the common centre of mass: Σ I n + m r × (n × r), less that of all mass where its centre is."""
+        masses, whole, placed = laws.moment.held.mass, NOTHING, NOTHING
+        for name in self.names:
+            place, heavy = self.from_first(name, laws)[0], masses(name)
+            own = NOTHING if laws.moment.held.pointlike(name) else product(laws.tensor(name, CM), way)
+            whole = vector_sum(whole, own, scaled_by(heavy, cross_product(place, cross_product(way, place))))
+            placed = vector_sum(placed, scaled_by(heavy, place))
+        less = cross_product(placed, cross_product(way, placed))
+        return vector_sum(whole, minus(scaled_by(ONE / total([masses(name) for name in self.names]), less)))
+
     def from_first(self, name: str, laws: SpaceLaws) -> tuple[Triple, Triple]:
         """Where the centre of mass of a body is from that of the first, and how fast it goes away from that, along its own axes."""
         moment, centre = laws.moment, PointRef(name, CM)

@@ -140,12 +140,14 @@ class SpaceMoment(LeaningMoment):
                     help=help,
                 )
         rows, told = self.turned(name), self.vector_told(name, "angular_velocity")
-        askew = self.askew(name, rows)
+        if name in self.lines and told is None and not (self.rests(name) or self.state.steady):
+            return self._on_line(name, rows, self.lines[name])
+        askew = self.askew(name, rows) or ("" if self.seen_from_space(name) else self.lost(name))
         for vector, word in (
             (told, "angular_velocity"),
             (self.vector_told(name, "angular_acceleration"), "angular_acceleration"),
         ):
-            if askew and vector is not None and vector[1] not in (BODY, name):
+            if askew and vector is not None and vector[0] != NOTHING and vector[1] not in (BODY, name):
                 line = self.line(name, word, "x")
                 help = f"tell `{name}.{word} in body axes`"
                 raise Unsolvable(askew, span=None if line is None else line.span, help=help)
@@ -164,7 +166,13 @@ class SpaceMoment(LeaningMoment):
             alpha = triple([self.ask("angular_acceleration", name, axis) for axis in AXES])
         if self.seen_from_space(name):
             return Attitude(IN_SPACE, rows, rotated(rows, omega), rotated(rows, alpha))
-        return as_drawn(rows, omega, alpha, lost=askew or self.lost(name))
+        return as_drawn(rows, omega, alpha, lost=askew)
+
+    def _on_line(self, name: str, rows: Rows, way: Triple) -> Attitude:
+        """A body that has turned about one of its own directions alone, by as much as nothing tells."""
+        rate, faster = self.ask("angular_velocity", name), self.rate_of("angular_velocity", name)
+        turned = after(rows, turn_about(way, self.untold_angle(name)))
+        return as_drawn(turned, scaled_by(rate, way), scaled_by(faster, way))
 
     def askew(self, name: str, rows: Rows) -> str:
         """Why nothing tells how a body is turned about the vertical: its state tells the `vertical` in its own axes, another one than it is

@@ -174,7 +174,8 @@ class SpaceReader(VectorReader):
         key = key_of(untold_in(total([meaning.formula, *sides]))[0])
         message = self.moments[key.when].moment.lost(key.owner, f"`{path_text(path)}`")
         seen = f"ask for it `in {key.owner} axes`, or " if path.quantity in DIRECTED else ""
-        raise NotYet(message, path.span, f"{seen}{ANGLE_HELP.format(key.owner)}")
+        hinged = self.held.main(key.owner) is not None
+        raise NotYet(message, path.span, f"{seen}{ANGLE_HELP.format(key.owner) if hinged else STANDING_HELP}")
 
     def between(self, term: Term, other: Term) -> Meaning:
         """tan = |a × b|/(a · b) of vectors in one plane of the axes, cos = a · b/(|a| |b|) of others.

@@ -140,6 +140,12 @@ def hanging_together(laws: SpaceLaws) -> Iterator[HeldTogether | FloatingTogethe
             yield HeldTogether(tuple(names), root, tuple(joints[1:]))
 
 
+def lines_of_turning(laws: SpaceLaws) -> dict[str, Triple]:
+    """The bodies that nothing holds and that turn on about one of their own directions, with that."""
+    floating = (group for group in hanging_together(laws) if isinstance(group, FloatingTogether))
+    return {group.names[0]: way for group in floating if (way := group.line(laws)) is not None}
+
+
 def keeps_nothing(joint: Joint) -> bool:
     """Whether a joint touches a surface, or lets its body slide, so that its place is not told."""
     return bool(joint.rolls or joint.flat or joint.sliding) or joint.pitch is not None

@@ -15,7 +15,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.symbols import of_kinds
 
 UNTOLD = "untold angle"  # the kind of the letter
-ANGLE_HELP = "tell `{}.angle` in that state"
+ANGLE_HELP = "tell `{}.angle` in that state"  # of what is on a hinge
 
 
 def untold_in(value: Formula) -> list[str]:

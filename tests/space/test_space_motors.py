@@ -61,6 +61,40 @@ def test_without_a_motor_a_free_wheel_is_not_started() -> None:
     assert "`after` is never reached from `before`" in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("along", "turned", "expected"),
+    [("x", "", [-12 / 0.92, 0, 0]), ("x", ", turned: {about: z, by: 90 deg}", [0, -12 / 0.92, 0])],
+)
+def test_about_an_axis_that_stays_it_is_told_in_space(along: str, turned: str, expected: list[float]) -> None:
+    """It turns about a principal axis of the whole alone, which stays in space: (I_x + C) Ω = −C w; where it then stands nothing tells."""
+    scene = (START + ONE.replace("ALONG", along) + TOLD).replace("sides: [a, b, c]", f"sides: [a, b, c]{turned}")
+    assert answered(scene + ASKED.replace(" in body axes", "")) == pytest.approx(expected, rel=1e-9, abs=1e-9)
+    with pytest.raises(Unsolvable) as caught:
+        solve(scene + "find: {o: sat.z_axis at after}\n")
+    assert "hangs on how `sat` stands at `after`, which nothing tells" in str(caught.value)
+
+
+def test_a_second_wheel_across_lets_nothing_in_space_be_told() -> None:
+    """Started one after the other they turn it about axes that are not the same, so that the order counts."""
+    body = "  w2: {mass: k, inertia: {principal: [C/2, C/2, C]}, axis: z}\n"
+    both = ONE.replace("ALONG", "x").replace(
+        "}}\n", "}, ax2: {axle: [sat.Q, w2], along: y}, m2: {drives: [sat, w2]}}\n"
+    )
+    told = TOLD.replace("angular_velocity: w}", "angular_velocity: w, w2.angular_velocity: v}")
+    assert len(answered(START + body + both + told + ASKED)) == 3
+    with pytest.raises(Unsolvable) as caught:
+        solve(START + body + both + told + ASKED.replace(" in body axes", ""))
+    assert "how `sat` stands at `after` nothing tells" in str(caught.value)
+
+
+def test_an_angular_velocity_in_space_tells_none_of_a_body_that_stands_anyhow() -> None:
+    told = "states: {before: at rest, after: {sat.angular_velocity: [1 rad/s, 0, 0]}}\n"
+    scene = START + ONE.replace("ALONG", "[1, 2, 2]") + told + "find: {s: wheel.spin at after}\n"
+    with pytest.raises(Unsolvable) as caught:
+        solve(scene)
+    assert "tell `sat.angular_velocity in body axes`" in str(caught.value)
+
+
 def test_how_it_stands_in_space_nothing_tells() -> None:
     scene = START + ONE.replace("ALONG", "[1, 2, 2]") + TOLD
     with pytest.raises(Unsolvable) as caught:

@@ -17,6 +17,10 @@ from rotsolve.confirm.space.arrows import (
     crossed,
     inner_product,
     less,
+    normed,
+    product_of,
+    rotation_about,
+    rows_back,
     scaled,
     sum_of,
     times_arrow,
@@ -47,11 +51,37 @@ def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner
         there = Underway(rig, state, put, leader, turned_at(start, leader), share)
         if not any(True for _ in roots_kept(rig, root, start, Stance(rig, there, GUESSES[0]))):
             raise Unfit(NEVER)
-    found = [list(roots_kept(rig, root, start, Stance(rig, Lines(rig, state, put), guess))) for guess in GUESSES]
-    if len({len(ways) for ways in found}) > 1:
+    stances = [Stance(rig, Lines(rig, state, put), guess) for guess in GUESSES]
+    found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
+    if root is None and found[0] and turns_on_line(rig, start):
+        stances = [turned_on_line(rig, start, found[0][0], Lines(rig, state, put), guess) for guess in GUESSES]
+        found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
+    if not found[0] and not stances[0].open:
+        raise Unfit(NEVER)
+    if not found[0] or len({len(ways) for ways in found}) > 1:
         raise NotConfirmed(NOT_KEPT)
     ordered = [sorted(ways, key=lambda world: spins_of(rig, world)) for ways in found]
     return [Manner(tuple(worlds), 0.0) for worlds in zip(*ordered, strict=True)]
+
+
+def turns_on_line(rig: Rig, start: World) -> bool:
+    """Whether all begins at rest, and one body carries all others on axles of one direction, so that all it does is turn about one line."""
+    carriers = {joint.carrier.owner for joint in rig.joints.values()}
+    ways = [start.stance.way(joint) for joint in rig.joints.values() if joint.turning]
+    along = all(arrow_length(crossed(ways[0], way)) <= UPRIGHT for way in ways) and len(ways) == len(rig.joints)
+    moving = max((abs(part) for part in start.now.values.values()), default=0.0)
+    return along and len(carriers) == 1 and moving == 0.0
+
+
+def turned_on_line(rig: Rig, start: World, found: World, lines: Lines, angle: float) -> Stance:
+    """A stance in which the body that carries all others is turned by an angle from the start, about the line about which it turns."""
+    (carrier,) = {joint.carrier.owner for joint in rig.joints.values()}
+    omega = times_arrow(rows_back(found.stance.turned(carrier)), found.now.arrow(TURNING, carrier))
+    stance = Stance(rig, lines, angle)
+    if arrow_length(omega) > 0.0:
+        turned = rotation_about(normed(omega), angle)
+        stance.put(carrier, product_of(start.stance.turned(carrier), turned), found.stance.place(carrier))
+    return stance
 
 
 class Underway(Lines):
