@@ -109,6 +109,11 @@ class Inquiry:
         driven = {joint.body.owner for joint in self.rig.joints.values() if joint.drive}
         return all(name in driven or body.moved for name, body in self.rig.bodies.items())
 
+    @property
+    def follows(self) -> bool:
+        """Whether motions from state to state are followed: not where a motor gives what it takes."""
+        return not any(joint.motor for joint in self.rig.joints.values())
+
     def by_time(self, name: str | None) -> bool:
         """Whether the time from the state before tells how all moves at a later state, which is not driven."""
         names = [state.name for state in self.problem.states]
