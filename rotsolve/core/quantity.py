@@ -322,7 +322,7 @@ EITHER_WAY = ("principal_axis",)  # directions that have no sense: the angle of 
 INERTIAL = ("centrifugal", "euler", "coriolis")  # forces in a frame that turns
 FELT = {"force": INERTIAL}  # components that a quantity has beside its three in space
 BEARINGS = {"bearing1": "bearing 1", "bearing2": "bearing 2"}  # of a hinge in space, and how they are spoken of
-OF_BEARINGS = ("force",)  # what is told of each bearing of a hinge
+OF_BEARINGS = ("force", "impulse")  # what is told of each bearing of a hinge
 OSCILLATING = {  # what is asked of swings, and how it is said
     "swing_period": "period",
     "frequency": "frequency",

@@ -88,7 +88,8 @@ class Joint(Struct, frozen=True):
     one about which a `drive` (angle, angular_velocity, angular_acceleration) turns it, as it is driven; `free` lets it turn about all.
     `aligned` puts its symmetry axis along the axle, instead of leaving it as it is drawn. A screw goes `pitch` along its axis in one turn.
     `bearings` are the places of two bearings along the axis. `rolls` has the body touch a surface at its lowest point, without slip;
-    `flat` has it lie on one with a face, so that it slides in two directions and turns about the third.
+    `flat` has it lie on one with a face, so that it slides in two directions and turns about the third. A `motor` turns the body on what
+    carries it, as hard as it takes.
     """
 
     owner: str
@@ -103,6 +104,12 @@ class Joint(Struct, frozen=True):
     bearings: tuple[Formula, ...] = ()
     rolls: bool = False
     flat: bool = False
+    motor: bool = False
+
+    @property
+    def powered(self) -> bool:
+        """Whether something turns the body about the axis, so that the joint gives a couple along it."""
+        return bool(self.drive) or self.motor
 
 
 class Surface(Element, frozen=True):

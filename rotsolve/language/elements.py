@@ -145,6 +145,7 @@ class ActingElement(Element, frozen=True):
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
+    quantities_in_space: ClassVar[tuple[str, ...]] = ()  # beside these, in scenes in space
     later: ClassVar[bool] = False
     planar: ClassVar[bool] = True  # whether scenes in the plane have it
     spatial: ClassVar[bool] = False  # whether scenes in space do
@@ -379,6 +380,10 @@ class Connection(ActingElement, frozen=True):
 
     def joint_in_space(self) -> Joint | None:
         """How it holds a body in space; None for what is no joint."""
+        return None
+
+    def motor_in_space(self) -> tuple[PointRef, PointRef] | None:
+        """What it turns in space as hard as it takes, behind what carries that; None of what is no motor."""
         return None
 
     def rubs(self) -> bool:

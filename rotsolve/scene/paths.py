@@ -295,9 +295,10 @@ def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> 
         return None
     point = None
     ends = (*scope.touched.get(owner, ()), *(BEARINGS if scope.space and "bearings" in cls.declared else ()))
-    if len(rest) > 1 and rest[0] in ends and rest[0] not in cls.quantities:
+    askable = (*cls.quantities, *(cls.quantities_in_space if scope.space else ()))
+    if len(rest) > 1 and rest[0] in ends and rest[0] not in askable:
         point, rest = str(rest[0]), rest[1:]
-    allowed = [word for word in cls.quantities if not point or word in (OF_BEARINGS if point in BEARINGS else OF_ENDS)]
+    allowed = [word for word in askable if not point or word in (OF_BEARINGS if point in BEARINGS else OF_ENDS)]
     return finish(scope, node, owner, point, None, rest, span, allowed, [*allowed, *(ends if not point else ())])
 
 

@@ -125,7 +125,9 @@ def element_text(cls: Any, kind: str) -> str:
     if kind == "shape":
         lines.append(f"  - points: {', '.join((*cls.points, 'cm'))}")
     if getattr(cls, "quantities", ()):
-        lines.append(f"  - quantities: {', '.join(cls.quantities)}")
+        beside = getattr(cls, "quantities_in_space", ())
+        more = f"; in space also {', '.join(beside)}" if beside else ""
+        lines.append(f"  - quantities: {', '.join(cls.quantities)}{more}")
     if getattr(cls, "words", ()):
         lines.append(f"  - in a state it can be said to be: {', '.join(cls.words)}")
     return "\n".join(lines)

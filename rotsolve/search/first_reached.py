@@ -127,6 +127,14 @@ class FirstReached(Struct, frozen=True):
             turns -= 1
         return WayToRoot(root, value, gap - turns * TURN, -way * turns)
 
+    def _elsewhere(
+        self, places: Sequence[tuple[int, Formula, Formula]], start: Formula
+    ) -> Sequence[tuple[int, Formula, Formula]]:
+        """The places without that at which it starts, which a float misses by its rounding; that alone where there is no other."""
+        gaps = [self.numbers.of(place - start) if isinstance(root, Number) else None for _, root, place in places]
+        others = [item for item, gap in zip(places, gaps, strict=True) if gap is None or abs(gap) > SAME_PLACE]
+        return others or places
+
     def _round(self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int) -> list[WayToRoot]:
         """The ways to places on a circle. Of those found numerically all are told, so that one ahead needs no whole turns: with friction
         or a couple they do not come again a turn later.
@@ -140,6 +148,7 @@ class FirstReached(Struct, frozen=True):
         self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int
     ) -> list[WayToRoot]:
         """The ways to places none of which comes again a turn later: those ahead, else back to those behind."""
+        places = self._elsewhere(places, start)
         if not way:
             return [self._way_to(*place, start, way) for place in places]
         gaps = [(k, root, place - start if way > 0 else start - place) for k, root, place in places]

@@ -32,6 +32,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
+from rotsolve.language.joints import joints_in_space
 from rotsolve.language.problem import Problem
 from rotsolve.language.shape import WHEEL
 from rotsolve.motion.rigid import RigidPiece, part_spot, pieces
@@ -78,8 +79,7 @@ class JointedBodies(Struct, frozen=True, dict=True):
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
         """All joints of the scene, in the order of the file."""
-        found = (item.joint_in_space() for item in self.problem.connections)
-        joints = tuple(joint for joint in found if joint is not None)
+        joints = joints_in_space(self.problem.connections)
         for joint in joints:
             self.refuse_led(joint)
         return joints

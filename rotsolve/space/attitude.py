@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from typing import Any, Protocol
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate
 from rotsolve.core.equation import Equation
@@ -37,6 +38,7 @@ from rotsolve.language.problem import Condition, State
 from rotsolve.space.arrangement import JointedBodies
 
 SPACE, BODY, NODE = "space", "body", "node"
+STANDING_HELP = "tell its `tilt` and its rates, or of a hinge its `angle`, in that state"
 AXIAL = "axial"  # axes that go with a body's own axis, but do not spin with it
 
 
@@ -114,7 +116,7 @@ class Axes(Struct, frozen=True):
     def standing(self) -> Rows:
         """The rows; refused where nothing tells how they stand."""
         if self.lost:
-            raise Unsolvable(self.lost, help="tell its `tilt` and its rates, or of a hinge its `angle`, in that state")
+            raise Unsolvable(self.lost, help=STANDING_HELP)
         return self.rows
 
 
@@ -193,21 +195,21 @@ def in_own_axes(found: Attitude, spun: Rows = AS_DRAWN) -> Attitude:
     """The same body in axes that go with it, as it is drawn, where it is `spun` on in those that it has."""
     own = after(spun, found.own)
     back, rows = transposed(own), after(found.axes.rows, own)
-    return as_drawn(rows, rotated(back, found.omega), rotated(back, found.alpha), lost=found.axes.lost)
+    return turned_in(found.axes, as_drawn(rows, rotated(back, found.omega), rotated(back, found.alpha)), own)
 
 
 class HingeTurn(Struct, frozen=True):
-    """How far a body is turned about its hinge, how fast, and the rate of that; `lost` says that nothing tells how far."""
+    """How far a body is turned about its hinge, how fast, and the rate of that."""
 
     angle: Formula = ZERO
     rate: Formula = ZERO
     faster: Formula = ZERO
-    lost: str = ""
 
 
 def on_axle(carrier: Attitude, direction: Triple, spin: Formula, faster: Formula, own: Rows) -> Attitude:
     """A body that is symmetric about the axle on which another carries it, in the axes of that: ω = Ω + s n."""
-    axes = Axes(carrier.axes.name, carrier.axes.rows, carrier.omega, carrier.alpha, carrier.axes.lost)
+    seen = carrier.axes
+    axes = Axes(seen.name, seen.rows, carrier.omega, carrier.alpha, seen.lost, seen.base, seen.turned)
     omega, rates = (
         vector_sum(carrier.omega, scaled_by(spin, direction)),
         vector_sum(carrier.alpha, scaled_by(faster, direction)),
@@ -224,7 +226,16 @@ def hinged_on(carrier: Attitude, drawn: Rows, direction: Triple, turn: HingeTurn
         rotated(inward, carrier.alpha), scaled_by(turn.faster, direction), cross_product(swept, relative)
     )
     rows = after(after(carrier.axes.rows, drawn), turn_about(direction, turn.angle))
-    return as_drawn(rows, vector_sum(swept, relative), alpha, lost=carrier.axes.lost or turn.lost)
+    found = as_drawn(rows, vector_sum(swept, relative), alpha)
+    return turned_in(carrier.axes, found, after(drawn, turn_about(direction, turn.angle)))
+
+
+def turned_in(axes: Axes, found: Attitude, rows: Rows) -> Attitude:
+    """What is turned so in axes of which nothing tells how they stand, which is not known of it either; other things as they are."""
+    if not axes.lost:
+        return found
+    base = axes.rows if axes.base is None else axes.base
+    return replace(found, axes=replace(found.axes, lost=axes.lost, base=base, turned=after(axes.turned, rows)))
 
 
 def permutation(axis: Triple) -> Rows:

@@ -203,6 +203,8 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
         if any(joint.rolls or joint.flat for joint in held.of_body(name)):
             raise nonholonomic(name)
         joint, led = held.main(name), bool(held.bodies[name].moved)
+        if joint is not None and joint.motor:
+            raise Unsolvable(f"a motor turns `{name}`, whose work nothing tells", help="Newton's laws give it")
         if led:
             yield from self._of_led(name)
         elif joint is None:

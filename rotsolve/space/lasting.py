@@ -80,7 +80,7 @@ def going_round(name: str, moment: SpaceMoment) -> Triple:
         axes = moment.axes(name)
         return axes.to(IN_SPACE, axes.rate) if moment.nodding(name).rates[0] != ZERO else NOTHING
     joint = moment.held.main(name)
-    if joint is None or joint.drive or joint.rolls:
+    if joint is None or joint.powered or joint.rolls:
         return NOTHING
     carried, round_ = joint.carrier.owner in moment.held.bodies, moment.held.wheel(name)
     if not carried and (not joint.turning or round_):

@@ -67,6 +67,7 @@ class SpaceLaws:
         self.fast = fast  # whether the scene takes spins to be much faster than the precession
         self.fast_nutation = False  # whether that has told the nutation
         self.unwritten: dict[str, Unsolvable] = {}  # the bodies of which no law can be written, each with the reason
+        self.untravelled: dict[str, Unsolvable] = {}  # those of which that is so of Newton's second law alone
 
     def equations(self) -> Iterator[Equation]:
         """All laws at this moment, with what defines the letters in them; a body of which none can be written is left out."""
@@ -147,7 +148,7 @@ class SpaceLaws:
             refuse_passing(name, self.moment, self.pushes, pushes)
             yield from going_along(name, self.moment)
         self.refuse_loaded(name)
-        yield from self.second_law(name, pushes)
+        yield from self.travelling(name, pushes)
         if not self.moment.held.pointlike(name):
             yield from self.rotation(name, pushes)
             yield from self.about_line(name, pushes)
@@ -213,6 +214,15 @@ class SpaceLaws:
         return NODE_NAMES[axis] if self.moment.axes(name).name == NODE else axis
 
     # the laws
+
+    def travelling(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
+        """Newton's second law; none of what holds others, or is held, and of which nothing tells how it stands in space."""
+        try:
+            yield from list(self.second_law(name, pushes))
+        except Unsolvable as error:
+            if not self.moment.axes(name).lost:
+                raise
+            self.untravelled[name] = error
 
     def second_law(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
         """Σ F = m a, along the axes in which the force of the body's joint is written."""

@@ -59,6 +59,7 @@ from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.leaning import LeaningMoment
 from rotsolve.space.rolling import Rolling
 from rotsolve.space.sliding import screwed, slid
+from rotsolve.space.untold import UNTOLD
 
 
 class SpaceMoment(LeaningMoment):
@@ -139,12 +140,14 @@ class SpaceMoment(LeaningMoment):
                     help=help,
                 )
         rows, told = self.turned(name), self.vector_told(name, "angular_velocity")
-        askew = self.askew(name, rows)
+        if name in self.lines and told is None and not (self.rests(name) or self.state.steady):
+            return self._on_line(name, rows, self.lines[name])
+        askew = self.askew(name, rows) or ("" if self.seen_from_space(name) else self.lost(name))
         for vector, word in (
             (told, "angular_velocity"),
             (self.vector_told(name, "angular_acceleration"), "angular_acceleration"),
         ):
-            if askew and vector is not None and vector[1] not in (BODY, name):
+            if askew and vector is not None and vector[0] != NOTHING and vector[1] not in (BODY, name):
                 line = self.line(name, word, "x")
                 help = f"tell `{name}.{word} in body axes`"
                 raise Unsolvable(askew, span=None if line is None else line.span, help=help)
@@ -163,7 +166,13 @@ class SpaceMoment(LeaningMoment):
             alpha = triple([self.ask("angular_acceleration", name, axis) for axis in AXES])
         if self.seen_from_space(name):
             return Attitude(IN_SPACE, rows, rotated(rows, omega), rotated(rows, alpha))
-        return as_drawn(rows, omega, alpha, lost=askew or self.lost(name))
+        return as_drawn(rows, omega, alpha, lost=askew)
+
+    def _on_line(self, name: str, rows: Rows, way: Triple) -> Attitude:
+        """A body that has turned about one of its own directions alone, by as much as nothing tells."""
+        rate, faster = self.ask("angular_velocity", name), self.rate_of("angular_velocity", name)
+        turned = after(rows, turn_about(way, self.untold_angle(name)))
+        return as_drawn(turned, scaled_by(rate, way), scaled_by(faster, way))
 
     def askew(self, name: str, rows: Rows) -> str:
         """Why nothing tells how a body is turned about the vertical: its state tells the `vertical` in its own axes, another one than it is
@@ -226,17 +235,11 @@ class SpaceMoment(LeaningMoment):
             rows = rows if turned is None else after(turn_about(direction, turned), rows)
             return on_axle(base, direction, rate, faster, rows)
         angle = self.hinge_angle(name, joint)
+        angle = self.untold_angle(name) if angle is None else angle
         if on_body:
-            lost = "" if angle is not None else self.lost(name)
-            return hinged_on(
-                base, self.turned(name), direction, HingeTurn(ZERO if angle is None else angle, rate, faster, lost)
-            )
-        rows, lost = self.turned(name), ""
-        if angle is not None:
-            rows = after(rows, turn_about(direction, angle))
-        else:
-            lost = self.lost(name)
-        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
+            return hinged_on(base, self.turned(name), direction, HingeTurn(angle, rate, faster))
+        rows = after(self.turned(name), turn_about(direction, angle))
+        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction))
 
     def refuse_otherwise(self, name: str, taken: tuple[str, ...] = ()) -> None:
         """Refuse what a state tells, by Euler angles, the vertical or a vector, of how a body stands or turns that a joint holds about one
@@ -274,6 +277,12 @@ class SpaceMoment(LeaningMoment):
         self.hangs_on_time()
         return self.ask("angle", name)
 
+    def untold_angle(self, name: str) -> Formula:
+        """The letter for how far a body on a hinge is turned where nothing tells it, through a blow as before; 0 at first."""
+        if self.before is not None:
+            return self.before.untold_angle(name)
+        return self.ask("angle", name, kind=UNTOLD) if self.later else ZERO
+
     def hangs_on_hinge(self, name: str) -> bool:
         """Whether a body turns about one axis in what holds it."""
         joint = self.held.main(name)
@@ -304,12 +313,17 @@ class SpaceMoment(LeaningMoment):
             return self.before.stood(name, word)
         return ZERO if self.first and word == "angle" else None
 
-    def lost(self, name: str) -> str:
-        """Why nothing tells how a body stands: it has turned since the first state, where it stands as it is drawn."""
+    def lost(self, name: str, hanging: str = "") -> str:
+        """Why nothing tells how a body stands, or what is `hanging` on that: it has turned since the first state, where it stands as it is
+        drawn."""
         if self.onward is not None and self.onward.passed() is not None:
             said = "is not solved: its motion in time has no closed form that is known here"
-            return f"how `{name}` stands at {self.spoken_of()} {said}"
-        return f"how `{name}` stands at {self.spoken_of()} nothing tells" if self.later else ""
+        elif self.later:
+            said = "nothing tells"
+        else:
+            return ""
+        how = f"how `{name}` stands at {self.spoken_of()}"
+        return f"{hanging} hangs on {how}, which {said}" if hanging else f"{how} {said}"
 
     def axle_spin(self, name: str) -> Formula | None:
         """How fast a body spins on the axle on which another one carries it; None of others."""
@@ -556,6 +570,14 @@ class SpaceMoment(LeaningMoment):
         own = self.attitude(name)
         if own.axes.name != NODE:
             rows, base, lost = after(own.axes.rows, own.own), own.axes.base, own.axes.lost or self.spun_away(name)
-            return Axes(BODY, rows, own.omega, own.rates, lost, base, own.own if base is not None else AS_DRAWN)
+            return Axes(
+                BODY,
+                rows,
+                own.omega,
+                own.rates,
+                lost,
+                base,
+                after(own.axes.turned, own.own) if base is not None else AS_DRAWN,
+            )
         rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
         return Axes(BODY, rows)

@@ -54,7 +54,7 @@ def left_alone(laws: SpaceLaws, name: str, *, pushed: bool = False) -> bool:
     held = laws.moment.held
     joints = [joint for joint in held.joints if name in (joint.body.owner, joint.carrier.owner)]
     ideal = all(
-        not (joint.drive or joint.rolls or joint.flat or joint.sliding or joint.carrier.owner in held.bodies)
+        not (joint.powered or joint.rolls or joint.flat or joint.sliding or joint.carrier.owner in held.bodies)
         for joint in joints
     )
     acted = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
@@ -297,11 +297,31 @@ def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:
     moment, held = laws.moment, laws.moment.held
     for joint in (joint for other in held.order for joint in held.supports(other)):
         if joint.body.owner == name:
-            yield joint_shock(joint, laws)
+            yield from shocks_of_joint(joint, laws)
         elif joint.carrier.owner == name:
-            shock, axes = joint_shock(joint, laws), moment.axes(joint.body.owner)
-            push, twist = (axes.to(moment.axes(name), minus(vector)) for vector in (shock.push, shock.twist))
-            yield Shock(push, moment.arm(joint.carrier), twist)
+            axes, own, held_at = moment.axes(joint.body.owner), moment.axes(name), moment.arm(joint.body)
+            for shock in shocks_of_joint(joint, laws):
+                push, twist = (axes.to(own, minus(vector)) for vector in (shock.push, shock.twist))
+                shift = axes.to(own, way_between(held_at, shock.arm))
+                yield Shock(push, vector_sum(moment.arm(joint.carrier), shift), twist)
+
+
+def shocks_of_joint(joint: Joint, laws: SpaceLaws) -> Iterator[Shock]:
+    """The impulse of a joint on the body that it holds, or those of its two bearings: the first alone pushes along the axis too."""
+    axis = laws.pushes.direction(joint)
+    if not joint.bearings or axis is None:
+        yield joint_shock(joint, laws)
+        return
+    held_at = laws.moment.arm(joint.body)
+    for number, place in enumerate(joint.bearings, 1):
+        push, nothing = laws.pushes.letters("impulse", joint, f"_{number}"), tuple[Formula, ...]()
+        if number > 1 and is_axis(axis):
+            push = triple([ZERO if way != ZERO else part for part, way in zip(push, axis, strict=True)])
+        elif number > 1:
+            nothing = (dot_product(axis, push),)
+        driven = number == 1 and joint.powered
+        twist = scaled_by(laws.moment.ask("angular_impulse", joint.owner, "drive"), axis) if driven else NOTHING
+        yield Shock(push, vector_sum(held_at, scaled_by(place, axis)), twist, nothing)
 
 
 def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:
@@ -319,8 +339,8 @@ def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:
     letters = triple([moment.ask("angular_impulse", joint.owner, axis) for axis in AXES])
     push, nothing = free_of_force(joint, moment, push, letters)
     way = laws.pushes.direction(joint) if joint.pitch is None else None
-    if way is not None and not is_axis(way):
+    if way is not None and not is_axis(way) and not joint.powered:
         nothing = (*nothing, dot_product(way, letters))
-    elif way is not None:
+    elif way is not None and not joint.powered:
         letters = triple([ZERO if part != ZERO else letter for part, letter in zip(way, letters, strict=True)])
     return Shock(push, arm, letters, nothing)

@@ -203,7 +203,7 @@ class Pushes:
         """The couple of a hinge or clamp: across its axis, and along it only where something drives it."""
         axis = self.direction(joint)
         x, y, z = self.letters("torque", joint)
-        if axis is None or joint.drive or joint.pitch is not None:
+        if axis is None or joint.powered or joint.pitch is not None:
             return (x, y, z)
         if is_axis(axis):
             return (
@@ -232,7 +232,7 @@ class Pushes:
                 else:
                     self.conditions.append((FREELY.format(spoken(joint.owner)), dot_product(axis, force)))
             twist = NOTHING
-            if number == 1 and joint.drive:
+            if number == 1 and joint.powered:
                 twist = scaled_by(self.moment.ask("torque", joint.owner, "drive"), axis)
             own = self.moment.axes(name)
             yield ForceInSpace(joint.owner, name, force, own, vector_sum(held, scaled_by(place, axis)), own, twist)

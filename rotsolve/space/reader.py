@@ -30,10 +30,12 @@ from rotsolve.language.grammar import ANGLE_OF
 from rotsolve.language.problem import Path, Term
 from rotsolve.paths.meaning import Meaning, NotYet, label_of, path_text
 from rotsolve.space.arrangement import NODAL
+from rotsolve.space.attitude import IN_SPACE, STANDING_HELP
 from rotsolve.space.energies import energy_in_words, height_above, kinetic_energies, power_of
 from rotsolve.space.inertia import CM, in_axes, moment_along
 from rotsolve.space.telling import turns_untold
 from rotsolve.space.understood import refuse_dropped
+from rotsolve.space.untold import ANGLE_HELP, law_whatever_the_angle, untold_in, whatever_the_angle
 from rotsolve.space.vector_reader import VectorReader, tidied_part
 
 PRINCIPAL = "principal moment of inertia, a root λ of det(I − λ 1) = 0"
@@ -63,7 +65,7 @@ class SpaceReader(VectorReader):
         term = term or Term(path)
         refuse_dropped(path, term)
         if term.modifier == ANGLE_OF and term.other is not None:
-            return self.between(term, term.other)
+            return self.whatever_angle(path, self.between(term, term.other))
         kind = QUANTITIES[path.quantity]
         unwritten = self.dynamics.unwritten
         refused = next((unwritten[owner] for owner in self.concerned(path.owner) if owner in unwritten), None)
@@ -72,7 +74,7 @@ class SpaceReader(VectorReader):
                 raise NotYet(refused.fault.message, refused.fault.span or path.span, refused.fault.help)
             self.refuse_nodding_on(path)
         found = self.vector_meant(path, term) if path.quantity in DIRECTED else self.scalar(path, term)
-        meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
+        meaning = self.whatever_angle(path, found if isinstance(found, Meaning) else Meaning(found, kind.dimension))
         self.refuse_untold_turn(path, meaning.formula)
         told = meaning.label or inertial_label(path)
         known_by = PRINCIPAL_AXIS if path.quantity == "principal_axis" else ""
@@ -106,6 +108,8 @@ class SpaceReader(VectorReader):
         component = (path.component or "").split()[-1:] or [""]
         if component[0] not in AXES:
             return self.shared_size(path, term) or self.moment.tidy(length_of(vector))
+        if axes.lost and asked == IN_SPACE and vector != NOTHING:
+            raise NotYet(axes.lost, path.span, f"ask for it `in body axes`, or {STANDING_HELP}")
         found = axes.to(asked, vector)
         return tidied_part(found[AXES.index(component[0])])
 
@@ -160,6 +164,18 @@ class SpaceReader(VectorReader):
             message = f"how far `{key.owner}` has {gone} by `{key.when}` nothing tells"
             help = f"ask `in node axes`, which do not hang on that, or tell `{key.owner}.{key.kind}` in that state"
             raise NotYet(message, path.span, help)
+
+    def whatever_angle(self, path: Path, meaning: Meaning) -> Meaning:
+        """What does not hang on how far bodies are turned about their hinges where nothing tells that; refused by name what does."""
+        formula, laws = whatever_the_angle(meaning.formula), tuple(map(law_whatever_the_angle, meaning.laws))
+        if formula is not None and None not in laws:
+            return replace(meaning, formula=formula, laws=tuple(law for law in laws if law is not None))
+        sides = (part for law in meaning.laws for part in (law.left, law.right))
+        key = key_of(untold_in(total([meaning.formula, *sides]))[0])
+        message = self.moments[key.when].moment.lost(key.owner, f"`{path_text(path)}`")
+        seen = f"ask for it `in {key.owner} axes`, or " if path.quantity in DIRECTED else ""
+        hinged = self.held.main(key.owner) is not None
+        raise NotYet(message, path.span, f"{seen}{ANGLE_HELP.format(key.owner) if hinged else STANDING_HELP}")
 
     def between(self, term: Term, other: Term) -> Meaning:
         """tan = |a × b|/(a · b) of vectors in one plane of the axes, cos = a · b/(|a| |b|) of others.

@@ -26,30 +26,32 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, Dimension, product_rank
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATES_OF_MOMENTUM, RULE, Equation, Law
+from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATES_OF_MOMENTUM, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import forgetting
-from rotsolve.core.symbols import GENERIC, is_key, of_kinds, paths_in
+from rotsolve.core.symbols import GENERIC, is_key, key_of, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
-from rotsolve.core.vectors.triple import AXES, NOTHING, length_of, triple
+from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, length_of, triple
 from rotsolve.core.writing import in_direction, spoken, with_powers
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.motion.timeline import OPEN, Interval
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of
 from rotsolve.space.arrangement import NODAL, JointedBodies
-from rotsolve.space.attitude import NODE
+from rotsolve.space.attitude import STANDING_HELP
+from rotsolve.space.euler_rules import axial_rules, turning_rules
 from rotsolve.space.inertia import Tensors
-from rotsolve.space.laws import NODE_NAMES, SpaceLaws
+from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import conserved, through
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.reader import SpaceReader, plainly_named
 from rotsolve.space.stability import limit_of, steady_limit
 from rotsolve.space.understood import refuse_dropped_told
+from rotsolve.space.untold import ANGLE_HELP, law_whatever_the_angle, untold_in
 
 if TYPE_CHECKING:
     from rotsolve.equations.swing import Swing
@@ -66,6 +68,11 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def __post_init__(self) -> None:
         """Nothing is fixed beforehand: each moment puts in what its state tells."""
+
+    @cached_property
+    def hanging(self) -> list[Equation]:
+        """The laws that hang on an angle that nothing tells, which are left out."""
+        return []
 
     @cached_property
     def held(self) -> JointedBodies:
@@ -92,6 +99,8 @@ class SpaceEquations(SceneEquations, dict=True):
                 moment.later = before.event is None or found[before.start].moment.later
                 moment.before = found[before.start].moment if before.event is not None else None
                 self.lead_on(before, found[before.start], moment)
+                if before.event is None:
+                    moment.lines = self.lines_after(found[before.start])
         return found
 
     @cached_property
@@ -109,6 +118,15 @@ class SpaceEquations(SceneEquations, dict=True):
     def swings(self) -> dict[str, Swing]:
         """None that the laws are written for: those of a steady motion are told by its effective potential."""
         return {}
+
+    def lines_after(self, laws: SpaceLaws) -> dict[str, Triple]:
+        """About which own directions bodies turn on that nothing holds and that carry others."""
+        held = self.held
+        if all(joint.carrier.owner not in held.bodies for joint in held.joints):
+            return {}
+        from rotsolve.space.together import lines_of_turning
+
+        return lines_of_turning(laws)
 
     def laws_at(self, state: State) -> SpaceLaws:
         """What the laws speak of at one moment."""
@@ -206,8 +224,17 @@ class SpaceEquations(SceneEquations, dict=True):
             yield "fast spin"
 
     def unwritten_law(self) -> Fault | None:
-        """Why the laws of a body could not be written, at the first state at which they were not."""
-        return next((error.fault for laws in self.dynamics.values() for error in laws.unwritten.values()), None)
+        """Why the laws of a body could not be written, at the first state at which they were not; or on what angle one hangs."""
+        parts = (part for laws in self.dynamics.values() for part in (laws.unwritten, laws.untravelled))
+        found = next((error.fault for part in parts for error in part.values()), None)
+        lasting = (law for law in self.hanging if law.section not in self.dynamics)  # what would stay on the way
+        names = [name for law in lasting for name in untold_in(add(law.left, law.right))]
+        if found is not None or not names:
+            return found
+        key = key_of(names[0])
+        moment = next(laws.moment for laws in self.dynamics.values() if laws.moment.when == key.when)
+        hinged = self.held.main(key.owner) is not None
+        return Fault(moment.lost(key.owner), help=ANGLE_HELP.format(key.owner) if hinged else STANDING_HELP)
 
     def unread_lines(self) -> Iterator[Condition]:
         """The lines of states that no moment has read; a time alone says of what moment is asked, though the answer may not hang on it."""
@@ -374,7 +401,7 @@ class SpaceEquations(SceneEquations, dict=True):
             if lasts is None:
                 raise Unclear(f"there is no phase or event `{term.during}`")
             start, end = lasts
-            if path.quantity == "impulse":
+            if path.quantity in ("impulse", "angular_impulse"):
                 return self.reader(end).meaning(path, replace(term, during=None)), end
             term = replace(term, during=None, start=start, end=end)
         assert term.start is not None and term.end is not None
@@ -499,7 +526,16 @@ class SpaceEquations(SceneEquations, dict=True):
         yield CONDITION.equation(meaning.formula, value, moment.when, words=f", {words}")
 
     def _written(self) -> Iterator[Equation]:
-        """All that the laws say at each state."""
+        """All that the laws say at each state, whatever the angles are that nothing tells."""
+        for law in self._written_openly():
+            plain = law_whatever_the_angle(law)
+            if plain is not None:
+                yield law if plain is law else self.put_in_order(plain)
+            else:
+                self.hanging.append(law)
+
+    def _written_openly(self) -> Iterator[Equation]:
+        """All that the laws say at each state, with letters for angles that nothing tells."""
         self.refuse_varying()
         self.refuse_without()
         self.refuse_turned()
@@ -518,11 +554,19 @@ class SpaceEquations(SceneEquations, dict=True):
             if interval.end == OPEN:
                 continue
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
-            laws = through(interval, *ends) if interval.event is not None else conserved(interval, *ends)
+            laws = through(interval, *ends) if interval.event is not None else kept_in(interval, *ends)
             yield from (self.put_in_order(one) for one in laws)
         for dynamics in self.dynamics.values():
             yield from self.told_otherwise(dynamics)
         yield from map(self.put_in_order, self.tensors.steps)
+
+
+def kept_in(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """What bodies keep in a phase, each by itself and all together."""
+    from rotsolve.space.together import kept_together
+
+    yield from conserved(interval, before, after)
+    yield from kept_together(interval, before, after)
 
 
 def first_of_each(laws: Iterable[Equation]) -> list[Equation]:
@@ -531,37 +575,3 @@ def first_of_each(laws: Iterable[Equation]) -> list[Equation]:
     for one in laws:
         found.setdefault(one.law, one)
     return list(found.values())
-
-
-def axial_rules(dynamics: SpaceLaws) -> Iterator[Equation]:
-    """ω₃ = ψ̇ + φ̇ cos θ, where the state tells ω₃."""
-    moment = dynamics.moment
-    for name in moment.held.order:
-        if not moment.nods(name) or moment.told(name, "spin") is not None:
-            continue
-        if moment.axes(name).name == NODE or moment.told(name, "axial_rate") is not None:
-            turning = moment.nodding(name)
-            along = turning.rates[2] + turning.rates[0] * heading(turning.angles[1]).cos()
-            words = "ω₃ = ψ̇ + φ̇ cos θ"
-            yield RULE.equation(moment.ask("axial_rate", name), along, moment.when, (name,), words=words)
-
-
-def turning_rules(dynamics: SpaceLaws) -> Iterator[Equation]:
-    """How a body turns that stands by its Euler angles, where the state tells the components of its angular velocity, or their rates."""
-    moment = dynamics.moment
-    for name in filter(moment.nods, moment.held.order):
-        if moment.extreme_tilt(name) and moment.told(name, "nutation") is None:
-            words = f"{spoken(name)} nods no more where its tilt is an extreme"
-            yield RULE.equation(moment.ask("nutation", name), ZERO, moment.when, (name,), words=words)
-        if moment.nodding(name).angles[1] in (ZERO, PI):  # upright, the rates of its Euler angles do not tell any ω
-            continue
-        for word in ("angular_velocity", "angular_acceleration"):
-            told = moment.vector_told(name, word)
-            if told is None:
-                continue
-            attitude, (vector, named, _) = moment.attitude(name), told
-            own = attitude.omega if word == "angular_velocity" else attitude.alpha
-            parts = moment.named_axes(named, name).to(attitude.axes, vector)
-            for axis, turns, part in zip(AXES, own, parts, strict=True):
-                words = f"{spoken(word)} of {spoken(name)}, along {NODE_NAMES[axis] if attitude.axes.name == NODE else axis}"
-                yield RULE.equation(turns, part, moment.when, (name,), words=words)

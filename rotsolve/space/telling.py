@@ -35,6 +35,9 @@ class TellingMoment:
         self.onward: Onward | None = None  # what happens from the state before on, where times are told
         self.first = True  # whether the scene begins with it
         self.later = False  # whether time has passed since the first state
+        self.lines: dict[
+            str, Triple
+        ] = {}  # own directions about which bodies that nothing holds have turned up to it, whatever happened
         self.used: set[int] = set()  # the lines of the state that something has read, by their places
 
     def tidy(self, value: Formula) -> Formula:

@@ -21,14 +21,15 @@ from rotsolve.core.vectors.triple import (
     scaled_by,
     triple,
     vector_sum,
+    way_between,
 )
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import Path, Problem, Term
 from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.passing import joint_shock
+from rotsolve.space.passing import Shock, shocks_of_joint
 from rotsolve.space.two_balls import letter_along
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
@@ -326,15 +327,29 @@ class VectorReader:
         self.refuse_along(path, away, (ball.owner, contact.owner))
 
     def joint_impulse(self, path: Path, term: Term) -> Seen:
-        """The impulse of a joint on the body that it holds, or of a blow itself, in the event that leads to this moment."""
-        before = self.moment.before
-        joint = self.held.joint(path.owner)
+        """The impulse of a joint on the body that it holds, or of one of its bearings, in the event that leads to this moment."""
+        joint, laws, shocks = self.shocks(path)
+        if path.point is not None:
+            shocks = [shock for number, shock in enumerate(shocks, 1) if path.point == f"bearing{number}"]
+        push = vector_sum(*(shock.push for shock in shocks))
+        return self.told_apart(path, term, laws, push), laws.moment.axes(joint.body.owner)
+
+    def joint_angular_impulse(self, path: Path, term: Term) -> Seen:
+        """Σ r × J and the couples of a joint on the body that it holds, about the point held, in that event."""
+        joint, laws, shocks = self.shocks(path)
+        place = laws.moment.arm(joint.body)
+        own = (vector_sum(cross_product(way_between(place, item.arm), item.torque_from), item.twist) for item in shocks)
+        return vector_sum(*own), laws.moment.axes(joint.body.owner)
+
+    def shocks(self, path: Path) -> tuple[Joint, SpaceLaws, list[Shock]]:
+        """A joint, the laws just before the event that leads to this moment, and its impulses in it."""
+        before, joint = self.moment.before, self.held.joint(path.owner)
         if before is None:
             raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
         if joint is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
         laws = self.moments[before.when]
-        return self.told_apart(path, term, laws, joint_shock(joint, laws).push), before.axes(joint.body.owner)
+        return joint, laws, list(shocks_of_joint(joint, laws))
 
     def forces_of(self, name: str, owner: str) -> Triple:
         """What one connection, action or gravity pushes a body with, in the axes of the body."""
@@ -384,4 +399,5 @@ OF_ELEMENTS: dict[str, Callable[[VectorReader, Path, Term], Seen]] = {
     "force": VectorReader.joint_force,
     "torque": VectorReader.joint_torque,
     "impulse": VectorReader.joint_impulse,
+    "angular_impulse": VectorReader.joint_angular_impulse,
 }

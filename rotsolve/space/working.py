@@ -61,7 +61,7 @@ def carried_with(laws: SpaceLaws, name: str) -> list[Joint] | None:
     """
     held, found = laws.moment.held, []
     for joint in (joint for joint in held.joints if joint.carrier.owner == name):
-        moves = joint.turning or joint.sliding or joint.free or joint.rolls or joint.flat or joint.drive
+        moves = joint.turning or joint.sliding or joint.free or joint.rolls or joint.flat or joint.powered
         further = [] if keeps_axial_rate(laws, joint) else None if moves else carried_with(laws, joint.body.owner)
         if further is None or held.of_body(joint.body.owner) != (joint,):
             return None
@@ -75,7 +75,7 @@ def keeps_axial_rate(laws: SpaceLaws, joint: Joint) -> bool:
     No torque acts along the axle, so that ω along it stays, whatever carries it does (Euler's equation with I₁ = I₂).
     """
     held, name = laws.moment.held, joint.body.owner
-    if not joint.aligned or joint.drive or held.carrier(name) == "" or held.of_body(name) != (joint,):
+    if not joint.aligned or joint.powered or held.carrier(name) == "" or held.of_body(name) != (joint,):
         return False
     acted = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
     carries = any(other.carrier.owner == name for other in held.joints)
@@ -108,7 +108,9 @@ def driving(laws: SpaceLaws) -> frozenset[str]:
 
 def turns_undriven(joint: Joint) -> bool:
     """Whether a joint is a hinge on which its body turns as it is pushed."""
-    return bool(joint.turning) and not (joint.drive or joint.sliding or joint.aligned or joint.bearings or joint.pitch)
+    return bool(joint.turning) and not (
+        joint.powered or joint.sliding or joint.aligned or joint.bearings or joint.pitch
+    )
 
 
 def led_evenly(laws: SpaceLaws, carrier: str) -> bool:

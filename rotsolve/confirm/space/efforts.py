@@ -200,7 +200,9 @@ class Efforts:
             return
         base = self.stance.base(joint)
         slides = [times_arrow(base, normed(self.rig.arrow(way))) for way in joint.sliding]
-        couple = [along_way((COUPLE, names[0], 0), self.stance.way(joint))] if joint.turning and not joint.drive else []
+        couple = (
+            [along_way((COUPLE, names[0], 0), self.stance.way(joint))] if joint.turning and not joint.powered else []
+        )
         forces = [along_way((FORCE, names[0], 0), way) for way in slides]
         if joint.pitch is not None and couple:
             lead = self.rig.value(joint.pitch) / ROUND  # its power is nothing: C + F p/2π = 0
@@ -213,7 +215,7 @@ class Efforts:
     def by_bearings(self, joint: Joint, names: list[str]) -> Iterator[Tie]:
         """Bearings push; none twists, but for what drives the shaft along it; the second does not push along it either."""
         way = self.stance.way(joint)
-        for sideways in ALONG if not joint.drive else two_across(way):
+        for sideways in ALONG if not joint.powered else two_across(way):
             yield Tie(along_way((COUPLE, names[0], 0), sideways), None)
         for name in names[1:]:
             yield from three_ties([((1.0, (COUPLE, name, k)),) for k in range(3)], None, STILL)

@@ -7,7 +7,7 @@ midpoint rule, carried to the limit of ever finer steps (Bulirsch and Stoer).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
 from rotsolve.confirm import NotConfirmed, Unfit
@@ -66,6 +66,8 @@ class Flight:
         self.passed = passed  # the time up to the state, where it is told
         if any(TIME in part.symbols() for joint in rig.joints.values() for _, part in joint.drive):
             raise NotConfirmed("a drive that changes on the way to its state")
+        if any(joint.motor for joint in rig.joints.values()):
+            raise NotConfirmed("a motor that gives what it takes on the way to its state")
         if any(body.moved and not rig.led_evenly(name) for name, body in rig.bodies.items()):
             raise NotConfirmed("a prescribed motion on the way to its state")
         lines = [line.path for line in (*state.conditions, *start.stance.lines.lines)]
@@ -83,21 +85,24 @@ class Flight:
         self.looks, self.most, self.exact = 0, self.limit, EXACT
 
     def axis_of(self, name: str) -> Arrow:
-        """The own direction of a body about which its spin is kept as an angle: that of its hinge on the ground, else its axis."""
-        joint, line = self.rig.on_unturned(name), self.rig.line(name)
-        if joint is not None and joint.turning:
+        """The own direction of a body about which its spin is kept as an angle: that of its hinge, else its axis."""
+        joint, line = self.rig.main(name), self.rig.line(name)
+        if joint is not None and joint.turning and self.swings(name):
             return times_arrow(rows_back(self.start.stance.turned(name)), self.start.stance.way(joint))
         return line or self.rig.axis(name) or Z
 
     def swings(self, name: str) -> bool:
-        """Whether a body is held on the ground, or on what is led along, so that it turns about one axis alone."""
-        joint = self.rig.on_unturned(name)
-        return joint is not None and (bool(joint.turning) or self.rig.line(name) is not None)
+        """Whether a body turns about one axis alone, in the ground, in what is led along or in another body."""
+        joint, unturned = self.rig.main(name), self.rig.on_unturned(name)
+        if joint is None or joint.sliding:
+            return False
+        return bool(joint.turning) or (unturned is not None and self.rig.line(name) is not None)
 
     def start_angle(self, name: str) -> float:
         """How far a body is turned about its hinge at the start."""
-        before, joint = self.start.stance.swung.get(name), self.rig.on_unturned(name)
-        return before if before is not None else 0.0 if joint is None else self.start.stance.angle(joint)
+        before, joint = self.start.stance.swung.get(name), self.rig.main(name)
+        told = joint is not None and (self.swings(name) or joint == self.rig.on_unturned(name))
+        return before if before is not None else self.start.stance.angle(joint) if joint is not None and told else 0.0
 
     # numbers of a moment
 
@@ -141,12 +146,18 @@ class Flight:
     def slope(self, numbers: Numbers) -> Numbers:
         """How fast all of them change."""
         result: Numbers = []
-        for number, (name, (rows, omega, speed, alpha, gain)) in enumerate(self.motions(numbers)):
+        motions = dict(self.motions(numbers))
+        turning = {name: omega for name, (_, omega, *_) in motions.items()}
+        for number, (name, (rows, omega, speed, alpha, gain)) in enumerate(motions.items()):
             third = times_arrow(rows, self.axes[name])
-            spin = inner_product(omega, third)
+            spin = inner_product(less(omega, self.carried_round(name, turning)), third)
             result += turned_on(less(omega, scaled(spin, third)), numbers[EACH * number : EACH * number + 4])
             result += [spin, *speed, *alpha, *gain]
         return result
+
+    def carried_round(self, name: str, turning: Mapping[str, Arrow]) -> Arrow:
+        """The angular velocity of what carries a body on its hinge, from which its angle counts."""
+        return turning[self.rig.carrier(name)] if self.swings(name) and self.rig.carrier(name) else STILL
 
     def motions(self, numbers: Numbers) -> Iterator[tuple[str, tuple[Turned, Arrow, Arrow, Arrow, Arrow]]]:
         """Of each body its rotation, ω, the velocity of its centre of mass, α and the acceleration."""
@@ -268,7 +279,9 @@ class Flight:
 
     def swung_rate(self, name: str, world: World) -> float:
         """How fast a body turns about its hinge, in the sense of that."""
-        return inner_product(world.now.arrow(TURNING, name), times_arrow(world.stance.turned(name), self.axes[name]))
+        turning = {body: world.now.arrow(TURNING, body) for body in self.rig.bodies}
+        third = times_arrow(world.stance.turned(name), self.axes[name])
+        return inner_product(less(turning[name], self.carried_round(name, turning)), third)
 
     def refuse_elsewhere(self, line: Condition, one: Numbers, other: Numbers) -> None:
         """Give up a body alone on a hinge that has been everywhere: between two turning points, or far off in one sense, from where its

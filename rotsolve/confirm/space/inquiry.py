@@ -51,6 +51,8 @@ READ = (
     "kinetic_energy",
     "energy",
     "speed",
+    "impulse",
+    "angular_impulse",
 )  # lines held against worlds
 OF_MASS = ("inertia_tensor", "inertia", "principal_moments", "mass")  # what a body has however it moves
 OPEN = "the equations of all bodies leave it open"
@@ -106,6 +108,11 @@ class Inquiry:
         """Whether all bodies move as they are told to."""
         driven = {joint.body.owner for joint in self.rig.joints.values() if joint.drive}
         return all(name in driven or body.moved for name, body in self.rig.bodies.items())
+
+    @property
+    def follows(self) -> bool:
+        """Whether motions from state to state are followed: not where a motor gives what it takes."""
+        return not any(joint.motor for joint in self.rig.joints.values())
 
     def by_time(self, name: str | None) -> bool:
         """Whether the time from the state before tells how all moves at a later state, which is not driven."""
@@ -172,7 +179,24 @@ class Inquiry:
             return self.struck(event, state, self.followed(event.from_))
         told = time_after(state)
         passed = None if told is None else self.rig.value(told)
-        return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+        try:
+            return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+        except NotConfirmed as reason:
+            with suppress(NotConfirmed):
+                found: list[Manner] = self.kept(
+                    f"{name} by what stays", partial(self.by_what_stays, names[place - 1], state)
+                )
+                return found
+            raise reason
+
+    def by_what_stays(self, before: str, state: State) -> list[Manner]:
+        """The ways in which all moves at a later state, by what stays on the way, where that is too long to be followed."""
+        from rotsolve.confirm.space.kept import kept_manners
+
+        starts = [by_velocities(way.worlds) for way in self.ways(before)]
+        if len(starts) != 1 or len(starts[0]) != 1 or starts[0][0].stance.open:
+            raise NotConfirmed(SEVERAL)
+        return kept_manners(self.rig, starts[0][0], state, self.put)
 
     def kept(self, key: str, follow: Callable[[], Any]) -> Any:
         """What comes of following a motion, which is done once."""
@@ -320,7 +344,7 @@ class Inquiry:
         if term.path.quantity in OSCILLATING:
             return self.swinging(term)
         event = next((item for item in self.problem.events if item.name == term.during), None)
-        if event is not None and term.path.quantity == "impulse":
+        if event is not None and term.path.quantity in ("impulse", "angular_impulse"):
             return self.at(term, event.to)
         if term.other is not None and term.other.at not in (None, term.at):
             return [self.angle_between(replace(term, modifier="", other=None), term.other)]

@@ -248,8 +248,16 @@ class Reading:
         """In the blow that leads to the state, on the body that it holds."""
         total = STILL
         for item in self.world.efforts.on(self.body_of(path)):
-            if item.owner == path.owner and not item.back:
+            if item.owner == path.owner and not item.back and path.point in (None, item.bearing):
                 total = sum_of(total, item.force_at(self.now))
+        return total
+
+    def joint_angular_impulse(self, path: Path, term: Term) -> Arrow:
+        """In the same blow, about the point held."""
+        total, held = STILL, self.stance.arm(self.rig.joints[path.owner].body)
+        for item in self.world.efforts.on(self.body_of(path)):
+            if item.owner == path.owner and not item.back:
+                total = sum_of(total, item.torque_at(self.now, held))
         return total
 
     # directions
@@ -475,6 +483,7 @@ VECTORS_OF_ELEMENTS: Vectors = {
     "force": Reading.joint_force,
     "torque": Reading.joint_torque,
     "impulse": Reading.joint_impulse,
+    "angular_impulse": Reading.joint_angular_impulse,
 }
 SCALARS: dict[str, Callable[[Reading, Path, Term], float]] = {
     "kinetic_energy": Reading.kinetic_energy,

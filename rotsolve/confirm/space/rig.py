@@ -37,6 +37,7 @@ from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.joints import joints_in_space
 from rotsolve.language.problem import ANY_TIME, Condition, Problem, State
 
 AXES = ("x", "y", "z")
@@ -56,9 +57,9 @@ class Rig:
         self.problem = problem
         self.numbers: dict[str, Any] = {TIME: NOW, **numbers}
         self.bodies = {body.name: body for body in problem.bodies}
-        found = ((item.name, item.joint_in_space()) for item in problem.connections)
-        self.joints = {name: joint for name, joint in found if joint is not None}
-        unknown = [item for item in problem.connections if item.name not in self.joints]
+        self.joints = {joint.owner: joint for joint in joints_in_space(problem.connections)}
+        others = (item for item in problem.connections if item.motor_in_space() is None)
+        unknown = [item for item in others if item.name not in self.joints]
         if unknown:
             raise NotConfirmed(f"`{unknown[0].name}`: what a `{unknown[0].word}` does in space")
         self._solids: dict[str, Solid] = {}

@@ -346,6 +346,8 @@ def at_turning(find: Find, hearing: Hearing) -> bool:
     """Whether a rate is asked where the motion leads, which is known there by its square alone, as far as it is followed."""
     first = hearing.problem.states[0].name if hearing.problem.states else None
     rated = (term for term in find.terms if term.path.quantity in RATES)
+    if not hearing.inquiry.follows:
+        return False
     return len(find.terms) == 1 and any(term.at not in (None, first) for term in rated)
 
 

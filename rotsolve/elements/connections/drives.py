@@ -9,6 +9,7 @@ from itertools import pairwise
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.core.facts import COUPLING, DRIVE, INNER, PULL, Couple, Force, Rule, signed
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import UNKNOWN, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
@@ -88,6 +89,7 @@ class MutualDrive(Connection, frozen=True):
     )
     quantities = ("torque", "angular_velocity", "rotation", "work", "power", "angular_impulse")
     bodily = True
+    spatial = True
     drives: tuple[PointRef, ...] = key("points", "[carrier, body]", count=(2, 2), required=True, example="[table, man]")
     couple: Formula | None = amount("torque on the last-named", "torque", "tau", varies=True, default=None)
 
@@ -96,6 +98,15 @@ class MutualDrive(Connection, frozen=True):
 
     def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
         yield self.couple, self.drives[1]
+
+    def motor_in_space(self) -> tuple[PointRef, PointRef]:
+        carrier, body = self.drives
+        if self.couple is not None:
+            help = "leave it out: what it gives is asked of the axle, `axle.torque`"
+            raise Unsolvable(
+                f"`{self.name}` drives with a `couple`, which is not solved in space", span=body.span, help=help
+            )
+        return carrier, body
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return UNKNOWN if self.couple is None else pace_of(self.couple)

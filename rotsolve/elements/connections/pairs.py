@@ -17,7 +17,7 @@ Direction = tuple[Formula, Formula, Formula]
 class LowerPair(Connection, frozen=True):
     """Base of what lets a body of a scene in space move in some ways only."""
 
-    quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "impulse", "freedoms")
+    quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "impulse", "angular_impulse", "freedoms")
     planar = False
     spatial = True
 

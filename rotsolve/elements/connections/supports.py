@@ -179,6 +179,7 @@ class Hinge(Driven, frozen=True):
     word = "hinge"
     about = "holds a point of a body to the ground, or to a point of another body; the body turns freely about it"
     quantities = (*Driven.quantities, "impulse", "work", "power", "freedoms")
+    quantities_in_space = ("angular_impulse",)
     bodily = True
     hinge: tuple[PointRef, ...] = key(
         "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="rod.start"
@@ -235,6 +236,7 @@ class Axle(Driven, frozen=True):
         "a fixed axis through the centre of a wheel, or of several that turn freely on it; or one on a body that moves"
     )
     quantities = (*Driven.quantities, "impulse", "work", "power", "freedoms")
+    quantities_in_space = ("angular_impulse",)
     bodily = True
     axle: tuple[PointRef, ...] = key(
         "points",

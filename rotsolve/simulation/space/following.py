@@ -67,6 +67,8 @@ def unfollowed(joint: Joint, held: JointedBodies) -> str:
     """What of a joint is not followed, in words; '' of others."""
     if joint.sliding or joint.flat:
         return "what slides is"
+    if joint.motor:
+        return "a motor that gives what it takes is"
     carrier, name = joint.carrier.owner, joint.body.owner
     if joint.rolls and (len(held.of_body(name)) > 1 or held.bodies[name].moved):
         return "what rolls and is held, carried or led is"

@@ -71,6 +71,27 @@ def blow_on_a_plate_at_a_corner(n: Numbers) -> Answers:
     return {"omega": omega, "P": momentum - n.J * Z}
 
 
+def plate_struck_where_its_hinges_feel_nothing(n: Numbers) -> Answers:
+    """Strips of a triangle that turns about its leg: the blow alone gives it its momentum and its angular momentum."""
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    across, along = (1 + nodes) / 2, (1 + nodes) / 2
+    masses = np.array([n.M * w * v * (1 - s) / 2 for s, w in zip(across, weights, strict=True) for v in weights])
+    places = np.array([[n.b * s, n.a * (1 - s) * t, 0] for s in across for t in along])
+    once = np.cross(Y, places)
+    omega = n.J / float(masses @ once[:, 2])
+    turning = masses @ np.cross(places, omega * once)  # = r × J ẑ
+    return {"x": -turning[1] / n.J, "y": turning[0] / n.J, "omega": omega}
+
+
+def satellite_with_a_reaction_wheel(n: Numbers) -> Answers:
+    """Both as heavy points about their common centre, and the wheel's own turn beside that."""
+    shift = n.k * n.d / (n.m + n.k) * X
+    wheel = with_moments(n.k, n.C / 2, n.C, n.C / 2)
+    whole = tensor(cuboid(n.m, n.a, n.b, n.c).moved(-shift)) + tensor(wheel.moved(n.d * X - shift))
+    omega = np.linalg.solve(whole, -tensor(wheel) @ (n.w * Y))
+    return {"W": omega[1], "w_3": omega[1] + n.w}
+
+
 def force_off_the_centre(n: Numbers) -> Answers:
     """At rest accelerations go by forces as velocities go by blows."""
     force, at = n.F * Z, np.array([n.rx, n.ry, n.rz])
@@ -218,8 +239,10 @@ CALCULATIONS = {
     "earth-wobble": earth_wobble,
     "force-off-the-centre": force_off_the_centre,
     "free-symmetric-top": free_symmetric_top,
+    "plate-struck-where-its-hinges-feel-nothing": plate_struck_where_its_hinges_feel_nothing,
     "plate-that-wobbles-in-time": plate_that_wobbles_in_time,
     "pole-of-the-earth-in-time": pole_of_the_earth_in_time,
+    "satellite-with-a-reaction-wheel": satellite_with_a_reaction_wheel,
     "spherical-top": spherical_top,
     "stability-of-three-axes": stability_of_three_axes,
     "tennis-racket": tennis_racket,

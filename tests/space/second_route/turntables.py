@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import pi, sin
+from math import cos, pi, sin
 from types import SimpleNamespace as Numbers
 from typing import Any, NamedTuple
 
@@ -101,9 +101,23 @@ def wheel_held_on_a_turntable(n: Numbers) -> Answers:
     return {"s": spin, "L": moment * spin}
 
 
+def rod_falls_on_a_turning_shaft(n: Numbers) -> Answers:
+    """J θ̈ = −½ M g L cos θ − J W² sin θ cos θ with W by the angular momentum, summed over the way: ½ ω² = −∫ θ̈ dθ."""
+    moment = n.M * n.L**2 / 3
+    momentum = (n.I0 + moment * cos(n.theta) ** 2) * n.w0
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    angles = n.theta * (1 + nodes) / 2
+    rates = momentum / (n.I0 + moment * np.cos(angles) ** 2)
+    faster = 3 * n.g / (2 * n.L) * np.cos(angles) + rates**2 * np.sin(angles) * np.cos(angles)
+    round_, falls = momentum / (n.I0 + moment), float(np.sqrt(n.theta * weights @ faster))
+    inward, down = n.L / 2 * (round_**2 + falls**2), n.L / 2 * 3 * n.g / (2 * n.L)
+    return {"W": round_, "w": falls, "F": n.M * SIZE([inward, n.g - down])}
+
+
 CALCULATIONS = {
     "ball-across-a-slope": ball_across_a_slope,
     "ball-on-a-tilted-turntable": ball_on_a_tilted_turntable,
     "ball-on-a-turntable": ball_on_a_turntable,
+    "rod-falls-on-a-turning-shaft": rod_falls_on_a_turning_shaft,
     "wheel-held-on-a-turntable": wheel_held_on_a_turntable,
 }

@@ -1,0 +1,228 @@
+"""Kept: the rates at a later state of bodies that hang together, on one joint of the ground or on none, by what they keep on the way.
+
+For where their motion is too long to be followed, or a motor gives what it takes. What stays is worked out at both states from places and
+velocities in space, with several numbers for how bodies stand of which no line tells it; it is quadratic in the rates that are open. To an
+angle a body comes in the sense in which that is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm.space.arrows import (
+    Arrow,
+    Z,
+    arrow_length,
+    crossed,
+    inner_product,
+    less,
+    normed,
+    product_of,
+    rotation_about,
+    rows_back,
+    scaled,
+    sum_of,
+    times_arrow,
+)
+from rotsolve.confirm.space.quadratics import quadratic, shared_roots
+from rotsolve.confirm.space.readings import Reading
+from rotsolve.confirm.space.rig import Lines, Rig, Told
+from rotsolve.confirm.space.stance import Stance
+from rotsolve.confirm.space.ties import SPEED, SPINS, TURNING, Rates
+from rotsolve.confirm.space.worlds import Manner, Moving, World, natural_rate, with_rates
+from rotsolve.core.symbols import TIME
+from rotsolve.language.bodies import Joint
+from rotsolve.language.problem import Path, State, Term
+
+GUESSES = (0.7, 1.1, 1.9)  # for angles that no line tells
+UPRIGHT = 1e-12  # how nearly a direction is that of the vertical
+WAY = 48  # places on the way at which it is looked whether it gets on
+NEVER = "by what its bodies keep, its motion never comes there"
+NOT_KEPT = "what its bodies keep on the way to its state"
+
+
+def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner]:
+    """The ways in which all moves at a later state with what it has kept since the state before, told apart by the rates on joints."""
+    root = root_alone(rig)
+    leader = None if any(joint.motor for joint in rig.joints.values()) else leading_joint(rig, state)
+    for share in (number / WAY for number in range(1, WAY) if leader is not None):  # it has to get there
+        assert leader is not None
+        there = Underway(rig, state, put, leader, turned_at(start, leader), share)
+        if not any(True for _ in roots_kept(rig, root, start, Stance(rig, there, GUESSES[0]))):
+            raise Unfit(NEVER)
+    stances = [Stance(rig, Lines(rig, state, put), guess) for guess in GUESSES]
+    found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
+    if root is None and found[0] and turns_on_line(rig, start):
+        stances = [turned_on_line(rig, start, found[0][0], Lines(rig, state, put), guess) for guess in GUESSES]
+        found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
+    if not found[0] and not stances[0].open:
+        raise Unfit(NEVER)
+    if not found[0] or len({len(ways) for ways in found}) > 1:
+        raise NotConfirmed(NOT_KEPT)
+    ordered = [sorted(ways, key=lambda world: spins_of(rig, world)) for ways in found]
+    return [Manner(tuple(worlds), 0.0) for worlds in zip(*ordered, strict=True)]
+
+
+def turns_on_line(rig: Rig, start: World) -> bool:
+    """Whether all begins at rest, and one body carries all others on axles of one direction, so that all it does is turn about one line."""
+    carriers = {joint.carrier.owner for joint in rig.joints.values()}
+    ways = [start.stance.way(joint) for joint in rig.joints.values() if joint.turning]
+    along = all(arrow_length(crossed(ways[0], way)) <= UPRIGHT for way in ways) and len(ways) == len(rig.joints)
+    moving = max((abs(part) for part in start.now.values.values()), default=0.0)
+    return along and len(carriers) == 1 and moving == 0.0
+
+
+def turned_on_line(rig: Rig, start: World, found: World, lines: Lines, angle: float) -> Stance:
+    """A stance in which the body that carries all others is turned by an angle from the start, about the line about which it turns."""
+    (carrier,) = {joint.carrier.owner for joint in rig.joints.values()}
+    omega = times_arrow(rows_back(found.stance.turned(carrier)), found.now.arrow(TURNING, carrier))
+    stance = Stance(rig, lines, angle)
+    if arrow_length(omega) > 0.0:
+        turned = rotation_about(normed(omega), angle)
+        stance.put(carrier, product_of(start.stance.turned(carrier), turned), found.stance.place(carrier))
+    return stance
+
+
+class Underway(Lines):
+    """What a state tells, on the way to it: the joint that leads there is turned by a share of its way, and how fast no line says."""
+
+    def __init__(self, rig: Rig, state: State, put: Told, leader: Joint, begun: float, share: float) -> None:
+        super().__init__(rig, state, put)
+        end = self.told(leader.body.owner, "angle") or 0.0
+        self.lines = []
+        self.put = {(self.name, leader.body.owner, "angle"): begun + share * (end - begun)}
+
+
+def leading_joint(rig: Rig, state: State) -> Joint | None:
+    """The only joint of which the state tells to what angle it has turned, where nothing else is told than that; None where nothing is."""
+    lines = [line for line in state.conditions if line.path is not None]
+    if not lines and not state.conditions and not state.steady:
+        return None
+    joints = [rig.main(line.path.owner) for line in lines if line.path is not None and line.path.quantity == "angle"]
+    if len(lines) != 1 or len(joints) != 1 or joints[0] is None or not joints[0].turning or state.steady:
+        raise NotConfirmed(NOT_KEPT)
+    return joints[0]
+
+
+def turned_at(world: World, joint: Joint) -> float:
+    """How far a body is turned about its joint in a world."""
+    before = world.stance.swung.get(joint.body.owner)
+    return world.stance.angle(joint) if before is None else before
+
+
+def root_alone(rig: Rig) -> Joint | None:
+    """The only joint with the ground, of bodies that are held by one joint each, on which nothing acts but their weights; None of bodies of
+    which one carries all others, and nothing holds that."""
+    joints = list(rig.joints.values())
+    roots = [joint for joint in joints if joint.carrier.owner not in rig.bodies]
+    plain = not any(joint.rolls or joint.flat or joint.sliding or joint.pitch is not None for joint in joints)
+    each = len({joint.body.owner for joint in joints}) == len(joints) == len(rig.bodies) - (not roots)
+    led = any(body.moved for body in rig.bodies.values())
+    if len(roots) > 1 or not (plain and each and joints) or led or rig.problem.actions or (rig.gravity and not roots):
+        raise NotConfirmed(NOT_KEPT)
+    return roots[0] if roots else None
+
+
+def roots_kept(rig: Rig, root: Joint | None, start: World, stance: Stance) -> Iterator[World]:
+    """The worlds of a stance with as much of what is kept as at the start, in which each body comes to its angle as it must."""
+    moving = Moving(stance)
+    count, scale = len(moving.moving.free), natural_rate(moving)
+    wanted = kept_of(rig, root, start)
+
+    def world_with(openly: Sequence[float]) -> World:
+        now = moving.rates(openly)
+        return World(stance, moving.efforts, now, now)
+
+    def over(openly: Sequence[float]) -> list[float]:
+        return [a - b for a, b in zip(kept_of(rig, root, world_with(openly)), wanted, strict=True)]
+
+    model = quadratic(over, count, scale) if count else None
+    if model is None or len(wanted) < count:
+        raise NotConfirmed(NOT_KEPT)
+    for found in shared_roots(model):
+        openly = with_rates([0.0] * count, range(count), [part * scale for part in found])
+        world = world_with(openly)
+        if comes_so(rig, start, world):
+            (whole,) = moving.way([openly]).worlds[:1]
+            yield whole
+
+
+def kept_of(rig: Rig, root: Joint | None, world: World) -> list[float]:
+    """What stays: on a joint of the ground, or on none."""
+    return kept_afloat(rig, world) if root is None else kept_on_ground(rig, root, world)
+
+
+def kept_afloat(rig: Rig, world: World) -> list[float]:
+    """The momentum, the angular momentum about the common centre of mass, and without motors the energy, along the axes of space."""
+    masses = {name: rig.solid(name).mass for name in rig.bodies}
+    momentum = sum_of(*(scaled(mass, world.now.arrow(SPEED, name)) for name, mass in masses.items()))
+    centre = scaled(
+        1.0 / sum(masses.values()), sum_of(*(scaled(masses[name], world.stance.place(name)) for name in masses))
+    )
+    turning = whole_momentum(rig, centre, world)
+    kept = [*momentum, *turning]
+    return kept if any(joint.powered for joint in rig.joints.values()) else [*kept, energy_in(world)]
+
+
+def kept_on_ground(rig: Rig, root: Joint, world: World) -> list[float]:
+    """What stays: the angular momentum about the free direction of the root; the energy, less Ω L where the root is driven round at Ω."""
+    way, kept = free_way(rig, root, world.stance), list[float]()
+    drive, inner = dict(root.drive), [joint for joint in rig.joints.values() if joint is not root]
+    momentum = None if way is None else inner_product(way, whole_momentum(rig, world.stance.held_at(root), world))
+    if momentum is not None and not root.powered:
+        kept.append(momentum)
+    if root.motor or any(joint.powered for joint in inner):
+        return kept
+    rate = drive.get("angular_velocity") if len(drive) == 1 else None
+    if drive and (momentum is None or rate is None or TIME in rate.symbols()):
+        return kept
+    energy = energy_in(world)
+    return [*kept, energy if rate is None else energy - rig.value(rate) * (momentum or 0.0)]
+
+
+def energy_in(world: World) -> float:
+    """The kinetic energy of all bodies, and that of their weights."""
+    return Reading(world).energy(Path("", "energy"), Term(Path("", "energy")))
+
+
+def free_way(rig: Rig, root: Joint, stance: Stance) -> Arrow | None:
+    """The direction about which neither the ground nor a weight turns the bodies."""
+    if root.free:
+        return Z
+    if not root.turning:
+        return None
+    way = stance.way(root)
+    upright = arrow_length(crossed(way, Z)) <= UPRIGHT
+    return way if upright or not rig.gravity else None
+
+
+def whole_momentum(rig: Rig, origin: Arrow, world: World) -> Arrow:
+    """Σ I ω + r × m v, from a place."""
+    parts = list[Arrow]()
+    for name in rig.bodies:
+        arm = less(world.stance.place(name), origin)
+        parts.append(times_arrow(world.efforts.tensor(name), world.now.arrow(TURNING, name)))
+        parts.append(crossed(arm, scaled(rig.solid(name).mass, world.now.arrow(SPEED, name))))
+    return sum_of(*parts)
+
+
+def comes_so(rig: Rig, start: World, world: World) -> bool:
+    """Whether no body passes the angle that it comes to, for the first time, the other way."""
+    for joint in rig.joints.values():
+        name = joint.body.owner
+        if not joint.turning or name in world.stance.open or world.stance.lines.told(name, "angle") is None:
+            continue
+        way = world.stance.angle(joint) - turned_at(start, joint)
+        if way * rate_on_joint(world.now, joint) < 0.0:
+            return False
+    return True
+
+
+def rate_on_joint(now: Rates, joint: Joint) -> float:
+    return now.one(SPINS, joint.owner)
+
+
+def spins_of(rig: Rig, world: World) -> list[float]:
+    """How fast all joints turn, roughly: what tells ways apart."""
+    return [round(rate_on_joint(world.now, joint), 6) for joint in rig.joints.values() if joint.turning]
