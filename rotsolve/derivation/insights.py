@@ -13,16 +13,16 @@ from rotsolve.algebra.certified.ball import Certified, multiple_of
 from rotsolve.algebra.certified.sign import sign_within
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product, Sum, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Product, Sum, Symbol
 from rotsolve.algebra.notation.text import unsigned
-from rotsolve.algebra.units.dimension import ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
+from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import SECOND_LAW, Equation
+from rotsolve.core.equation import RATE, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import has_quantities
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
@@ -52,6 +52,7 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from energy_lost(search)
     yield from opposite_energies(told)
     yield from beside_a_ring(told, search)
+    yield from about_contacts(told, search)
     for name in dict.fromkeys(body.name for body, force in alone if force.role.rubs):
         yield (f"without friction {spoken(name)} would keep its angular velocity: no other force has a torque on it",)
 
@@ -237,6 +238,25 @@ def opposite_energies(told: Sequence[Answered]) -> Iterator[Words]:
     for (one, first), (other, second) in combinations(energies, 2):
         if is_zero(first + second):
             yield (called(other), " = −", called(one))
+            return
+
+
+def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """What turns a body about the point at which it rolls or unwinds, which tells at once the way in which it goes."""
+    rates = (ACCELERATION, ANGULAR_ACCELERATION)
+    asked = {law.section for item in told if item.asked.dimension in rates for law in behind(item, search)}
+    for law in search.planner.pool:
+        if law.law != RATE or law.section not in asked or law.left == ZERO:
+            continue
+        body = next(one for one in search.scene.facts(law.section).bodies if one.name == law.bodies[0])
+        held = list(dict.fromkeys(force.noun for force in body.forces if force.internal))
+        if body.motion.kind == "line" and body.motion.turns and held:
+            have = "has" if len(held) == 1 else "have"
+            names, turns = and_joined(held), search.scene.instant(law.section).turn_words(body.name)[0]
+            start = (
+                f"about the point of contact, where {names} {have} no arm, {spoken(body.name)} is turned {turns} by "
+            )
+            yield (start, search.solver.simplify(law.left))
             return
 
 

@@ -11,6 +11,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import CONSERVATION, WORK, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
 from rotsolve.core.passage import Passage
+from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.heading import UP, Vector
 from rotsolve.core.writing import flat, is_negative, moved, positive_first, spoken
 from rotsolve.laws.table import OverPhase
@@ -65,7 +66,10 @@ def works_spelled(over: OverPhase) -> Iterator[Equation]:
     """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own."""
     for work in over.passage.works:
         if work.spelled is not None and work.spelled != work.amount:
-            yield WORK.equation(work.amount, work.spelled, over.section, work.bodies, owner=spoken(work.owner))
+            ways = {key_of(name).kind for name in work.spelled.symbols()}
+            both = {"displacement", "rotation"} <= ways
+            words: Words = ("the force times the way of the point on which it acts",) if both else ()
+            yield WORK.equation(work.amount, work.spelled, over.section, work.bodies, words, owner=spoken(work.owner))
 
 
 def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formula]:
