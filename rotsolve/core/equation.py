@@ -149,6 +149,9 @@ RATES_OF_MOMENTUM = (RATE_IN_AXES, RATE_IN_STILL_AXES)
 
 CONSERVATION = Law("conservation of energy", "conservation of energy{since}, K₁ + U₁ = K₂ + U₂", ENERGY, 4)
 WORK_AND_ENERGY = Law("work and energy", "work and energy, K₁ + U₁ + W = K₂ + U₂", ENERGY, 4)
+TURNING_FRAME = Law(
+    "energy in a turning frame", "energy in the frame that turns with {driven}, K′₁ + U′₁{work} = K′₂ + U′₂", ENERGY, 4
+)
 POWER = Law("power", "power and kinetic energy", ENERGY, 5)
 DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
 WORK = Law("work", "work of {owner}", cost=3)
