@@ -236,3 +236,9 @@ DEFINITION = Law("definition", cost=1)
 KINETIC_ENERGY = Law("kinetic energy", cost=1, kinetic=True)
 KINETIC_ENERGY_AT = Law("kinetic energy at a moment", "kinetic energy, {moment}", cost=1, kinetic=True, apart=True)
 FOUND = Law("found", "", cost=0)  # found before: no law of its own
+
+
+def frame_remark(driven: str) -> Words:
+    """Why the energy in the frame that turns with a body stays: what does no work there."""
+    still = f"{driven} turns steadily: in its frame what drives it does no work, nor does the Coriolis force"
+    return (f"{still}; the centrifugal force m ω² r has the potential energy −½ m ω² r²",)

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import HALF, Formula, negate, total
 from rotsolve.core.drive import TURNING
-from rotsolve.core.equation import TURNING_FRAME, Equation
+from rotsolve.core.equation import TURNING_FRAME, Equation, frame_remark
 from rotsolve.core.facts import BodyFacts, Facts, Force, square
 from rotsolve.core.passage import Passage
 from rotsolve.core.writing import moved, spoken
@@ -35,10 +35,8 @@ def energy_in_turning_frame(over: OverPhase) -> Iterator[Equation]:
         )
         works = [work.amount for work in passage.works if work.inner and body.name in work.bodies]
         name = spoken(body.name)
-        still = f"{name} turns steadily: in its frame what drives it does no work, nor does the Coriolis force"
-        why = f"{still}; the centrifugal force m ω² r has the potential energy −½ m ω² r²"
         sides, work = moved([*first, *works], last), " + W" if works else ""
-        yield TURNING_FRAME.equation(*sides, over.section, (body.name,), (why,), driven=name, work=work)
+        yield TURNING_FRAME.equation(*sides, over.section, (body.name,), frame_remark(name), driven=name, work=work)
 
 
 def turned_steadily(name: str, facts: Facts) -> BodyFacts | None:

@@ -72,6 +72,7 @@ class MovingBodies(Protocol):
     def symmetry_axis(self, name: str) -> Triple | None: ...
     def nods(self, name: str) -> bool: ...
     def arm(self, ref: PointRef) -> Triple: ...
+    def slid_by(self, joint: Joint) -> Formula: ...
     def velocity(self, ref: PointRef) -> Triple: ...
     def acceleration(self, ref: PointRef) -> Triple: ...
     def vector_told(self, owner: str, word: str, point: str | None = None) -> tuple[Triple, str, str] | None: ...
@@ -90,7 +91,8 @@ class Axes(Struct, frozen=True):
     """A named set of axes at a moment: `rows` turn its components into those in space, `rate` is its angular velocity Ω in its own
     components, `change` are the rates of these; `lost` says that nothing tells how they stand.
 
-    Of axes that are `turned` in others, `base` are the rows of those: between two in the same ones it does not matter how these stand.
+    Of axes that are `turned` in others, `base` are the rows of those: between two in the same ones it does not matter how these stand; nor
+    does it between those that go with one body of which alone nothing tells how far it has turned (`lost_with`).
     """
 
     name: str
@@ -100,12 +102,15 @@ class Axes(Struct, frozen=True):
     lost: str = ""
     base: Rows | None = None
     turned: Rows = AS_DRAWN
+    lost_with: str = ""
 
     def to(self, other: Axes, vector: Triple) -> Triple:
         """A vector of these axes in the components of others; refused where nothing tells how one of them stands."""
         if (self.rows, self.lost) == (other.rows, other.lost) or vector == NOTHING:
             return vector
         bases = [axes.rows if axes.base is None else axes.base for axes in (self, other)]
+        if self.lost_with and self.lost_with == other.lost_with:
+            return rotated(transposed(other.rows), rotated(self.rows, vector))
         if bases[0] == bases[1] and self.lost == other.lost:
             return rotated(transposed(other.turned), rotated(self.turned, vector))
         return rotated(transposed(other.standing), rotated(self.standing, vector))
@@ -184,16 +189,22 @@ def in_euler_angles(turning: Nodding, permuted: Rows) -> Attitude:
     return Attitude(Axes(BODY, rows, omega, rates), permuted, omega, rates)
 
 
-def as_drawn(rows: Rows, omega: Triple, rates: Triple, *, lost: str = "") -> Attitude:
+def as_drawn(rows: Rows, omega: Triple, rates: Triple, *, lost: str = "", lost_with: str = "") -> Attitude:
     """A body in its own axes, which turn with it: the rates of the components are those of ω itself."""
-    return Attitude(Axes(BODY, rows, omega, rates, lost), AS_DRAWN, omega, rates)
+    return Attitude(Axes(BODY, rows, omega, rates, lost, lost_with=lost_with), AS_DRAWN, omega, rates)
 
 
 def in_own_axes(found: Attitude, spun: Rows = AS_DRAWN) -> Attitude:
     """The same body in axes that go with it, as it is drawn, where it is `spun` on in those that it has."""
     own = after(spun, found.own)
     back, rows = transposed(own), after(found.axes.rows, own)
-    return as_drawn(rows, rotated(back, found.omega), rotated(back, found.alpha), lost=found.axes.lost)
+    return as_drawn(
+        rows,
+        rotated(back, found.omega),
+        rotated(back, found.alpha),
+        lost=found.axes.lost,
+        lost_with=found.axes.lost_with,
+    )
 
 
 class HingeTurn(Struct, frozen=True):
@@ -207,7 +218,14 @@ class HingeTurn(Struct, frozen=True):
 
 def on_axle(carrier: Attitude, direction: Triple, spin: Formula, faster: Formula, own: Rows) -> Attitude:
     """A body that is symmetric about the axle on which another carries it, in the axes of that: ω = Ω + s n."""
-    axes = Axes(carrier.axes.name, carrier.axes.rows, carrier.omega, carrier.alpha, carrier.axes.lost)
+    axes = Axes(
+        carrier.axes.name,
+        carrier.axes.rows,
+        carrier.omega,
+        carrier.alpha,
+        carrier.axes.lost,
+        lost_with=carrier.axes.lost_with,
+    )
     omega, rates = (
         vector_sum(carrier.omega, scaled_by(spin, direction)),
         vector_sum(carrier.alpha, scaled_by(faster, direction)),
@@ -224,7 +242,8 @@ def hinged_on(carrier: Attitude, drawn: Rows, direction: Triple, turn: HingeTurn
         rotated(inward, carrier.alpha), scaled_by(turn.faster, direction), cross_product(swept, relative)
     )
     rows = after(after(carrier.axes.rows, drawn), turn_about(direction, turn.angle))
-    return as_drawn(rows, vector_sum(swept, relative), alpha, lost=carrier.axes.lost or turn.lost)
+    with_ = "" if turn.lost else carrier.axes.lost_with
+    return as_drawn(rows, vector_sum(swept, relative), alpha, lost=carrier.axes.lost or turn.lost, lost_with=with_)
 
 
 def permutation(axis: Triple) -> Rows:

@@ -58,7 +58,7 @@ from rotsolve.space.attitude import (
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.leaning import LeaningMoment
 from rotsolve.space.rolling import Rolling
-from rotsolve.space.sliding import screwed, slid
+from rotsolve.space.sliding import refuse_elsewhere, screwed, slid, slid_to
 
 
 class SpaceMoment(LeaningMoment):
@@ -236,7 +236,8 @@ class SpaceMoment(LeaningMoment):
             rows = after(rows, turn_about(direction, angle))
         else:
             lost = self.lost(name)
-        return as_drawn(rows, scaled_by(rate, direction), scaled_by(faster, direction), lost=lost)
+        omega, rates = (scaled_by(part, direction) for part in (rate, faster))
+        return as_drawn(rows, omega, rates, lost=lost, lost_with=name if lost else "")
 
     def refuse_otherwise(self, name: str, taken: tuple[str, ...] = ()) -> None:
         """Refuse what a state tells, by Euler angles, the vertical or a vector, of how a body stands or turns that a joint holds about one
@@ -393,17 +394,24 @@ class SpaceMoment(LeaningMoment):
 
     def velocity(self, ref: PointRef) -> Triple:
         """v = v_ref + ω × r of a point, in the axes of its body."""
-        own, arm = self.attitude(ref.owner), self.arm(ref)
-        return vector_sum(self.reference_velocity(ref.owner), cross_product(own.omega, arm))
+        return self.velocity_there(ref.owner, self.arm(ref))
+
+    def velocity_there(self, name: str, arm: Triple) -> Triple:
+        """v = v_ref + ω × r of what is at an arm from the reference of a body and goes with it."""
+        return vector_sum(self.reference_velocity(name), cross_product(self.attitude(name).omega, arm))
 
     def acceleration(self, ref: PointRef) -> Triple:
         """a = a_ref + α × r + ω × (ω × r) of a point, in the axes of its body; of a point on its axis by how these axes turn."""
-        own, arm = self.attitude(ref.owner), self.arm(ref)
+        return self.acceleration_there(ref.owner, self.arm(ref))
+
+    def acceleration_there(self, name: str, arm: Triple) -> Triple:
+        """The same of what is at an arm from the reference of a body."""
+        own = self.attitude(name)
         omega, alpha = own.omega, own.alpha
-        if self.fixed_in_axes(ref.owner, arm):
+        if self.fixed_in_axes(name, arm):
             omega, alpha = own.axes.rate, own.axes.change
         return vector_sum(
-            self.reference_acceleration(ref.owner),
+            self.reference_acceleration(name),
             cross_product(alpha, arm),
             cross_product(omega, cross_product(omega, arm)),
         )
@@ -435,18 +443,40 @@ class SpaceMoment(LeaningMoment):
         """Of the point of what carries a body at which it is held, in the axes of the body."""
         if joint.carrier.owner not in self.held.bodies:
             return NOTHING
-        moved = self.velocity(joint.carrier) if word == "velocity" else self.acceleration(joint.carrier)
+        there = self.velocity_there if word == "velocity" else self.acceleration_there
+        moved = there(joint.carrier.owner, self.carried_at(joint))
         return self.axes(joint.carrier.owner).to(self.axes(name), moved)
+
+    def carried_at(self, joint: Joint) -> Triple:
+        """Where a joint holds its body, from the reference of what carries it, in the axes of that: on a slide as far as it has slid."""
+        arm, carrier = self.arm(joint.carrier), joint.carrier.owner
+        gone = self.slid_by(joint) if joint.sliding else ZERO
+        if gone == ZERO:
+            return arm
+        way = scaled_by(gone, unit_along(joint.sliding[0], self.positive))
+        there = vector_sum(arm, self.own_axes(carrier).to(self.axes(carrier), way))
+        return triple([self.tidy(part) for part in there])
+
+    def slid_by(self, joint: Joint) -> Formula:
+        """How far a body has slid from where it is drawn, as at the first state; refused where nothing tells how far it has come since."""
+        if not self.later:
+            refuse_elsewhere(joint, self)
+            return ZERO
+        found = slid_to(joint, self)
+        if found is None:
+            name, carrier = joint.body.owner, joint.carrier.owner
+            told = f"{name}.position" + (f" relative to {carrier}" if carrier in self.held.bodies else "")
+            message = f"where `{name}` is on `{joint.owner}` at `{self.when}` nothing tells"
+            help = "ask at the first state, at which it is where it is drawn"
+            help = help if joint.pitch is not None else f"tell `{told}: [x, y, z]` in that state"
+            raise Unsolvable(message, span=joint.body.span, help=help)
+        return found
 
     def _slid(self, name: str, joint: Joint, word: str) -> Triple:
         """What it adds that a joint lets its body slide."""
         if not joint.sliding:
             return NOTHING
-        if self.later:
-            message = f"where `{name}` is on `{joint.owner}` at `{self.when}` nothing tells"
-            raise Unsolvable(
-                message, span=joint.body.span, help="ask at the first state, at which it is where it is drawn"
-            )
+        self.slid_by(joint)
         return slid(joint, self, word)
 
     def of_mass(self, name: str, word: str) -> tuple[Triple, Axes]:
@@ -518,7 +548,8 @@ class SpaceMoment(LeaningMoment):
         """The upward vertical in the axes of a body: as the state tells it in the body's own, else as the body stands."""
         told = self.vector_kept(name, "vertical")
         if told is None:
-            return IN_SPACE.to(self.axes(name), Z)
+            axes = self.axes(name)
+            return rotated(transposed(axes.rows), Z) if self.turns_level(axes) else IN_SPACE.to(axes, Z)
         beyond = square_of(told[0]) - ONE
         if not self.held.vanishes(beyond):
             line = self.line(name, "vertical", "x")
@@ -531,6 +562,14 @@ class SpaceMoment(LeaningMoment):
                 help = f"{help}: give them numbers, or write one by the others: `sqrt(1 - n1^2 - n2^2)`"
             raise Unsolvable(message, span=None if line is None else line.span, help=help)
         return told[0]
+
+    def turns_level(self, axes: Axes) -> bool:
+        """Whether of axes nothing tells how far the body with which they go has turned, which turns about the vertical."""
+        joint = self.held.main(axes.lost_with) if axes.lost_with else None
+        if joint is None:
+            return False
+        way = rotated(self.axes(axes.lost_with).rows, self.direction(axes.lost_with, joint))
+        return all(map(self.held.vanishes, way[:2]))
 
     def named_axes(self, axes: str, name: str) -> Axes:
         """The axes that a question or line names: of space, of a body, or the node axes of one."""
@@ -555,7 +594,8 @@ class SpaceMoment(LeaningMoment):
         """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""
         own = self.attitude(name)
         if own.axes.name != NODE:
-            rows, base, lost = after(own.axes.rows, own.own), own.axes.base, own.axes.lost or self.spun_away(name)
-            return Axes(BODY, rows, own.omega, own.rates, lost, base, own.own if base is not None else AS_DRAWN)
+            rows, base, spun = after(own.axes.rows, own.own), own.axes.base, self.spun_away(name)
+            turned, with_ = own.own if base is not None else AS_DRAWN, "" if spun else own.axes.lost_with
+            return Axes(BODY, rows, own.omega, own.rates, own.axes.lost or spun, base, turned, with_)
         rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
         return Axes(BODY, rows)

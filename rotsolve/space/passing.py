@@ -301,7 +301,7 @@ def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:
         elif joint.carrier.owner == name:
             shock, axes = joint_shock(joint, laws), moment.axes(joint.body.owner)
             push, twist = (axes.to(moment.axes(name), minus(vector)) for vector in (shock.push, shock.twist))
-            yield Shock(push, moment.arm(joint.carrier), twist)
+            yield Shock(push, moment.carried_at(joint), twist)
 
 
 def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:

@@ -113,7 +113,7 @@ class Pushes:
         mass = self.moment.held.mass(name)
         if self.gravity is None or mass == ZERO:
             return None
-        told = self.moment.vector_kept(name, "vertical") is not None
+        told = self.moment.vector_kept(name, "vertical") is not None or self.moment.turns_level(self.moment.axes(name))
         axes, up = (self.moment.axes(name), self.moment.up(name)) if told else (IN_SPACE, Z)
         size = multiply(mass, self.gravity)
         size = simplify(size) if isinstance(mass, Quotient) else size  # of a mass W/g it is W
@@ -128,6 +128,7 @@ class Pushes:
         if joint.free and axes.name == NODE and nods and turns_untold(self.moment.nodding(name).angles[0]):
             return axes
         hangs = bool(axes.lost) and self.gravity is not None and self.moment.vector_kept(name, "vertical") is None
+        hangs = hangs and not self.moment.turns_level(axes)
         if nods or joint.rolls or hangs:
             return IN_SPACE
         return self.line_axes(name) or axes
@@ -262,7 +263,7 @@ class Pushes:
             arm = Rolling(joint, self.moment).touched_from_held()
         else:
             shift = way_between(self.moment.arm(joint.body), push.arm)
-            arm = vector_sum(self.moment.arm(joint.carrier), ours.to(theirs, shift))
+            arm = vector_sum(self.moment.carried_at(joint), ours.to(theirs, shift))
         return ForceInSpace(joint.owner, carrier, minus(push.force), push.axes, arm, theirs, minus(push.couple))
 
     def twisted_about(self, name: str) -> Triple | None:
