@@ -63,6 +63,7 @@ class Onward(Protocol):
 class MovingBodies(Protocol):
     """A moment of a scene, as frames and rolling bodies see it."""
 
+    when: str
     state: State
     held: JointedBodies
 

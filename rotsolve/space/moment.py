@@ -58,7 +58,7 @@ from rotsolve.space.attitude import (
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.leaning import LeaningMoment
 from rotsolve.space.rolling import Rolling
-from rotsolve.space.sliding import refuse_elsewhere, screwed, slid, slid_to
+from rotsolve.space.sliding import refuse_elsewhere, screwed, slid, slid_since
 
 
 class SpaceMoment(LeaningMoment):
@@ -462,15 +462,7 @@ class SpaceMoment(LeaningMoment):
         if not self.later:
             refuse_elsewhere(joint, self)
             return ZERO
-        found = slid_to(joint, self)
-        if found is None:
-            name, carrier = joint.body.owner, joint.carrier.owner
-            told = f"{name}.position" + (f" relative to {carrier}" if carrier in self.held.bodies else "")
-            message = f"where `{name}` is on `{joint.owner}` at `{self.when}` nothing tells"
-            help = "ask at the first state, at which it is where it is drawn"
-            help = help if joint.pitch is not None else f"tell `{told}: [x, y, z]` in that state"
-            raise Unsolvable(message, span=joint.body.span, help=help)
-        return found
+        return slid_since(joint, self)
 
     def _slid(self, name: str, joint: Joint, word: str) -> Triple:
         """What it adds that a joint lets its body slide."""

@@ -141,6 +141,19 @@ def slid_to(joint: Joint, moment: MovingBodies) -> Formula | None:
     return dot_product(way, off)
 
 
+def slid_since(joint: Joint, moment: MovingBodies) -> Formula:
+    """The same, refused where nothing tells it."""
+    found = slid_to(joint, moment)
+    if found is not None:
+        return found
+    name, carrier = joint.body.owner, joint.carrier.owner
+    told = f"{name}.position" + (f" relative to {carrier}" if carrier in moment.held.bodies else "")
+    message = f"where `{name}` is on `{joint.owner}` at `{moment.when}` nothing tells"
+    help = "ask at the first state, at which it is where it is drawn"
+    help = help if joint.pitch is not None else f"tell `{told}: [x, y, z]` in that state"
+    raise Unsolvable(message, span=joint.body.span, help=help)
+
+
 def refuse_elsewhere(joint: Joint, moment: MovingBodies) -> None:
     """Refuse a place that the first state tells of a body on a slide and that is not the point of the carrier at which the slide has it."""
     name, carrier = joint.body.owner, joint.carrier.owner
