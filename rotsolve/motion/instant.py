@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from msgspec.structs import replace
-
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Bend, Motion, signed
@@ -33,9 +31,7 @@ class Instant(Standing, frozen=True, dict=True):
     """One moment of a configuration, as elements see it: where points are, and how bodies move."""
 
     def point(self, ref: PointRef) -> Vector:
-        """A point of a body from its host's reference point, in space; of what rides on another it is the particle."""
-        if ref.point is None and self.configuration.ride(ref.owner, self.state) is not None:
-            ref = replace(ref, point="cm")
+        """A point of a body from its host's reference point, in space."""
         host, body = self.host(ref.owner), self.body(ref.owner)
         seat, ways, radius = self.configuration.seat(ref.owner, self.state), rim_ways(body), rim_radius(body, ref.point)
         held = ref.point in ways and (ref.owner, ref.point) in self.configuration.marks(self.state)

@@ -49,7 +49,7 @@ class Spring(Connection, frozen=True):
         return "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
-        first, second = self.spring
+        first, second = self.ends(instant)
         along, elongation = self.along(instant), self.elongation(instant)
         stiffness, bodies = self.stiffness, instant.configuration.bodies
         size = instant.ask("force", self.name) if stiffness is None else stiffness * elongation
@@ -66,14 +66,23 @@ class Spring(Connection, frozen=True):
 
     def slides(self, ride: Ride | None) -> Ride | None:
         """What slides freely along a body, where one end is on it."""
-        return (
-            ride if ride is not None and ride.free and ride.rider.owner in [ref.owner for ref in self.spring] else None
-        )
+        ends = [ref.owner for ref in self.spring]
+        return ride if ride is not None and ride.free and ride.rider.owner in ends else None
+
+    def sliding(self, instant: Moment) -> frozenset[str]:
+        """The bodies at its ends that slide freely along others."""
+        rides = (self.slides(item.ride()) for item in instant.configuration.connections(instant.state))
+        return frozenset(ride.rider.owner for ride in rides if ride is not None)
+
+    def ends(self, instant: Moment) -> tuple[PointRef, PointRef]:
+        """Its two ends: of what slides the particle itself."""
+        free = self.sliding(instant)
+        first, second = (replace(ref, point="cm") if ref.owner in free else ref for ref in self.spring)
+        return first, second
 
     def told(self, instant: Moment) -> bool:
         """Whether the places of its ends tell its length."""
-        items = instant.configuration.connections(instant.state)
-        return self.placed or any(self.slides(item.ride()) for item in items)
+        return self.placed or bool(self.sliding(instant))
 
     @property
     def placed(self) -> bool:
@@ -82,7 +91,7 @@ class Spring(Connection, frozen=True):
 
     def elongation(self, instant: Moment) -> Formula:
         """The letter for how far it is stretched, or its length by the places of its ends, less the rest length."""
-        gap = gap_between(self.spring[0], self.spring[1], instant) if self.told(instant) else None
+        gap = gap_between(*self.ends(instant), instant) if self.told(instant) else None
         if gap is None or self.rest_length is None:
             return instant.ask("elongation", self.name)
         return add(distance(gap, instant), negate(self.rest_length))
@@ -91,7 +100,7 @@ class Spring(Connection, frozen=True):
         """Unit vector from the first end to the second: where they are, if a place is named; from a wall out of it; else from left to right
         along a level or sloping line of travel of one of them, up from the ground, down from the ceiling, of two bodies down."""
         configuration = instant.configuration
-        straight = between(self.spring[0], self.spring[1], instant) if self.told(instant) else None
+        straight = between(*self.ends(instant), instant) if self.told(instant) else None
         if straight is not None:
             return straight
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
