@@ -117,7 +117,7 @@ def of_rolling(dynamics: SpaceLaws, name: str) -> Meaning:
 def refuse_rolling_otherwise(dynamics: SpaceLaws, joint: Joint) -> None:
     """Refuse a wheel of which a small disturbance is another one: on a body, held besides, its mass off the middle of its rim."""
     moment, name = dynamics.moment, joint.body.owner
-    refused = ""
+    refused, rims = "", dict(moment.held.bodies[name].radii)  # those of a stepped wheel go round its middle
     if joint.carrier.owner in moment.held.bodies:
         refused = f"it rolls on `{joint.carrier.owner}`"
     elif moment.held.rolling(name) is None:
@@ -126,7 +126,7 @@ def refuse_rolling_otherwise(dynamics: SpaceLaws, joint: Joint) -> None:
         refused = "it is no thin wheel"
     elif moment.axes(name).name != NODE or moment.rim_side(name) != ONE:
         refused = "it is not the same all round its axis, or leans beyond 180°"
-    elif not all(map(moment.held.vanishes, moment.arm(joint.body))):
+    elif joint.body.point not in rims and not all(map(moment.held.vanishes, moment.arm(joint.body))):
         refused = "its centre of mass is not in the middle of its rim"
     elif not moment.state.steady:
         refused = "its state is not said to be `steady: true`"
