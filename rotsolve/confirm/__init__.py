@@ -8,6 +8,10 @@ class NotConfirmed(Exception):
     """What the assembly does not speak of, with the reason."""
 
 
+class Unfollowed(NotConfirmed):
+    """A motion that is told whole, and that nothing here follows."""
+
+
 class Unfit(Exception):
     """What a state in space tells is no motion, with the reason."""
 

@@ -30,7 +30,7 @@ def riding(item: Rides, pose: Pose, model: Known) -> Held:
     if item.ride().free:
         x, y = pose.place(rider.owner, model.seats[rider.owner].rigid.centre)
         turn = pose.turn(carrier.owner)
-        yield held(item.name, "across", (y - axis[1]) * cosine(turn) - (x - axis[0]) * sine(turn), pose)
+        yield held(item.name, "across", (y - axis[1]) * cosine(turn) - (x - axis[0]) * sine(turn), pose, hard=True)
     else:
         x, y = pose.place(rider.owner, (0.0, 0.0))
         yield held(item.name, "x", x - axis[0], pose)

@@ -58,9 +58,17 @@ def spring_length(item: Spring, pose: Pose, model: Known) -> Jet:
     """Its length, but for a constant where places are not told: the distance of its ends, or what they are apart along its direction."""
     first, second = item.spring
     (x, y), (u, w) = tied_at(first, pose, model), tied_at(second, pose, model)
-    if first.place is not None or second.place is not None:
+    if by_places(item, model):
         return distance(u - x, w - y)
     return along((u - x, w - y), spring_way(item, model))
+
+
+def by_places(item: Spring, model: Known) -> bool:
+    """Whether its length is the distance of its ends: of a place that is named, or of what slides freely along a body."""
+    sliding = [
+        ride.rider.owner for other in model.acting.connections if (ride := other.ride()) is not None and ride.free
+    ]
+    return any(ref.place is not None or ref.owner in sliding for ref in item.spring)
 
 
 def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str, float]:
@@ -81,7 +89,7 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
                     found[item.name] = model.value(line.value) - hanging(item, pose, model).value
         if not isinstance(item, Spring) or item.name in known:
             continue
-        if item.rest_length is not None and any(ref.place is not None for ref in item.spring):
+        if item.rest_length is not None and by_places(item, model):
             found[item.name] = model.value(item.rest_length)
             continue
         for line in model.acting.state.conditions:

@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, radius_of
-from rotsolve.confirm.jet import Jet, Slope, arctangent, distance
+from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of
@@ -82,6 +82,9 @@ def at_extreme(path: Path, pose: Pose, model: Known) -> Iterator[Stated]:
 def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) -> Iterator[Stated]:
     """A quantity has a value."""
     name = f"{path.owner}.{path.quantity}"
+    away = from_axis(path.owner, pose, model) if path.quantity == "radius" else None
+    if away is not None:
+        yield Stated(away.slope, away.value - value, None, name)
     if path.quantity in ELSEWHERE or path.quantity in ("elongation", "radius"):
         return
     if path.quantity == "length" and pose.offsets.get(path.owner) is None:
@@ -168,13 +171,16 @@ def once_round(path: Path, model: Known) -> float | None:
 
 
 def from_axis(name: str, pose: Pose, model: Known) -> Jet | None:
-    """How far from the axis a body is that rides on another."""
+    """How far from the axis a body is that rides on another; right on the axis it goes out along the line of what carries it."""
     for item in model.acting.connections:
         ride = item.ride()
         if ride is not None and ride.rider.owner == name:
             x, y = pose.place(name, model.seats[name].rigid.centre)
             u, w = pose.place(ride.carrier.owner, model.axis(ride.carrier.owner))
-            return distance(x - u, y - w)
+            if x.value != u.value or y.value != w.value:
+                return distance(x - u, y - w)
+            turn = pose.turn(ride.carrier.owner)
+            return (x - u) * cosine(turn) + (y - w) * sine(turn)
     return None
 
 

@@ -149,6 +149,9 @@ RATES_OF_MOMENTUM = (RATE_IN_AXES, RATE_IN_STILL_AXES)
 
 CONSERVATION = Law("conservation of energy", "conservation of energy{since}, K₁ + U₁ = K₂ + U₂", ENERGY, 4)
 WORK_AND_ENERGY = Law("work and energy", "work and energy, K₁ + U₁ + W = K₂ + U₂", ENERGY, 4)
+TURNING_FRAME = Law(
+    "energy in a turning frame", "energy in the frame that turns with {driven}, K′₁ + U′₁{work} = K′₂ + U′₂", ENERGY, 4
+)
 POWER = Law("power", "power and kinetic energy", ENERGY, 5)
 DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
 WORK = Law("work", "work of {owner}", cost=3)
@@ -234,3 +237,9 @@ COMPONENTS = Law("components", "{words}", cost=1)  # of a size and an angle that
 KINETIC_ENERGY = Law("kinetic energy", cost=1, kinetic=True)
 KINETIC_ENERGY_AT = Law("kinetic energy at a moment", "kinetic energy, {moment}", cost=1, kinetic=True, apart=True)
 FOUND = Law("found", "", cost=0)  # found before: no law of its own
+
+
+def frame_remark(driven: str) -> Words:
+    """Why the energy in the frame that turns with a body stays: what does no work there."""
+    still = f"{driven} turns steadily: in its frame what drives it does no work, nor does the Coriolis force"
+    return (f"{still}; the centrifugal force m ω² r has the potential energy −½ m ω² r²",)

@@ -108,6 +108,8 @@ class Lagrangian(Struct, frozen=True, dict=True):
     energies: tuple[Formula, ...] = ()
     order: tuple[str, ...] = ()  # of letters, in which a page writes factors
     positive: frozenset[str] = frozenset()
+    steady: frozenset[str] = frozenset()  # rates of what is driven evenly
+    turned: frozenset[str] = frozenset()  # places of what is driven
 
     def tidy(self, value: Formula) -> Formula:
         """A formula in textbook form."""
@@ -167,13 +169,27 @@ class Lagrangian(Struct, frozen=True, dict=True):
     def energy(self) -> tuple[Formula, ...] | None:
         """The terms of Σ q̇ ∂T/∂q̇ − T + V, which is T + V where nothing is led; None where time occurs in it, or V is not found."""
         rates = {q.rate for q in self.coordinates}
-        led = any((self.changes.keys() | {TIME}) & part.symbols() - rates for part in self.kinetic)
+        led = any((self.changes.keys() | {TIME}) & part.symbols() - rates - self.steady for part in self.kinetic)
         if led or self.potential is None:
             return None
+        if self.steady:
+            return self.seen_in_frame(self.potential)
         if self.natural:
             return (*self.kinetic, *self.potential)
         doubled = (multiply(Symbol(q.rate), term) for q in self.coordinates for term in self.momentum(q))
         return (*doubled, *map(negate, self.kinetic), *self.potential)
+
+    def seen_in_frame(self, potential: tuple[Formula, ...]) -> tuple[Formula, ...] | None:
+        """T₂ − T₀ + V, term by term and without what no coordinate changes: T₂ is the kinetic energy in the frame of what is driven evenly;
+        None where it matters how far that has turned."""
+        still, terms = {q.rate: ZERO for q in self.coordinates}, list[Formula]()
+        for part in self.kinetic:
+            doubled = total([multiply(Symbol(q.rate), differentiate(part, q.rate)) for q in self.coordinates])
+            carried = part.substitute(still)
+            terms += [self.tidy(doubled - part + carried), negate(self.tidy(carried))]
+        own = {*still, *(q.letter.name for q in self.coordinates)}
+        known = tuple(term for term in (*terms, *potential) if term.symbols() & own)
+        return None if any(term.symbols() & (self.turned | {TIME}) for term in known) else known
 
     @cached_property
     def potential(self) -> tuple[Formula, ...] | None:

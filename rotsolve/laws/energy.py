@@ -42,6 +42,15 @@ def conservation(over: OverPhase) -> Iterator[Equation]:
             yield law.equation(*arranged(left, right), over.section, names, remark, since=since)
 
 
+def in_turning_frames(over: OverPhase) -> Iterator[Equation]:
+    """The energy in the frame of what is driven, of which something slides or is drawn along."""
+    facts = over.passage.midst
+    if facts.given and any(body.changing for body in facts.bodies):
+        from rotsolve.laws.turning_frame import energy_in_turning_frame
+
+        yield from energy_in_turning_frame(over)
+
+
 def at_rest_before(passage: Passage, group: frozenset[str], earlier: Sequence[Passage]) -> Passage | None:
     """The phase that a group starts at rest, where its energy stays the same from then on; None where it is this one, or none."""
     for before in reversed(earlier):

@@ -35,7 +35,7 @@ def impulses_over(over: OverPhase) -> Iterator[Equation]:
         first, body = passage.start.body(travel.body), passage.midst.body(travel.body)
         if first is None or body is None or travel.pace not in ("constant", TIME):
             continue
-        if travel.kind == "turn" and body.motion.kind == "axis" and body.inertia is not None:
+        if travel.kind == "turn" and body.motion.kind == "axis" and body.inertia is not None and not body.changing:
             sense, pairs = body.motion.sense, zip(first.acting, body.acting, strict=False)
             efforts = [(signed(one.torque, sense), signed(other.torque, sense)) for one, other in pairs]
             yield summed(TWISTS, efforts, body.inertia.letter, travel, passage, section, about(body))

@@ -60,6 +60,7 @@ from rotsolve.core.equation import (
     TRAVEL_BY_MEAN,
     TURN_AT_ANY_TIME,
     TURN_BY_MEAN,
+    TURNING_FRAME,
     TWISTS,
     UNPRESSED,
     WORK,
@@ -198,6 +199,7 @@ LAWS = (
     Principle((DERIVATIVE, POWER), (GROUP,), "groups:rate_of_energy"),
     Principle((POWER,), (SWINGING,), "groups:power_of_forces"),
     Principle((CONSERVATION, WORK_AND_ENERGY), (PHASE,), "energy:conservation"),
+    Principle((TURNING_FRAME,), (PHASE,), "energy:in_turning_frames"),
     Principle((WORK,), (PHASE,), "energy:works_spelled"),
     Principle(
         (*STEADY_ACCELERATION, IN_TIME, BY_PLACE, SUMMED_OVER_WAY, COORDINATE, TIME_ELAPSED),

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from rotsolve.confirm import NotConfirmed, OverBudget, Unfit
+from rotsolve.confirm import NotConfirmed, OverBudget, Unfit, Unfollowed
 from rotsolve.confirm.course.asked import Asker
 from rotsolve.confirm.course.astray import LetsGo, MeetAgain
 from rotsolve.confirm.course.following import Broken, Course
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 COMPLETE = "nothing is missing in the scene, and nothing in it contradicts the rest: an assembly of all bodies' equations has an answer"
 IN_SPACE = "nothing is missing in the scene for that: an assembly of all bodies' equations tells it"
+CHANGING = "what drives it changes on the way"
+STEADY_DRIVE = "a constant `angular_velocity` is solved"
 TOLD = "nothing is missing in the scene: it tells how all bodies stand and move at first, and the laws how they go on"
 PARTED = "what comes after that is another motion: ask of what is before it, or end the phase there"
 INSTANTS = 2000  # of one body, that a set of numbers may cost
@@ -72,6 +74,8 @@ def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
         try:
             if all(inquiry.tells(find) for inquiry in inquiries) and told_alike(find, inquiries):
                 return Fault(f"`{find.name}` is not solved by these laws", find.span, IN_SPACE, UNSOLVED)
+        except Unfollowed:
+            return Fault(f"`{find.name}` is not solved by these laws: {CHANGING}", find.span, STEADY_DRIVE, UNSOLVED)
         except (NotConfirmed, Unfit, ArithmeticError, ValueError):
             continue
     return None

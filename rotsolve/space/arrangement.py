@@ -117,6 +117,12 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def joint(self, name: str) -> Joint | None:
         return next((joint for joint in self.joints if joint.owner == name), None)
 
+    def driven_evenly(self, joint: Joint) -> bool:
+        """Whether a joint is driven with one angular velocity that stays, or an angle that grows evenly."""
+        drive = dict(joint.drive)
+        rate = differentiate(drive["angle"], TIME) if "angle" in drive else drive.get("angular_velocity")
+        return len(drive) == 1 and rate is not None and is_zero(differentiate(rate, TIME))
+
     def of_body(self, name: str) -> tuple[Joint, ...]:
         """The joints that hold a body, those by which another carries it first."""
         own = [joint for joint in self.joints if joint.body.owner == name]

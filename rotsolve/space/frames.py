@@ -15,6 +15,7 @@ from rotsolve.core.vectors.triple import (
     cross_product,
     scaled_by,
     triple,
+    unit_along,
     vector_sum,
     way_between,
 )
@@ -22,7 +23,7 @@ from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.space.attitude import IN_SPACE, Axes, MovingBodies
-from rotsolve.space.sliding import moved_in
+from rotsolve.space.sliding import drawn_place, moved_in
 
 TWO = 2 * ONE
 
@@ -57,10 +58,9 @@ class Relative:
         return told
 
     def _held_place(self, guide: Joint) -> Triple:
-        """Where the centre of mass of a body is that slides along the frame, at the point at which it is held there."""
-        held, own = self.moment.held, self.moment.own_axes(self.name)
-        off = way_between(held.spot(guide.body), held.centre(self.name))
-        return vector_sum(way_between(held.reference(self.frame), held.spot(guide.carrier)), own.to(self.axes, off))
+        """Where the centre of mass of a body is that slides along the frame, as far as it has slid."""
+        way = unit_along(guide.sliding[0], self.moment.held.signs.positive)
+        return vector_sum(drawn_place(guide, self.moment), scaled_by(self.moment.slid_by(guide), way))
 
     @property
     def slip(self) -> Triple:

@@ -30,7 +30,6 @@ from rotsolve.core.vectors.triple import (
     cross_product,
     dot_product,
     minus,
-    scaled_by,
     square,
     triple,
     vector_sum,
@@ -48,7 +47,7 @@ from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import left_alone, turning_tilts
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.scene import SpaceEquations
-from rotsolve.space.sliding import lead, sliding_rate, sliding_way
+from rotsolve.space.sliding import lead, slid_to, sliding_rate
 
 MOVING = ("velocity", "acceleration")
 CHANGE = "change of "  # in front of the word of a rate of what is led along
@@ -105,21 +104,16 @@ class LetteredMoment(SpaceMoment):
 
     @remembered
     def _of_reference(self, name: str, word: str) -> Triple:
-        """Of what is led along by its parts along its own axes; of what slides also as it goes round with what carries it."""
+        """Of what is led along by its parts along its own axes."""
         joint = self.held.main(name)
         if joint is None and self.held.bodies[name].moved:
             return self.letters("velocity", name, "velocity")
-        found = super()._of_reference(name, word)
-        if joint is None or not joint.sliding or joint.carrier.owner not in self.held.bodies:
-            return found
-        carrier = self.attitude(joint.carrier.owner)
-        turning = carrier.axes.to(self.axes(name), carrier.omega)
-        return vector_sum(found, cross_product(turning, scaled_by(self.slid_by(name, joint), sliding_way(joint, self))))
+        return super()._of_reference(name, word)
 
-    def slid_by(self, name: str, joint: Joint) -> Formula:
+    def slid_by(self, joint: Joint) -> Formula:
         """How far a body has slid."""
         if joint.pitch is not None:
-            return multiply(lead(joint.pitch), self.letter("angle", name))
+            return multiply(lead(joint.pitch), self.letter("angle", joint.body.owner))
         return self.letter("displacement", joint.owner, printed="x")
 
     def place(self, name: str, axis: str) -> Symbol:
@@ -220,12 +214,11 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
         if joint.turning:
             rate, change = moment.driven(name, joint, turning_word(name, joint, moment))
             words = f"angle of {spoken(name)} about {spoken(joint.owner)}"
-            yield Freedom(rate, change, moment.letter("angle", name), words, bool(joint.drive))
+            evenly = moment.held.driven_evenly(joint)
+            yield Freedom(rate, change, moment.letter("angle", name), words, bool(joint.drive), evenly)
         if joint.sliding and joint.pitch is None:
             rate, change = (sliding_rate(joint, moment, word) for word in MOVING)
-            yield Freedom(
-                rate, change, moment.slid_by(name, joint), f"way of {spoken(name)} along {spoken(joint.owner)}"
-            )
+            yield Freedom(rate, change, moment.slid_by(joint), f"way of {spoken(name)} along {spoken(joint.owner)}")
 
     def _of_led(self, name: str) -> Iterator[Freedom]:
         """The parts of the rates of what is led along, along its own axes: of these there are no places."""
@@ -259,6 +252,8 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
             page.letters(coordinates, growth, changes),
             order=self.order,
             positive=frozenset(self.moment.positive),
+            steady=frozenset(item.rate.name for item in self.free if item.evenly and isinstance(item.rate, Symbol)),
+            turned=frozenset(item.place.name for item in self.free if item.driven and isinstance(item.place, Symbol)),
         )
 
     def _kinetic(self, name: str) -> Iterator[Formula]:
@@ -333,17 +328,19 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
             yield rate, change, angle if angle is not None else real.ask("angle", name) if real.later else ZERO
         if joint.sliding and joint.pitch is None:
             rates = [sliding_rate(joint, real, word) for word in MOVING]
-            yield rates[0], rates[1], real.ask("displacement", joint.owner) if real.later else ZERO
+            gone = slid_to(joint, real) if real.later else real.slid_by(joint)
+            yield rates[0], rates[1], real.ask("displacement", joint.owner) if gone is None else gone
 
 
 class Freedom(Struct, frozen=True):
-    """A rate with its own rate, the place of which it is the rate, in words; `driven` where it is given."""
+    """A rate with its own rate, the place of which it is the rate, in words; `driven` where it is given, `evenly` where it stays."""
 
     rate: Formula
     change: Formula
     place: Formula | None
     words: str = ""
     driven: bool = False
+    evenly: bool = False
 
 
 def turning_word(name: str, joint: Joint, moment: SpaceMoment) -> str:

@@ -58,7 +58,7 @@ from rotsolve.space.attitude import (
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.leaning import LeaningMoment
 from rotsolve.space.rolling import Rolling
-from rotsolve.space.sliding import screwed, slid
+from rotsolve.space.sliding import refuse_elsewhere, screwed, slid, slid_since
 from rotsolve.space.untold import UNTOLD
 
 
@@ -407,17 +407,24 @@ class SpaceMoment(LeaningMoment):
 
     def velocity(self, ref: PointRef) -> Triple:
         """v = v_ref + ω × r of a point, in the axes of its body."""
-        own, arm = self.attitude(ref.owner), self.arm(ref)
-        return vector_sum(self.reference_velocity(ref.owner), cross_product(own.omega, arm))
+        return self.velocity_there(ref.owner, self.arm(ref))
+
+    def velocity_there(self, name: str, arm: Triple) -> Triple:
+        """v = v_ref + ω × r of what is at an arm from the reference of a body and goes with it."""
+        return vector_sum(self.reference_velocity(name), cross_product(self.attitude(name).omega, arm))
 
     def acceleration(self, ref: PointRef) -> Triple:
         """a = a_ref + α × r + ω × (ω × r) of a point, in the axes of its body; of a point on its axis by how these axes turn."""
-        own, arm = self.attitude(ref.owner), self.arm(ref)
+        return self.acceleration_there(ref.owner, self.arm(ref))
+
+    def acceleration_there(self, name: str, arm: Triple) -> Triple:
+        """The same of what is at an arm from the reference of a body."""
+        own = self.attitude(name)
         omega, alpha = own.omega, own.alpha
-        if self.fixed_in_axes(ref.owner, arm):
+        if self.fixed_in_axes(name, arm):
             omega, alpha = own.axes.rate, own.axes.change
         return vector_sum(
-            self.reference_acceleration(ref.owner),
+            self.reference_acceleration(name),
             cross_product(alpha, arm),
             cross_product(omega, cross_product(omega, arm)),
         )
@@ -449,18 +456,32 @@ class SpaceMoment(LeaningMoment):
         """Of the point of what carries a body at which it is held, in the axes of the body."""
         if joint.carrier.owner not in self.held.bodies:
             return NOTHING
-        moved = self.velocity(joint.carrier) if word == "velocity" else self.acceleration(joint.carrier)
+        there = self.velocity_there if word == "velocity" else self.acceleration_there
+        moved = there(joint.carrier.owner, self.carried_at(joint))
         return self.axes(joint.carrier.owner).to(self.axes(name), moved)
+
+    def carried_at(self, joint: Joint) -> Triple:
+        """Where a joint holds its body, from the reference of what carries it, in the axes of that: on a slide as far as it has slid."""
+        arm, carrier = self.arm(joint.carrier), joint.carrier.owner
+        gone = self.slid_by(joint) if joint.sliding else ZERO
+        if gone == ZERO:
+            return arm
+        way = scaled_by(gone, unit_along(joint.sliding[0], self.positive))
+        there = vector_sum(arm, self.own_axes(carrier).to(self.axes(carrier), way))
+        return triple([self.tidy(part) for part in there])
+
+    def slid_by(self, joint: Joint) -> Formula:
+        """How far a body has slid from where it is drawn, as at the first state; refused where nothing tells how far it has come since."""
+        if not self.later:
+            refuse_elsewhere(joint, self)
+            return ZERO
+        return slid_since(joint, self)
 
     def _slid(self, name: str, joint: Joint, word: str) -> Triple:
         """What it adds that a joint lets its body slide."""
         if not joint.sliding:
             return NOTHING
-        if self.later:
-            message = f"where `{name}` is on `{joint.owner}` at `{self.when}` nothing tells"
-            raise Unsolvable(
-                message, span=joint.body.span, help="ask at the first state, at which it is where it is drawn"
-            )
+        self.slid_by(joint)
         return slid(joint, self, word)
 
     def of_mass(self, name: str, word: str) -> tuple[Triple, Axes]:
@@ -532,7 +553,8 @@ class SpaceMoment(LeaningMoment):
         """The upward vertical in the axes of a body: as the state tells it in the body's own, else as the body stands."""
         told = self.vector_kept(name, "vertical")
         if told is None:
-            return IN_SPACE.to(self.axes(name), Z)
+            axes = self.axes(name)
+            return IN_SPACE.to(axes, Z)
         beyond = square_of(told[0]) - ONE
         if not self.held.vanishes(beyond):
             line = self.line(name, "vertical", "x")

@@ -303,7 +303,7 @@ def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:
             for shock in shocks_of_joint(joint, laws):
                 push, twist = (axes.to(own, minus(vector)) for vector in (shock.push, shock.twist))
                 shift = axes.to(own, way_between(held_at, shock.arm))
-                yield Shock(push, vector_sum(moment.arm(joint.carrier), shift), twist)
+                yield Shock(push, vector_sum(moment.carried_at(joint), shift), twist)
 
 
 def shocks_of_joint(joint: Joint, laws: SpaceLaws) -> Iterator[Shock]:

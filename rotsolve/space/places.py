@@ -4,7 +4,7 @@ refused by name where nothing does."""
 from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, minus, triple, vector_sum
+from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, minus, scaled_by, triple, unit_along, vector_sum
 from rotsolve.language.bodies import PointRef
 from rotsolve.paths.meaning import NotYet
 from rotsolve.space.attitude import IN_SPACE
@@ -47,12 +47,14 @@ def reference_place(moment: SpaceMoment, name: str) -> Triple:
     """The point about which a body turns: where its joint holds it, else its centre of mass, of which the state tells the place."""
     joint = moment.held.main(name)
     if joint is not None:
-        if joint.sliding and moment.later:
-            raise nowhere(moment, name)
-        carrier = joint.carrier
+        carrier, gone = joint.carrier, moment.slid_by(joint) if joint.sliding else ZERO
         if carrier.owner in moment.held.bodies:
-            return point_in_space(moment, carrier)
-        return NOTHING if carrier.place is None else triple(carrier.place)
+            arm = moment.axes(carrier.owner).to(IN_SPACE, moment.carried_at(joint))
+            return vector_sum(reference_place(moment, carrier.owner), arm)
+        start = NOTHING if carrier.place is None else triple(carrier.place)
+        return (
+            start if gone == ZERO else vector_sum(start, scaled_by(gone, unit_along(joint.sliding[0], moment.positive)))
+        )
     led = {axis: value for word, axis, value in moment.held.bodies[name].moved if word == "position"}
     if led:
         return triple([moment.now(led.get(axis, ZERO)) for axis in AXES])

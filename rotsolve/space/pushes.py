@@ -262,7 +262,7 @@ class Pushes:
             arm = Rolling(joint, self.moment).touched_from_held()
         else:
             shift = way_between(self.moment.arm(joint.body), push.arm)
-            arm = vector_sum(self.moment.arm(joint.carrier), ours.to(theirs, shift))
+            arm = vector_sum(self.moment.carried_at(joint), ours.to(theirs, shift))
         return ForceInSpace(joint.owner, carrier, minus(push.force), push.axes, arm, theirs, minus(push.couple))
 
     def twisted_about(self, name: str) -> Triple | None:

@@ -15,6 +15,7 @@ from rotsolve.core.vectors.heading import heading
 from rotsolve.language.problem import EXTREMES, Problem
 from rotsolve.solver.steps import PickedRoot
 from rotsolve.space.passing import left_alone
+from rotsolve.space.sliding import slid_to
 from rotsolve.space.swings import top_of
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from rotsolve.space.moment import SpaceMoment
 
 SMALL = 1e-12
+PLACE = "place"  # of a body on a slide
 TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with how far the body is turned by it
 SIGNED = ("angular_velocity", "velocity", "nutation", "spin", "axial_rate")  # rates that tell by their signs which way
 COMES_BACK = {"largest": -1, "smallest": 1}  # the sense in which a body turns from where it has turned farthest
@@ -48,7 +50,7 @@ def chosen(
         refuse_either_sense(told, roots, scene, numbers, f"write `smallest {name}` or `largest {name}` under `find`")
     if key.kind == "tilt":
         return tilted(name, roots, scene, numbers)
-    if turned_through(key, scene) and not key.component and len(roots) > 1:
+    if turned_through(key, scene) and len(roots) > 1:
         return first_there(name, roots, scene, numbers)
     if key.kind in SIGNED and len(roots) > 1:
         refuse_either_sense(name, roots, scene, numbers)
@@ -136,7 +138,10 @@ def refuse_level_unspun(owner: str, laws: SpaceLaws, problem: Problem) -> None:
 
 
 def turned_through(key: SymbolKey, scene: SceneEquations) -> str:
-    """How far a body is turned by a rate; the spin of a rotor on an axle turns it by its angle, as a hinge does. '' of other quantities."""
+    """How far a body is turned by a rate; the spin of a rotor on an axle turns it by its angle, as a hinge does; that of a slide has its
+    place on that. '' of other quantities."""
+    if key.component:
+        return PLACE if (key.kind, key.component) == ("velocity", "sliding") else ""
     if key.kind != "spin":
         return TURNED.get(key.kind, "")
     joint = scene.held.main(key.owner)  # type: ignore[attr-defined]
@@ -152,7 +157,7 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
         refuse_either_sense(name, roots, scene, numbers)
         return None
     moments = [scene.dynamics[name].moment for name in (before.start, state)]  # type: ignore[attr-defined]
-    first, last = moments[0].stood(owner, word), moments[1].told(owner, word)
+    first, last = stood_at(owner, word, moments)
     line = moments[0].line(owner, word)
     from_end = 0 if line is None else COMES_BACK.get(line.word or "", 0)
     if last is None or (first is None and not from_end):
@@ -161,11 +166,14 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
     problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span
     side = from_end or (numbers.side(add(last, negate(first))) if first is not None else None)
     if not side:
+        joint = scene.held.joint(owner)  # type: ignore[attr-defined]
+        body, way = (joint.body.owner, "goes") if word == PLACE else (owner, "turns")
         words = "its letters do not tell" if side is None else f"nothing tells: its {word} is that from which it comes"
         message, help = (
-            f"in which sense `{owner}` turns at `{state}` {words}",
+            f"in which sense `{body}` {way} at `{state}` {words}",
             f"tell its `{owner}.{word}` at both states",
         )
+        help = "ask for its `speed`" if word == PLACE else help
         raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
     fitting = [index for index, root in enumerate(roots) if sense_of(root, numbers) == side]
     if not fitting and any(given.asked and given.name in roots[0].symbols() for given in problem.givens):
@@ -176,6 +184,15 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
         if len(fitting) == 1
         else None
     )
+
+
+def stood_at(owner: str, word: str, moments: Sequence[SpaceMoment]) -> tuple[Formula | None, Formula | None]:
+    """How a body stands at the first and the last of two moments, as far as they tell; where it is on a slide."""
+    if word != PLACE:
+        return moments[0].stood(owner, word), moments[1].told(owner, word)
+    joint = moments[0].held.joint(owner)
+    assert joint is not None
+    return (slid_to(joint, moments[0]) if moments[0].later else ZERO), slid_to(joint, moments[1])
 
 
 def sense_of(root: Formula, numbers: Numbers) -> int | None:

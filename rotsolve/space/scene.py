@@ -555,10 +555,20 @@ class SpaceEquations(SceneEquations, dict=True):
                 continue
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
             laws = through(interval, *ends) if interval.event is not None else kept_in(interval, *ends)
-            yield from (self.put_in_order(one) for one in laws)
+            yield from (self.put_in_order(one) for one in (*laws, *self.in_turning_frames(interval)))
         for dynamics in self.dynamics.values():
             yield from self.told_otherwise(dynamics)
         yield from map(self.put_in_order, self.tensors.steps)
+
+    def in_turning_frames(self, interval: Interval) -> Iterator[Equation]:
+        """The energy in the frame of what is driven at a constant rate, over a phase."""
+        carrying = {joint.carrier.owner for joint in self.held.joints if joint.carrier.owner in self.held.bodies}
+        driven = any(joint.drive and joint.body.owner in carrying for joint in self.held.joints)
+        if not driven or interval.event is not None:
+            return iter(())
+        from rotsolve.space.turning_frame import energy_in_frame
+
+        return energy_in_frame(self, interval)
 
 
 def kept_in(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:

@@ -16,6 +16,7 @@ from rotsolve.core.vectors.triple import (
     dot_product,
     is_axis,
     scaled_by,
+    triple,
     unit_along,
     vector_sum,
     way_between,
@@ -108,8 +109,53 @@ def part_on_slide(
     return dot_product(way, vector)
 
 
+def drawn_place(joint: Joint, moment: MovingBodies) -> Triple:
+    """Where the centre of mass of a body on a slide is as it is drawn, from where what carries it is held, in the axes of that."""
+    held, name, carrier = moment.held, joint.body.owner, joint.carrier.owner
+    off = way_between(held.spot(joint.body), held.centre(name))
+    off = moment.own_axes(name).to(carrier_axes(joint, moment), off)
+    if carrier not in held.bodies:
+        return off if joint.carrier.place is None else vector_sum(triple(joint.carrier.place), off)
+    return vector_sum(way_between(held.reference(carrier), held.spot(joint.carrier)), off)
+
+
+def slid_to(joint: Joint, moment: MovingBodies) -> Formula | None:
+    """How far a body has slid from where it is drawn, by where its state tells that it is on what carries it; None where it does not tell.
+
+    Refused is a place off its slide.
+    """
+    name, carrier = joint.body.owner, joint.carrier.owner
+    told = moment.vector_told(name, "position")
+    if told is None or joint.pitch is not None:
+        return None
+    way = unit_along(joint.sliding[0], moment.held.signs.positive)
+    off = way_between(drawn_place(joint, moment), told[0])
+    against = told[2] == (carrier if carrier in moment.held.bodies else "")
+    if not against or not all(map(moment.held.vanishes, cross_product(way, off))):
+        line = moment.line(name, "position", "x")
+        place = (
+            f"`{name}.position relative to {carrier}: [x, y, z]`" if carrier in moment.held.bodies else "a place on it"
+        )
+        message = f"`{name}` can only be on `{joint.owner}`, and a state tells another place"
+        raise Unsolvable(message, span=None if line is None else line.span, help=f"tell {place}")
+    return dot_product(way, off)
+
+
+def slid_since(joint: Joint, moment: MovingBodies) -> Formula:
+    """The same, refused where nothing tells it."""
+    found = slid_to(joint, moment)
+    if found is not None:
+        return found
+    name, carrier = joint.body.owner, joint.carrier.owner
+    told = f"{name}.position" + (f" relative to {carrier}" if carrier in moment.held.bodies else "")
+    message = f"where `{name}` is on `{joint.owner}` at `{moment.when}` nothing tells"
+    help = "ask at the first state, at which it is where it is drawn"
+    help = help if joint.pitch is not None else f"tell `{told}: [x, y, z]` in that state"
+    raise Unsolvable(message, span=joint.body.span, help=help)
+
+
 def refuse_elsewhere(joint: Joint, moment: MovingBodies) -> None:
-    """Refuse a place that a state tells of a body on a slide and that is not the point of the carrier at which the slide has it."""
+    """Refuse a place that the first state tells of a body on a slide and that is not the point of the carrier at which the slide has it."""
     name, carrier = joint.body.owner, joint.carrier.owner
     told = moment.vector_told(name, "position")
     if told is None or carrier not in moment.held.bodies:
@@ -125,7 +171,6 @@ def refuse_elsewhere(joint: Joint, moment: MovingBodies) -> None:
 def slid(joint: Joint, moment: MovingBodies, word: str) -> Triple:
     """What sliding adds to the velocity or acceleration of the point of the carrier that is there, in the axes of the body."""
     name, carrier = joint.body.owner, joint.carrier.owner
-    refuse_elsewhere(joint, moment)
     way, rate = sliding_way(joint, moment), sliding_rate(joint, moment, "velocity")
     if word == "velocity":
         return scaled_by(rate, way)

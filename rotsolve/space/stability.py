@@ -9,21 +9,27 @@ eqs. 12.24 to 12.26).
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import SMALL_DISTURBANCE, STABILITY, STEADY_LIMIT, Equation
 from rotsolve.core.facts import square
 from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import Meaning, NotYet, path_text
+from rotsolve.space.attitude import NODE
 from rotsolve.space.free import own_axis_of, principal_letters
 from rotsolve.space.inertia import CM, entry_along
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.rolling import rolling_radius
+from rotsolve.space.rolling import rolling_radius, shape_that_rolls
 
 FLAT = "small tilts, p_φ = p_ψ = I₃ ω₃: U(θ) = U(0) + ½ ((I₃ ω₃)²/(4 I₁) − M g l) θ² has its least value at θ = 0 no longer"
+TURNS_ASIDE = (
+    "a change η of the tilt θ, η ∝ exp(λ t): p = φ̇ sin θ, q = φ̇ cos θ, I₁ δp = (I₃ ω₃ − I₁ q) η, (I₃ + M R²) δω₃ = M R² p η, "
+    "(I₁ + M R²) θ̈ = I₁ p q − (I₃ + M R²) p ω₃ − M g R cos θ"
+)
 HANGS = "its centre of mass lies below the point that is held"
 
 
@@ -32,7 +38,7 @@ def growth(laws: SpaceLaws, path: Path) -> Meaning:
     name, held = path.owner, laws.moment.held
     own = laws.moment.attitude(name)
     refuse_pushed(laws, name)
-    if rolls_upright(laws, name):
+    if rolls_round(laws, name):
         return of_rolling(laws, name)
     if held.of_body(name):
         from rotsolve.space.swings import of_held
@@ -66,39 +72,76 @@ def refuse_pushed(laws: SpaceLaws, name: str) -> None:
         raise NotYet(message, laws.moment.state.span)
 
 
-def rolls_upright(dynamics: SpaceLaws, name: str) -> bool:
-    """Whether a wheel rolls straight on, its axis level."""
+def rolls_round(dynamics: SpaceLaws, name: str) -> bool:
+    """Whether a wheel rolls, as it leans by its Euler angles."""
     moment = dynamics.moment
-    rolls = any(joint.rolls for joint in moment.held.of_body(name))
-    return rolls and moment.nods(name) and moment.axes(name).rows[2][2] == ZERO
+    return moment.nods(name) and any(joint.rolls for joint in moment.held.of_body(name))
 
 
 def of_rolling(dynamics: SpaceLaws, name: str) -> Meaning:
-    """λ² of a small lean η of a wheel that rolls straight on: I₁ φ̇ = I₃ ω₃ η about the vertical, and about the level line through the
-    point of contact (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇ (Routh, Advanced Rigid SpaceLaws, §244)."""
+    """λ² of a small disturbance η of the tilt θ of a thin wheel that rolls steadily, straight on or round a circle.
+
+    With p = φ̇ sin θ, about the axis (I₃ + M R²) ω̇₃ = M R² p θ̇, about e₂ I₁ ṗ = (I₃ ω₃ − I₁ p cot θ) θ̇, and about the level line e₁
+    through the point of contact (I₁ + M R²) θ̈ = I₁ p² cot θ − (I₃ + M R²) p ω₃ − M g R cos θ, of which the first two tell δω₃ and δp by η
+    (Routh, Advanced Rigid Dynamics, §§241–244).
+    """
     moment, held = dynamics.moment, dynamics.moment.held
     joint = next(joint for joint in held.of_body(name) if joint.rolls)
-    goes_round = moment.told(name, "precession")
-    if goes_round is not None and goes_round != ZERO:
-        message = f"what a small disturbance does to `{name}` is not solved: it turns about the vertical, and does not roll straight on"
-        raise NotYet(message, moment.state.span)
+    refuse_rolling_otherwise(dynamics, joint)
     own, tensor = moment.attitude(name), dynamics.tensor(name, CM)
     assert own.about is not None
     axial, across = entry_along(tensor, own.about), entry_along(tensor, (own.about[1], own.about[2], own.about[0]))
     mass, radius = held.mass(name), rolling_radius(joint, moment)
     shift = multiply(mass, square(radius))
     weight = multiply(multiply(mass, dynamics.pushes.gravity or ZERO), radius)
-    righting = multiply(multiply(axial, add(axial, shift)), square(own.omega[2])) / across
+    tilt, (_, around, spin) = heading(moment.nodding(name).angles[1]), own.omega
+    both = add(axial, shift)
+    righting = multiply(multiply(axial, both), square(spin)) / across
+    if tilt.cos() == ZERO and around == ZERO:
+        words = "a lean η ∝ exp(λ t): I₁ φ̇ = I₃ ω₃ η, (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇"
+    elif tilt.cos() == ZERO and held.vanishes(spin):
+        righting = multiply(add(across, shift), square(around))
+        words = "a lean η ∝ exp(λ t): (I₃ + M R²) δω₃ = M R² φ̇ η, (I₁ + M R²) η̈ = M g R η − I₁ φ̇² η − (I₃ + M R²) φ̇ δω₃"
+    else:
+        rate = moment.nodding(name).rates[0]
+        slope = multiply(rate, tilt.cos())
+        crossing = multiply(multiply(add(both, 2 * axial), spin), slope)
+        turning = add(multiply(across, add(square(rate), 2 * square(slope))), multiply(shift, square(around)))
+        righting, weight = add(add(righting, negate(crossing)), turning), multiply(weight, tilt.sin())
+        words = TURNS_ASIDE
     formula = add(weight, negate(righting)) / add(across, shift)
-    words = "small disturbance, a lean η ∝ exp(λ t): I₁ φ̇ = I₃ ω₃ η, (I₁ + M R²) η̈ = M g R η − (I₃ + M R²) ω₃ φ̇"
-    return Meaning(formula, QUANTITIES["stability"].dimension, label=words, law=SMALL_DISTURBANCE)
+    label = f"small disturbance, {words}"
+    return Meaning(formula, QUANTITIES["stability"].dimension, label=label, law=SMALL_DISTURBANCE)
+
+
+def refuse_rolling_otherwise(dynamics: SpaceLaws, joint: Joint) -> None:
+    """Refuse a wheel of which a small disturbance is another one: on a body, held besides, its mass off the middle of its rim."""
+    moment, name = dynamics.moment, joint.body.owner
+    refused, rims = "", dict(moment.held.bodies[name].radii)  # those of a stepped wheel go round its middle
+    if joint.carrier.owner in moment.held.bodies:
+        refused = f"it rolls on `{joint.carrier.owner}`"
+    elif moment.held.rolling(name) is None:
+        refused = "it is held besides"
+    elif not shape_that_rolls(joint, moment).flat:
+        refused = "it is no thin wheel"
+    elif moment.axes(name).name != NODE or moment.rim_side(name) != ONE:
+        refused = "it is not the same all round its axis, or leans beyond 180°"
+    elif joint.body.point not in rims and not all(map(moment.held.vanishes, moment.arm(joint.body))):
+        refused = "its centre of mass is not in the middle of its rim"
+    elif not moment.state.steady:
+        refused = "its state is not said to be `steady: true`"
+    if refused:
+        raise NotYet(f"what a small disturbance does to `{name}` is not solved: {refused}", moment.state.span)
 
 
 def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     """Where the motion of a body at a state is just stable: an upright top, on the point at which it begins to sway; a rolling wheel."""
     moment, held = dynamics.moment, dynamics.moment.held
     refuse_pushed(dynamics, name)
-    if rolls_upright(dynamics, name):
+    if rolls_round(dynamics, name):
+        if moment.axes(name).rows[2][2] != ZERO:
+            message = f"up to where `{name}`, which leans, is stable at `{moment.when}` is not solved: it may be so between several limits"
+            raise NotYet(message, moment.state.span, f"ask for `{name}.stability`, λ² of a small disturbance")
         lean = of_rolling(dynamics, name)
         return STABILITY.equation(ZERO, lean.formula, moment.when, (name,), (f"{lean.label}; λ² = 0",))
     own = moment.attitude(name)

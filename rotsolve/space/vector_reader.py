@@ -87,6 +87,8 @@ class VectorReader:
             help = f"tell `{path.owner}.position relative to {term.relative}` in the state, and its velocity there"
             raise NotYet(f"how `{path.owner}` moves in `{term.relative}` nothing tells", path.span, help)
         found = Relative(self.moment, path.owner, term.relative or "")
+        if found.axes.lost and path.component in AXES and term.axes is None:
+            raise NotYet(found.axes.lost, path.span, f"ask for it `in {term.relative} axes`, along which it moves")
         return found.slip if path.quantity == "velocity" else found.faster, found.axes
 
     def point(self, path: Path) -> PointRef:

@@ -24,7 +24,7 @@ BLOWS = """bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-ro
 bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
 blow-on-a-plate-at-a-corner disc-struck-at-its-rim"""
 INERTIA_CHANGES = """bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
-sand-on-a-turntable wheel-on-a-stool carpet-unrolls skater-pulls-in"""
+sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in"""
 REACTIONS = """triangle-on-hinge ladder-inside plank-on-trestles plank-tips released-rod-inside whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
 rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed

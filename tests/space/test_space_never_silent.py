@@ -143,12 +143,6 @@ def test_a_verge_that_nothing_needs_is_refused(find: str) -> None:
         solve(f"{COIN}find: {{W: {find}}}\n")
 
 
-def test_what_spins_on_its_edge_is_not_judged_as_what_rolls_straight_on() -> None:
-    scene = COIN.replace("W: unknown", "W: 30 rad/s").replace("s: 5 rad/s", "s: 0 rad/s")
-    with pytest.raises(Unsolvable, match="does not roll straight on"):
-        solve(f"{scene}find: {{T: period of small swings of coin about now}}\n")
-
-
 def test_what_is_nothing_is_at_no_angle() -> None:
     still = "states: {now: {b.angular_velocity: [1 rad/s, 0, 0], b.velocity: [0, 0, 0]}}\n"
     scene = f"{HEAD}bodies: {{b: {{shape: cuboid, mass: M, sides: [a, a, a]}}}}\n{still}"

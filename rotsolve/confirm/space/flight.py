@@ -10,9 +10,10 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
-from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm import NotConfirmed, Unfit, Unfollowed
 from rotsolve.confirm.space.alone import gains_alone
 from rotsolve.confirm.space.arrows import (
+    ALONG,
     STILL,
     Arrow,
     Turned,
@@ -21,20 +22,22 @@ from rotsolve.confirm.space.arrows import (
     crossed,
     inner_product,
     less,
+    normed,
     product_of,
     rotation_about,
     rows_back,
     scaled,
     times_arrow,
 )
-from rotsolve.confirm.space.masses import about_point, total_rows
+from rotsolve.confirm.space.masses import about_point, total_rows, turned_together
 from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.confirm.space.readings import Reading
-from rotsolve.confirm.space.rig import NODAL, Lines, Rig
+from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
 from rotsolve.confirm.space.worlds import Moving, World
 from rotsolve.core.symbols import TIME
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import EXTREMES, Condition, State, Term
 
 STRIDE = 0.9  # radians that the fastest goes in a step
@@ -65,7 +68,7 @@ class Flight:
         self.rig, self.start, self.state = rig, start, state
         self.passed = passed  # the time up to the state, where it is told
         if any(TIME in part.symbols() for joint in rig.joints.values() for _, part in joint.drive):
-            raise NotConfirmed("a drive that changes on the way to its state")
+            raise Unfollowed("a drive that changes on the way to its state")
         if any(joint.motor for joint in rig.joints.values()):
             raise NotConfirmed("a motor that gives what it takes on the way to its state")
         if any(body.moved and not rig.led_evenly(name) for name, body in rig.bodies.items()):
@@ -74,6 +77,9 @@ class Flight:
         spoken = {path.owner for path in lines if path is not None and path.quantity in NODAL}
         self.nodding = spoken - rig.about_momentum
         self.free = [name for name in rig.bodies if all(joint.body.owner != name for joint in rig.joints.values())]
+        self.free += [
+            joint.body.owner for joint in rig.joints.values() if joint.sliding
+        ]  # their places are followed too
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
         self.origins = {name: self.start_angle(name) for name in rig.bodies}
         self.turns = 0  # how often the motion went the other way
@@ -199,7 +205,11 @@ class Flight:
 
     def stride(self) -> float:
         """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I."""
-        rates = [1e-6]
+        slides = [joint.carrier.owner for joint in self.rig.joints.values() if joint.sliding]
+        rates = [
+            1e-6,
+            *(arrow_length(self.start.now.arrow(TURNING, name)) for name in slides if name in self.rig.bodies),
+        ]
         for name in self.rig.bodies:
             omega, third = (
                 self.start.now.arrow(TURNING, name),
@@ -223,8 +233,9 @@ class Flight:
         lines = [line for line in self.state.conditions if line.path is not None and only in (None, line)]
         if not lines:
             raise NotConfirmed("when its state is")
-        gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
         numbers, size, clock = self.first(), self.stride(), 0.0
+        lines.sort(key=lambda line: self.off_already(line, numbers))
+        gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
         start = gap(self.world(numbers))
         before = start if abs(start) > CLOSE else 0.0
         while True:
@@ -242,6 +253,11 @@ class Flight:
             self.gone += self.round_vertical(numbers, later)
             numbers, before, clock = later, there, clock + size
 
+    def off_already(self, line: Condition, numbers: Numbers) -> bool:
+        """Whether a component of a place is what it was at the start, which does not tell when its state is."""
+        place = line.path is not None and line.path.quantity == "position"
+        return place and abs(self.gap_of(line)(self.world(numbers))) <= CLOSE
+
     def round_vertical(self, one: Numbers, other: Numbers) -> float:
         """How far the axis of the body that is counted goes round the vertical in less than half a turn."""
         if not self.counted:
@@ -256,7 +272,7 @@ class Flight:
         self, line: Condition, ends: tuple[Numbers, Numbers], size: float, gaps: tuple[float, float]
     ) -> tuple[float, float] | None:
         """The time within a step up to which a gap closes, and the gap then: all of it, or up to where what is told turns back."""
-        if gaps[0] * gaps[1] < 0:
+        if gaps[0] * gaps[1] < 0 and not self.wraps(line, gaps):
             return size, gaps[1]
         rate = self.rate_of(line)
         if rate is None or not gaps[0]:
@@ -267,6 +283,13 @@ class Flight:
         turned, time = self.crossing(ends[0], size, rates[0], rates[1], rate)
         middle = self.gap_of(line)(self.world(turned))
         return (time, middle) if gaps[0] * middle < 0 else None
+
+    def wraps(self, line: Condition, gaps: tuple[float, float]) -> bool:
+        """Whether an angle has only passed the place from which it counts the other way round."""
+        angle = (
+            line.path is not None and line.path.quantity == "angle" and self.carried_hinge(line.path.owner) is not None
+        )
+        return angle and abs(gaps[0] - gaps[1]) > ROUND / 2
 
     def rate_of(self, line: Condition) -> Gap | None:
         """How fast an angle or a tilt changes that a line tells; None of all else."""
@@ -384,14 +407,45 @@ class Flight:
             if path.quantity != "tilt":
                 raise NotConfirmed(f"the {line.word} `{path.quantity}` on the way")
             return lambda world: world.now.one("euler", path.owner, 1)
+        if line.value is not None and path.quantity == "position" and line.relative in self.rig.bodies:
+            return partial(self.off_place, line)
         if line.value is None or line.relative:
             raise NotConfirmed(f"a line about `{path.quantity}` on the way")
         told, term = self.rig.value(line.value), Term(path, axes=line.axes or None)
         if path.quantity == "angle" and self.swings(path.owner):
             return lambda world: world.stance.swung[path.owner] - told
+        if path.quantity == "angle" and (joint := self.carried_hinge(path.owner)) is not None:
+            if abs(told - self.start.stance.angle(joint)) > ROUND / 2:
+                raise NotConfirmed("an angle of more than half a turn on what turns itself")
+            return partial(self.off_angle, joint, told)
         if path.quantity == "angular_velocity" and path.component is None and self.swings(path.owner):
             return lambda world: self.swung_rate(path.owner, world) - told
         return lambda world: Reading(world).number(term) - told
+
+    def carried_hinge(self, name: str) -> Joint | None:
+        """The hinge of a body on another one that turns."""
+        joint = self.rig.main(name)
+        hinged = joint is not None and bool(joint.turning) and not (joint.sliding or joint.aligned or joint.free)
+        return joint if hinged and joint is not None and joint.carrier.owner in self.rig.bodies else None
+
+    def off_angle(self, joint: Joint, told: float, world: World) -> float:
+        """By how much a body is turned otherwise than told against what carries it: as it is drawn there at 0, by less than half a turn."""
+        stance, name = world.stance, joint.body.owner
+        drawn = turned_together(self.rig.bodies[name].turned, self.rig.value)
+        turned = product_of(rows_back(product_of(stance.base(joint), drawn)), stance.turned(name))
+        way = normed(self.rig.arrow(joint.turning[0]))
+        across = normed(crossed(way, min(ALONG, key=lambda axis: abs(inner_product(axis, way)))))
+        now = times_arrow(turned, across)
+        angle = math.atan2(inner_product(now, crossed(way, across)), inner_product(now, across))
+        return math.remainder(angle - told, ROUND)
+
+    def off_place(self, line: Condition, world: World) -> float:
+        """By how much a component of a place in the axes of another body is not as told."""
+        assert line.path is not None and line.value is not None
+        stance = world.stance
+        point = stance.point(PointRef(line.path.owner, line.path.point or "cm"))
+        away = times_arrow(rows_back(stance.turned(line.relative)), less(point, stance.origin(line.relative)))
+        return away[AXES.index(line.path.component or "x")] - self.rig.value(line.value)
 
     def size_of(self, line: Condition, world: World) -> float:
         told = 0.0 if line.value is None else abs(self.rig.value(line.value))

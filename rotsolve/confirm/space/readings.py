@@ -212,6 +212,9 @@ class Reading:
         frame = term.relative or next(
             (line.relative for line in self.stance.lines.of(path.owner) if line.relative), None
         )
+        guide = self.rig.main(path.owner)
+        if frame is None and guide is not None and guide.sliding and guide.carrier.owner in self.rig.bodies:
+            frame = guide.carrier.owner
         if frame is None:
             raise NotConfirmed(f"the {which} force in which frame")
         held = self.rig.main(frame)

@@ -192,21 +192,32 @@ class Stance:
         return self._places[name]
 
     def _place(self, name: str) -> Arrow:
-        joint = self.rig.main(name)
-        if joint is not None:
-            return less(self.held_at(joint), self.arm(joint.body))
-        told = self.lines.arrow_told(name, "position")
+        joint, told = self.rig.main(name), self.lines.arrow_told(name, "position")
+        if joint is not None and (told is None or not joint.sliding):
+            held = less(self.held_at(joint), self.arm(joint.body))
+            if not joint.sliding or not self.lines.later:
+                return held
+            self.open.add(name)  # how far it has slid
+            return sum_of(held, scaled(self.guess, self.way(joint)))
         if told is not None and told[2]:
-            frame = told[2]
-            held = self.rig.main(frame)
-            origin = self.place(frame) if held is None else sum_of(self.place(frame), self.arm(held.body))
-            return sum_of(origin, times_arrow(self.turned(frame), told[0]))
+            return sum_of(self.origin(told[2]), times_arrow(self.turned(told[2]), told[0]))
         if told is not None:
             return told[0]
         led = {axis: part for word, axis, part in self.rig.bodies[name].moved if word == "position"}
         x, y, z = (self.rig.over_time(led[axis])[0] if axis in led else 0.0 for axis in ("x", "y", "z"))
         lying = next((item for item in self.rig.joints.values() if item.rolls and item.body.owner == name), None)
         return (x, y, z) if lying is None else (x, y, -self.lowest(lying)[2])
+
+    def origin(self, frame: str) -> Arrow:
+        """From where places relative to a body count: the point at which a joint holds it, else its centre of mass."""
+        held = self.rig.main(frame)
+        return self.place(frame) if held is None else sum_of(self.place(frame), self.arm(held.body))
+
+    def carried_at(self, joint: Joint) -> Arrow:
+        """Where a joint holds its body, from the centre of mass of what carries it: of what slides where it is."""
+        if not joint.sliding:
+            return self.arm(joint.carrier)
+        return less(self.point(joint.body), self.place(joint.carrier.owner))
 
     def held_at(self, joint: Joint) -> Arrow:
         """Where a joint holds a point: a place of the ground, or a point of what carries it."""

@@ -90,7 +90,7 @@ class Ties:
         carrier = joint.carrier.owner
         gain = scaled(-1.0, bias)
         if carrier in self.rig.bodies:
-            arm = self.stance.arm(joint.carrier)
+            arm = self.stance.carried_at(joint)
             terms = added_terms(terms, point_terms(carrier, arm), -1.0)
             gain = sum_of(gain, self.centripetal(carrier, arm))
         for number, way in enumerate(self.sliding(joint)):

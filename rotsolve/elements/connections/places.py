@@ -43,6 +43,8 @@ def gap_between(first: PointRef, second: PointRef, instant: Moment) -> tuple[For
     """How far a point is to the right of another, and above it."""
     if first.place or second.place:
         places = [where(ref, instant) for ref in (first, second)]
+    elif instant.host(first.owner) == instant.host(second.owner):  # what rides and what carries it
+        places = [instant.point(ref) for ref in (first, second)]
     else:
         joint = joint_of(first.owner, second.owner, instant)
         places = [instant.point(ref) - instant.point(pin) for ref, pin in zip((first, second), joint, strict=False)]

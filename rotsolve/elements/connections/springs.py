@@ -12,7 +12,7 @@ from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, squar
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between, rightward
-from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.bodies import Body, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
@@ -27,9 +27,14 @@ class Spring(Connection, frozen=True):
     rest_length: Formula | None = amount("length without force", "length", "L", "nonnegative", default=None)
 
     def check(self, scene: Surroundings) -> None:
-        """One from a place ends at a hinged body, whose hinge is the origin, and its rest length tells how it is stretched."""
+        """One from a place ends at a hinged body, whose hinge is the origin, and its rest length tells how it is stretched; so that of what
+        slides freely, which no direction that stays tells."""
+        ride = next((ride for item in scene.problem.connections if (ride := self.slides(item.ride()))), None)
+        if ride is not None and self.rest_length is None:
+            message = f"`{self.name}` holds `{ride.rider.owner}`, which slides: give its `rest_length`"
+            raise Unsolvable(message, span=self.spring[0].span, help="how long it is without force")
         for ref in self.spring if self.placed else ():
-            if ref.place is None and ref.owner not in scene.held:
+            if ref.place is None and ref.owner not in scene.held and ride is None:
                 help = "solved are springs from a place to a point of a hinged body; the hinge is at [0, 0]"
                 raise Unsolvable(f"where `{ref.owner}` is in the scene is not told", span=ref.span, help=help)
         if self.placed and self.rest_length is None:
@@ -44,7 +49,7 @@ class Spring(Connection, frozen=True):
         return "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
-        first, second = self.spring
+        first, second = self.ends(instant)
         along, elongation = self.along(instant), self.elongation(instant)
         stiffness, bodies = self.stiffness, instant.configuration.bodies
         size = instant.ask("force", self.name) if stiffness is None else stiffness * elongation
@@ -57,16 +62,36 @@ class Spring(Connection, frozen=True):
             rate = instant.velocity(second).dot(along) - instant.velocity(first).dot(along)
             energy = HALF * stiffness * square(elongation)
             owners = tuple(ref.owner for ref in self.spring if ref.owner in bodies)
-            yield Potential(self.name, energy, elongation, rate, owners, ("spring ", energy), placed=self.placed)
+            yield Potential(self.name, energy, elongation, rate, owners, ("spring ", energy), placed=self.told(instant))
+
+    def slides(self, ride: Ride | None) -> Ride | None:
+        """What slides freely along a body, where one end is on it."""
+        ends = [ref.owner for ref in self.spring]
+        return ride if ride is not None and ride.free and ride.rider.owner in ends else None
+
+    def sliding(self, instant: Moment) -> frozenset[str]:
+        """The bodies at its ends that slide freely along others."""
+        rides = (self.slides(item.ride()) for item in instant.configuration.connections(instant.state))
+        return frozenset(ride.rider.owner for ride in rides if ride is not None)
+
+    def ends(self, instant: Moment) -> tuple[PointRef, PointRef]:
+        """Its two ends: of what slides the particle itself."""
+        free = self.sliding(instant)
+        first, second = (replace(ref, point="cm") if ref.owner in free else ref for ref in self.spring)
+        return first, second
+
+    def told(self, instant: Moment) -> bool:
+        """Whether the places of its ends tell its length."""
+        return self.placed or bool(self.sliding(instant))
 
     @property
     def placed(self) -> bool:
-        """Whether it runs from a place in the scene, so that the places of its ends tell its length."""
+        """Whether it runs from a place in the scene."""
         return any(ref.place is not None for ref in self.spring)
 
     def elongation(self, instant: Moment) -> Formula:
         """The letter for how far it is stretched, or its length by the places of its ends, less the rest length."""
-        gap = gap_between(self.spring[0], self.spring[1], instant) if self.placed else None
+        gap = gap_between(*self.ends(instant), instant) if self.told(instant) else None
         if gap is None or self.rest_length is None:
             return instant.ask("elongation", self.name)
         return add(distance(gap, instant), negate(self.rest_length))
@@ -75,7 +100,7 @@ class Spring(Connection, frozen=True):
         """Unit vector from the first end to the second: where they are, if a place is named; from a wall out of it; else from left to right
         along a level or sloping line of travel of one of them, up from the ground, down from the ceiling, of two bodies down."""
         configuration = instant.configuration
-        straight = between(self.spring[0], self.spring[1], instant) if self.placed else None
+        straight = between(*self.ends(instant), instant) if self.told(instant) else None
         if straight is not None:
             return straight
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]

@@ -156,6 +156,40 @@ def coin_in_a_circle(n: Numbers) -> Answers:
     return {"Omega": rate, "F": n.m * rate**2 * inner, "N": n.m * n.g}
 
 
+def growth_going_round(body: Cloud, n: Numbers, axis: Any, omega: Any, round_: float) -> float:
+    """λ² = tr J²/2 of the linearized equations in axes that go round with what rolls: all other eigenvalues are zero."""
+
+    def rate(state: Any) -> Any:
+        swept = [np.cross(round_ * Z, part) for part in (state[:3], state[3:])]
+        return rolls(body, n.R, n.g, state) - np.concatenate(swept)
+
+    steady_state, step = np.concatenate([axis, omega]), 1e-30
+    slopes = np.array([np.imag(rate(steady_state + 1j * step * unit)) / step for unit in np.eye(6)]).T
+    return float(np.trace(slopes @ slopes)) / 2
+
+
+def coin_spun_on_its_edge(n: Numbers) -> Answers:
+    def growth(rate: float) -> float:
+        return growth_going_round(disc(n.m, n.R), n, Y, rate * Z, rate)
+
+    guess = sqrt(n.g / n.R)
+    return {"W_0": root(growth, guess / 5, 5 * guess)}
+
+
+def coin_that_trembles(n: Numbers) -> Answers:
+    """ω̇ = W z × ω tells its spin s, of ω = W z + s e."""
+    body, axis = disc(n.m, n.R), sin(n.theta) * -Y + cos(n.theta) * Z
+
+    def lacking(spin: float) -> float:
+        omega = n.W * Z + spin * axis
+        change = rolls(body, n.R, n.g, np.concatenate([axis, omega]))[3:]
+        return float((change - np.cross(n.W * Z, omega))[0])
+
+    slow, fast = lacking(0.0), lacking(1.0)
+    spin = -slow / (fast - slow)
+    return {"s": spin, "T": 2 * pi / sqrt(-growth_going_round(body, n, axis, n.W * Z + spin * axis, n.W))}
+
+
 def slows(n: Numbers) -> Any:
     return lambda _, state: -n.c / n.I3 * state
 
@@ -174,6 +208,8 @@ def top_that_wakes_up(n: Numbers) -> Answers:
 
 CALCULATIONS = {
     "coin-in-a-circle": coin_in_a_circle,
+    "coin-spun-on-its-edge": coin_spun_on_its_edge,
+    "coin-that-trembles": coin_that_trembles,
     "cone-that-rolls-round": cone_that_rolls_round,
     "cone-that-tips": cone_that_tips,
     "disc-about-a-point-of-its-line": disc_about_a_point_of_its_line,

@@ -137,6 +137,40 @@ def particle_on_a_turntable(n: Numbers) -> Answers:
     return {"F": whole, **{name: SIZE(part) for name, part in parts.items()}}
 
 
+def sleeve_up_a_turning_rod(n: Numbers) -> Answers:
+    """Newton's law in the middle of small parts of the way, d(u²)/ds = 2 d²s/dt²; then the real force of a particle that moves so."""
+    places = np.linspace(n.a, n.s, 101)
+    middle, parts = (places[1:] + places[:-1]) / 2, np.diff(places)
+    along, level = np.cos(n.beta) * X + np.sin(n.beta) * Z, np.cos(n.beta)
+
+    def growth(s: Any) -> Any:
+        return n.w**2 * s * level**2 - n.g * np.sin(n.beta)
+
+    speed = float(np.sqrt(n.u0**2 + 2 * (growth(middle) * parts).sum()))
+
+    def place(t: Any) -> Any:
+        return turn(Z, n.w * t) @ ((n.s + speed * t + growth(n.s) * t * t / 2) * along)
+
+    at_rest = turn(Z, 0.0) @ along
+    _, velocity, acceleration = derivatives(place, 1 / n.w)
+    swept = n.w * np.cross(Z, speed * at_rest)
+    return {"u": speed, "v": SIZE(velocity), "F_c": SIZE(2 * n.m * swept), "F": SIZE(n.m * (acceleration + n.g * Z))}
+
+
+def rod_swung_out_by_a_shaft(n: Numbers) -> Answers:
+    """The torque of weights and centrifugal forces on many points about the hinge, summed over the way up: d(θ̇²)/dθ = 2 θ̈."""
+    nodes, shares = np.polynomial.legendre.leggauss(12)
+    places, masses = n.l * (1 + nodes) / 2, n.m * shares / 2
+    angles = (np.pi / 2 + n.theta) / 2 + (n.theta - np.pi / 2) / 2 * nodes
+    weights = (n.theta - np.pi / 2) / 2 * shares
+    total = 0.0
+    for angle, weight in zip(angles, weights, strict=True):
+        away = n.R + places * np.cos(angle)
+        torque = (masses * places * (n.g * np.cos(angle) - n.w**2 * away * np.sin(angle))).sum()
+        total += 2 * weight * torque / (masses * places**2).sum()
+    return {"n": -np.sqrt(total)}
+
+
 def train_that_runs_north(n: Numbers) -> Answers:
     """What is left of the acceleration when that of the train on an earth at rest, and that of a house, are taken off."""
 
@@ -159,7 +193,9 @@ CALCULATIONS = {
     "particle-on-a-turntable": particle_on_a_turntable,
     "propeller": propeller,
     "propeller-that-turns-two-ways": propeller_that_turns_two_ways,
+    "rod-swung-out-by-a-shaft": rod_swung_out_by_a_shaft,
     "rotor-in-a-turning-frame": rotor_in_a_turning_frame,
+    "sleeve-up-a-turning-rod": sleeve_up_a_turning_rod,
     "train-on-a-curve": train_on_a_curve,
     "rod-held-by-a-wire-in-pounds": rod_held_by_a_wire,
     "train-that-runs-north": train_that_runs_north,
