@@ -13,7 +13,7 @@ from rotsolve.algebra.certified.ball import Certified, multiple_of
 from rotsolve.algebra.certified.sign import sign_within
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Product, Sum, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Product, Sum, Symbol, negate
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
@@ -243,20 +243,21 @@ def opposite_energies(told: Sequence[Answered]) -> Iterator[Words]:
 
 def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """What turns a body about the point at which it rolls or unwinds, which tells at once the way in which it goes."""
-    rates = (ACCELERATION, ANGULAR_ACCELERATION)
-    asked = {law.section for item in told if item.asked.dimension in rates for law in behind(item, search)}
+    rates, states = (ACCELERATION, ANGULAR_ACCELERATION), search.scene.configuration.timeline.order
+    asked = {
+        law.section for item in told if item.asked.dimension in rates for law in behind(item, search)
+    } & states.keys()
     for law in search.planner.pool:
         if law.law != RATE or law.section not in asked or law.left == ZERO:
             continue
         body = next(one for one in search.scene.facts(law.section).bodies if one.name == law.bodies[0])
         held = list(dict.fromkeys(force.noun for force in body.forces if force.internal))
         if body.motion.kind == "line" and body.motion.turns and held:
-            have = "has" if len(held) == 1 else "have"
-            names, turns = and_joined(held), search.scene.instant(law.section).turn_words(body.name)[0]
-            start = (
-                f"about the point of contact, where {names} {have} no arm, {spoken(body.name)} is turned {turns} by "
-            )
-            yield (start, search.solver.simplify(law.left))
+            act, back = "acts" if len(held) == 1 else "act", search.signs.by_numbers(law.left) == -1
+            turns = search.scene.instant(law.section).turn_words(body.name)[back]
+            where = f"about the point where {and_joined(held)} {act}"
+            torque = search.solver.simplify(negate(law.left) if back else law.left)
+            yield (f"{where}, {spoken(body.name)} is turned {turns} by ", torque)
             return
 
 
