@@ -102,11 +102,11 @@ def clutch(item: Clutch, pose: Pose, model: Known) -> Held:
     else:
         if item.press is None or item.friction is None:
             raise NotConfirmed(f"nothing tells the torque of `{item.name}`")
-        size = model.value(item.friction) * model.value(item.press) * mean_arm(item, model)
+        size = model.value(item.friction) * model.value(item.press) * average_arm(item, model)
     yield Grip(item.name, held(item.name, "torque", second - first, pose), size, size)
 
 
-def mean_arm(item: Clutch, model: Known) -> float:
+def average_arm(item: Clutch, model: Known) -> float:
     """Where friction acts on plates on the average: of two of which a smaller disc is cut out of a larger one, weighed by their areas."""
     edges = [face_between(ref, model) for ref in item.clutch]
     outer, inner = edges[0][1], max(edges[0][0], edges[1][0])

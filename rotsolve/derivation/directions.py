@@ -10,6 +10,7 @@ from rotsolve.algebra.exact.normal import Fractions, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, negate
 from rotsolve.core.derivation import Answer, Words
 from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.vectors.heading import TURNS
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
 
@@ -28,6 +29,8 @@ class Directions:
         if self.answered.asked.vector is not None:
             return heading_words(parts)
         sign = self._sign if value is None else value.sign
+        if sign == 1 and self._senseless:
+            return ""
         return self._both[0 if sign > 0 else 1] if any(self._both) and sign else ""
 
     @property
@@ -83,6 +86,14 @@ class Directions:
         if self._quantity is not None and any((self._quantity.positive, self._quantity.negative)):
             return (self._quantity.positive, self._quantity.negative) if self._quantity.kind != "angle" else ("", "")
         return self.answered.asked.words
+
+    @property
+    def _senseless(self) -> bool:
+        """Whether a turn counts in a sense that nothing in the scene tells: seen from above, where nothing moves or turns in a named way."""
+        problem = self.search.scene.configuration.problem
+        turns = self._quantity is not None and self._quantity.positive in TURNS
+        ways = any(body.moves or body.turns for body in problem.bodies) or problem.actions
+        return turns and not problem.space and problem.plane == "horizontal" and not ways
 
     @cached_property
     def _quantity(self) -> SceneQuantity | None:

@@ -217,6 +217,8 @@ def energy_lost(search: Search) -> Iterator[Words]:
             unit, scale = unit_of_energy(search)
             (one, two), lost = [digits_in(number, scale) for number in numbers[:2]], digits_in(numbers[2], ONE)
             yield (f"{said}falls from {one} {unit} to {two} {unit}, by {lost} %",)
+        elif any(item.found.formula == share for item in search.wholes()):  # it is asked
+            continue
         elif search.signs.sign(share) == 1 and length(share) <= SHORT:
             yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")
 
