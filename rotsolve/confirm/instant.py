@@ -258,8 +258,12 @@ def moving(
     firm = [row for row in rows if not row.loose]
     firm += [grip.row for grip in grips if grip.static is None and grip.name not in slips]
     equations = [(row.slope, row.speed) for row in firm if row.slope and row.speed is not None]
-    equations += [(line.slope, line.speed) for line in said if line.speed is not None]
+    equations += [(line.slope, line.speed) for line in said if line.speed is not None and not line.sized]
     found = nearest(equations, free)
+    sized = [(line.slope, line.speed) for line in said if line.speed is not None and line.sized]
+    if sized:
+        equations += [(slope, in_sense_of(found, slope, speed)) for slope, speed in sized]
+        found = nearest(equations, free)
     for grip in grips:
         if grip.static is None or grip.name in slips or not found.open & grip.row.slope.keys():
             continue
@@ -268,6 +272,13 @@ def moving(
     return replace(
         at, speed=found.values, open=found.open, clash=max(at.clash, found.clash if found.clash > 1e-9 else 0.0)
     )
+
+
+def in_sense_of(found: Solved, slope: Slope, speed: float) -> float:
+    """A speed, which has no sense, in that of the rates where these are told without it."""
+    if found.open & slope.keys():
+        return speed
+    return math.copysign(speed, sum([part * found.values[index] for index, part in slope.items()]))
 
 
 def nearest(equations: Sequence[tuple[Slope, float]], free: Sequence[float]) -> Solved:
