@@ -225,6 +225,12 @@ def solved_for(letter: str, search: Search) -> Formula | float | None:
     return found.formula or (None if found.number is None else found.number.float)
 
 
+def other_roots(letter: str, search: Search) -> tuple[Formula, ...]:
+    """The roots beside that which the answers make of a letter of the scene, if only aside."""
+    own = search if letter in search.solver.solved else search.beside_by(families_for(None))
+    return tuple(own.solver.with_found(root) for root in own.rivals.get(letter, ()))
+
+
 def decided(configuration: Configuration) -> Decision | None:
     """How all that rubs behaves; None where nothing does, and no state says how a contact moves."""
     spoken_of = any(line.word for state in configuration.timeline.states for line in state.conditions)
@@ -269,7 +275,7 @@ def composed(
         forward=search.scene.configuration.forward,
         by_law=lambda law: solved(problem, search.scene.configuration, law, digits, at).derivation,
         letter=lambda letter: solved_for(letter, search),
-        others=lambda letter: tuple(search.solver.with_found(root) for root in search.rivals.get(letter, ())),
+        others=lambda letter: other_roots(letter, search),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 

@@ -165,11 +165,18 @@ def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[l
 
 
 def placed(
-    model: Known, start: Placed | None = None, *, time: float = 0.0, lines: bool = True, stir: float = 0.0
+    model: Known,
+    start: Placed | None = None,
+    *,
+    time: float = 0.0,
+    lines: bool = True,
+    stir: float = 0.0,
+    kept: Mapping[tuple[str, str], float] = {},
 ) -> Placed:
     """Places and rates that fulfil all that is held and what the state says; from `start` on as little is changed as need be.
 
-    What nothing tells stays as it is drawn and at rest, or, where `stir` is not 0, does something else.
+    What nothing tells stays as it is drawn and at rest, or, where `stir` is not 0, does something else; what holds from where it is drawn,
+    as a hinge at the ground does, misses that by as much as is `kept`.
     """
     q = list(start.q) if start is not None else stirred(model, stir)
     origin = start.origin if start is not None else q
@@ -180,7 +187,7 @@ def placed(
         pose = Pose(model.seats, q, still, time, offsets, origin)
         rows, grips = split(held_by(model, pose))
         said = list(told(model, pose, {grip.name: grip for grip in grips})) if lines else []
-        places = [(row.slope, row.gap) for row in rows if row.hard]
+        places = [(row.slope, row.gap - kept.get(row.key, 0.0)) for row in rows if row.hard or row.key in kept]
         places += [(line.slope, line.gap) for line in said if line.gap is not None]
         worst = max((abs(gap) for _, gap in places), default=0.0)
         if worst < CLOSE:

@@ -205,7 +205,10 @@ class Course:
             return first
         from rotsolve.confirm.course.settling import settled
 
-        return settled(first)
+        rest = settled(first)
+        if rest is None:
+            raise Broken(f"`{model.acting.state.name}` is not in balance")
+        return rest
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
         from rotsolve.confirm.course.blows import Blow

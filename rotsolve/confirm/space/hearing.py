@@ -233,7 +233,10 @@ class Hearing:
 
     def natural(self, answer: Answer) -> float:
         """The size that a quantity of its dimension has in the scene, by its masses, lengths and rates."""
-        dimension = answer.dimension or next((part.dimension for part in answer.components), None)
+        return self.usual(answer.dimension or next((part.dimension for part in answer.components), None))
+
+    def usual(self, dimension: Dimension | None) -> float:
+        """The size that quantities of a dimension have in the scene; 0 where nothing tells one."""
         if dimension is None or not self.problem.bodies:
             return 0.0
         mass, span, rate = self.scales

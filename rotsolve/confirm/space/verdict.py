@@ -284,12 +284,12 @@ def tested(
     found = off + (own if letter is None else hearing.known[letter])
     holds = abs(found - own) <= SAME * size
     if holds:
-        from rotsolve.confirm.space.rivals import fits_as_asked, mirrored_as_well
+        from rotsolve.confirm.space.rivals import against_as_well, fits_as_asked
 
         meant = fits_as_asked(hearing, find, own, answer.rivals)
         if not meant:
             return AnswerConfirmation(answer.name, meant, SEVERAL, (own,), (found,))
-        also = mirrored_as_well(hearing, find, own)
+        also = against_as_well(hearing, find, own, answer.rivals)
         return replace(verdict_of(answer.name, holds, (own,), (found,), hearing, numbers), also=also)
     return verdict_of(answer.name, holds, (own,), (found,), hearing, numbers)
 
