@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -18,6 +19,7 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import PointRef
+from rotsolve.language.limited import letters_of_places
 from rotsolve.language.problem import Find, Given, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.expected import Expected
@@ -127,8 +129,11 @@ class RootChoice(Struct, frozen=True):
         stable = self.coming_back(name, [root for _, root in numbered])
         if stable:
             found = sorted([real[place] for place in stable], key=lambda entry: entry[1] < 0)
-            one = "the stable one" if len(found) == 1 else f"of {len(found)} stable ones that nearest to zero"
-            return PickedRoot(self._smallest(found, roots), (f"{one}: a body displaced from it comes back",))
+            count = len({self._once_round(name, number) for _, number in found})
+            one = "the stable one" if count == 1 else f"of {count} stable ones that nearest to zero"
+            words = (f"{one}: a body displaced from it comes back",)
+            alike = tuple(index for index, _ in found)
+            return PickedRoot(self._smallest(found, roots), words, guessed=count > 1, alike=alike)
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered, period)
         if reached is not None:
             return reached
@@ -258,6 +263,11 @@ class RootChoice(Struct, frozen=True):
             return quantity.kind == "angle"
         return given is not None and (given.dimension is None or is_angle(given))
 
+    def _once_round(self, name: str, number: float) -> float:
+        """A root, of an angle that within half a turn, as far as two are told apart."""
+        within = math.remainder(number, math.tau) if self._is_angle(name) else number
+        return round(within / SAME) * SAME
+
     def _unnumbered(self, name: str, roots: Sequence[Formula]) -> PickedRoot:
         """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""
         sign, words = Expected(self.scene, self.givens, self.numbers).sign(name)
@@ -293,6 +303,7 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     limits, strict = [limit.gap for limit in told], {limit.gap for limit in told if limit.strict}
     by_value = search.scene.configuration.problem.space and not (asked.where is not None and asked.where.word)
     signed = given.dimension is None or is_angle(given) or (by_value and given.dimension.matches(ANGULAR_VELOCITY))
+    signed = signed or name in letters_of_places(search.scene.configuration.problem)
     limits += [] if signed else [Symbol(name)]
     if search.scene.configuration.problem.space:
         from rotsolve.space.steady import tilts_with
@@ -311,9 +322,10 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
         name in ref.argument.symbols() for ref in references(search.scene.configuration.problem) if ref.argument
     )
     if (
-        given.dimension in BODILY and not placed
+        given.dimension in BODILY and not (placed or signed)
     ):  # without a length, or a mass, there is no body; a place is at an end too
         able = [index for index in able if numbers.side(roots[index]) == 1] or able
+    stable: list[int] = []
     if not search.scene.configuration.problem.space:  # as without the word, what a displaced body comes back to
         choice = RootChoice(search.scene, search.givens, numbers, search.definitions.formula)
         stable = choice.coming_back(name, roots) if asked.where is None else []
@@ -322,4 +334,4 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
         return picked
     sign = -1 if word == "largest" else 1
     best = able[numbers.least([sign * roots[index] for index in able])]
-    return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True)
+    return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True, alike=tuple(stable and able))

@@ -166,7 +166,8 @@ class Search(Struct, dict=True):
             if (
                 picked.guessed or self.scene.configuration.problem.space
             ):  # there a rate of the other sense may have another size
-                self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
+                others = picked.alike or range(len(roots))
+                self.rivals[name] = tuple(roots[index] for index in others if index != picked.root)
         if picked is not None and turns[picked.root]:
             return replace(picked, turns=picked.turns + turns[picked.root])
         return picked
@@ -195,7 +196,8 @@ class Search(Struct, dict=True):
         if not plain and len(fitting) == 1 < len(roots):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
         picked = choice.choose(name, [roots[number] for number in fitting], period)
-        return None if picked is None else replace(picked, root=fitting[picked.root])
+        alike = () if picked is None else tuple(fitting[index] for index in picked.alike)
+        return None if picked is None else replace(picked, root=fitting[picked.root], alike=alike)
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""

@@ -22,7 +22,7 @@ from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.samples import Fits, Numbers, holding
 from rotsolve.confirm.course.scan import Scan, places_beside
 from rotsolve.confirm.course.sizes import letters_open, natural_units
-from rotsolve.confirm.course.sought import place_told, reach_of
+from rotsolve.confirm.course.sought import place_told, reach_of, stands_at
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.verdicts import SAME, not_so, said_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation
@@ -195,8 +195,9 @@ class Rivals:
         told = {one.name for one in self.answers if one.name == find.group}
         if given.asked:
             told |= {one.name for one in self.answers if self.changes_with(one, known, sought.numbers(value))}
-        if self.in_numbers:
-            return {name: AnswerConfirmation(name, False, why, rivalled=True) for name in told}
+        if self.in_numbers:  # a place in balance is said to be one of several
+            holds = None if stands_at(self.problem, given.name) else False
+            return {name: AnswerConfirmation(name, holds, why, rivalled=True) for name in told}
         letters = {one.name: known[one.name] for one in self.open}
         return {name: not_so(name, why, self.problem, letters) for name in told}
 

@@ -23,7 +23,7 @@ from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.hearing import VERGES, Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.verge import gap_under, step_to
-from rotsolve.language.limited import limited_letters
+from rotsolve.language.limited import letters_of_places, limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Given, Problem
 
 ROUND = 24  # places at which an angle is looked at
@@ -86,7 +86,8 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
     Of what is not steady the other roots of its equation are looked at alone: to follow it at each place would take long.
     """
     if not steady_somewhere(hearing):
-        return None if find.modifier in EXTREMES or another_root_fits(hearing, find, own, roots) else True
+        untold = find.modifier in EXTREMES and not at_once(hearing.problem)
+        return None if untold or another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
         return True
     place = hearing.places[0]
@@ -159,15 +160,18 @@ def is_rate(given: Given) -> bool:
 
 
 def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
-    """Whether the equations of all bodies leave nothing over with another root of its equation, that is not beyond the letter's range."""
+    """Whether the equations of all bodies leave nothing over with another value of a letter, that is not beyond its range: another root of
+    its equation, or any that is found over the range where nothing has to be followed."""
     (place, *more), givens = hearing.places, {given.name: given for given in hearing.problem.givens}
     if more or not isinstance(place, str):
         return False
-    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=is_rate(givens[place]))
-    mirrored = (-own,) if is_rate(givens[place]) else ()
-    return any(
-        leaves_nothing(hearing, place, value) for value in filter(sought.may_be, chain(sought.other_roots(), mirrored))
-    )
+    rate = is_rate(givens[place])
+    asked_by_value = find.modifier in EXTREMES and place in letters_of_places(hearing.problem)
+    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=rate or asked_by_value)
+    named = chain(sought.other_roots(), (-own,) if rate else ())
+    if any(leaves_nothing(hearing, place, value) for value in filter(sought.may_be, named)):
+        return True
+    return at_once(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
 
 
 def letter_on_the_way(hearing: Hearing) -> str:
