@@ -71,10 +71,35 @@ def drawn_as_acting(found: Found, law: str | None) -> Found:
 
 
 def searched(configuration: Configuration, law: str | None) -> tuple[Decision | None, Found]:
-    """The answers to all questions, with a state more wherever the laws of a phase end before it does."""
+    """The answers to all questions; where a state is never reached with a root for a letter that is sought, with the other roots."""
+    passed: dict[str, list[Formula]] = {}
+    first: NeverReached | None = None
+    while True:
+        picked: dict[str, Formula] = {}
+        try:
+            return searched_beyond(configuration, law, passed, picked)
+        except NeverReached as error:
+            first = first or error
+            letter = next((name for name, root in picked.items() if root not in passed.get(name, ())), None)
+            if letter is None:
+                raise first from None
+            passed.setdefault(letter, []).append(picked[letter])
+        except Unsolvable as error:
+            raise first or error from None
+
+
+def searched_beyond(
+    configuration: Configuration, law: str | None, passed: dict[str, list[Formula]], picked: dict[str, Formula]
+) -> tuple[Decision | None, Found]:
+    """The answers to all questions, with a state more wherever the laws of a phase end before it does.
+
+    Roots that are `passed` over for a letter that is sought are not taken; those taken are noted in `picked`.
+    """
     first: Unsolvable | None = None
     while True:
         decision, search = prepared(configuration, law)
+        assert search.ground is not None
+        search.ground.passed_over, search.ground.picked = passed, picked
         found = answered_fully(search)
         if search.ground and search.ground.chose and doubtful(found):  # perhaps by a root that is not meant
             again = answered_fully(Search(search.scene, search.families, search.spare, careful=True))

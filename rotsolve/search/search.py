@@ -62,6 +62,8 @@ class Ground:
         self.scene = scene
         self.chose = False  # whether some equation had several roots
         self.working_out: set[str] = set()  # the letters that are being told aside
+        self.passed_over: dict[str, list[Formula]] = {}  # roots for letters of the scene with which it does not come about
+        self.picked: dict[str, Formula] = {}  # those that are meant, where others are known
         self.givens = {given.name: given for given in problem.givens}
         self.signs = SignOracle(
             problem.values, configuration.positive, configuration.signs.limits, trials=problem.trials
@@ -151,7 +153,8 @@ class Search(Struct, dict=True):
         """
         turns = [0] * len(roots)
         round_ = period is None or is_zero(period - TURN)
-        if name in self.givens and round_ and name == self.solver.once_round:
+        passed = self.ground is not None and name in self.ground.passed_over
+        if name in self.givens and round_ and (name == self.solver.once_round or (passed and self.may_be_angle(name))):
             turns = [whole_turns(root, self) for root in roots]
             roots = [root + count * TURN for root, count in zip(roots, turns, strict=True)]
         picked = self.picked_root(name, roots, period)
@@ -168,9 +171,15 @@ class Search(Struct, dict=True):
             ):  # there a rate of the other sense may have another size
                 others = picked.alike or range(len(roots))
                 self.rivals[name] = tuple(roots[index] for index in others if index != picked.root)
+                self.remember_picked(name, roots[picked.root])
         if picked is not None and turns[picked.root]:
             return replace(picked, turns=picked.turns + turns[picked.root])
         return picked
+
+    def remember_picked(self, name: str, root: Formula) -> None:
+        """Note the root of a letter that the scene asks for: where nothing comes about with it, others may do."""
+        if self.ground is not None and self.givens[name].asked:
+            self.ground.picked[name] = root
 
     def extreme_asked(self, name: str, picked: PickedRoot) -> Find | None:
         """The question for the largest or smallest value of a letter, where no motion tells which it comes to first."""
@@ -195,6 +204,10 @@ class Search(Struct, dict=True):
         fitting = (with_sizes if plain else agreeing)(name, roots, self)
         if not plain and len(fitting) == 1 < len(roots):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
+        passed = () if self.ground is None else self.ground.passed_over.get(name, ())
+        fitting = [number for number in fitting if roots[number] not in passed]
+        if passed and len(fitting) == 1:
+            return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
         picked = choice.choose(name, [roots[number] for number in fitting], period)
         alike = () if picked is None else tuple(fitting[index] for index in picked.alike)
         return None if picked is None else replace(picked, root=fitting[picked.root], alike=alike)
