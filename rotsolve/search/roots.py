@@ -182,7 +182,14 @@ class RootChoice(Struct, frozen=True):
             return sign, words
         share = self.numbers.sign([formula.substitute({letters[0]: ONE})])
         sign, words = expected.sign(letters[0])
+        if not sign and self._is_rate(letters[0]):  # its positive root is taken where it is asked for itself
+            sign, words = 1, (Symbol(letters[0]), " > 0")
         return share * sign, words
+
+    def _is_rate(self, name: str) -> bool:
+        """Whether a letter of the laws tells how fast something moves or turns."""
+        quantity = self.scene.registry.quantities.get(name)
+        return quantity is not None and quantity.kind in ("velocity", "angular_velocity")
 
     def _multiple(self, name: str, roots: Sequence[Formula]) -> tuple[str, Sequence[Formula]]:
         """The letter of the laws of which a letter of a question is a multiple, as a component of ω is one of the rate about an axis, with
