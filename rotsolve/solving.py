@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import Contradicted, NeverReached, Unsolvable
+from rotsolve.core.faults import Contradicted, Impossible, NeverReached, Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, TIME
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
@@ -71,14 +71,15 @@ def drawn_as_acting(found: Found, law: str | None) -> Found:
 
 
 def searched(configuration: Configuration, law: str | None) -> tuple[Decision | None, Found]:
-    """The answers to all questions; where a state is never reached with a root for a letter that is sought, with the other roots."""
+    """The answers to all questions; where a state is never reached with a root for a letter that is sought, or another letter can not be
+    what it is with it, with the other roots."""
     passed: dict[str, list[Formula]] = {}
-    first: NeverReached | None = None
+    first: Unsolvable | None = None
     while True:
         picked: dict[str, Formula] = {}
         try:
             return searched_beyond(configuration, law, passed, picked)
-        except NeverReached as error:
+        except (NeverReached, Impossible) as error:
             first = first or error
             letter = next((name for name, root in picked.items() if root not in passed.get(name, ())), None)
             if letter is None:

@@ -8,8 +8,8 @@ from msgspec import Struct
 from msgspec.structs import astuple
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.language.keys import Element
 from rotsolve.language.bodies import PointRef
+from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Problem, references
 
 
@@ -19,7 +19,7 @@ def limited_letters(problem: Problem) -> dict[str, str]:
 
 
 def letters_of_places(problem: Problem) -> frozenset[str]:
-    """Letters that are coordinates of points or parts, which may be negative, and in nothing that has limits: no size, no place on a rod."""
+    """Letters in coordinates of points or parts, which may be negative, and in nothing that has limits, as sizes or places on rods."""
     named = list(references((problem.bodies, problem.connections, problem.actions, problem.events, problem.finds)))
     sizes = {letter for _, value, _ in limited_values(problem) for letter in value.symbols()}
     sizes |= {letter for ref in named if ref.argument is not None for letter in ref.argument.symbols()}

@@ -113,7 +113,7 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
 
 
 def way_out(find: Find, problem: Problem) -> str:
-    """What to do where the equations of several letters that are sought, or of a quantity under a condition, are not solved; '' of others."""
+    """What to do where equations of several letters that are sought, or of a quantity under a condition, are not solved; else ''."""
     sought = sorted(problem.sought | ({find.seeks} if find.seeks else set()))
     if len(sought) > 1:
         return f"tell all but one of {', '.join(f'`{name}`' for name in sought)}"

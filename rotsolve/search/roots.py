@@ -131,9 +131,9 @@ class RootChoice(Struct, frozen=True):
             found = sorted([real[place] for place in stable], key=lambda entry: entry[1] < 0)
             count = len({self._once_round(name, number) for _, number in found})
             one = "the stable one" if count == 1 else f"of {count} stable ones that nearest to zero"
-            words = (f"{one}: a body displaced from it comes back",)
+            told: Words = (f"{one}: a body displaced from it comes back",)
             alike = tuple(index for index, _ in found)
-            return PickedRoot(self._smallest(found, roots), words, guessed=count > 1, alike=alike)
+            return PickedRoot(self._smallest(found, roots), told, guessed=count > 1, alike=alike)
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered, period)
         if reached is not None:
             return reached
@@ -316,10 +316,12 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
         from rotsolve.space.steady import tilts_with
 
         limits += [gap for tilt in tilts_with(name, search.scene) for gap in (tilt, PI - tilt)]
+    passed = () if search.ground is None else search.ground.passed_over.get(name, ())
     able = [
         index
         for index, root in enumerate(roots)
         if numbers.of(root) is not None
+        and root not in passed
         and not any(
             numbers.side(numbers.with_answers(gap.substitute({name: root}))) in (-1, 0 if gap in strict else -1)
             for gap in limits
@@ -328,9 +330,8 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     placed = any(
         name in ref.argument.symbols() for ref in references(search.scene.configuration.problem) if ref.argument
     )
-    if (
-        given.dimension in BODILY and not (placed or signed)
-    ):  # without a length, or a mass, there is no body; a place is at an end too
+    bodily = given.dimension in BODILY and not (placed or signed)
+    if bodily:  # without a length, or a mass, there is no body; a place is at an end too
         able = [index for index in able if numbers.side(roots[index]) == 1] or able
     stable: list[int] = []
     if not search.scene.configuration.problem.space:  # as without the word, what a displaced body comes back to
@@ -341,4 +342,5 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
         return picked
     sign = -1 if word == "largest" else 1
     best = able[numbers.least([sign * roots[index] for index in able])]
-    return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True, alike=tuple(stable and able))
+    alike = tuple(stable and able)
+    return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True, alike=alike)

@@ -62,7 +62,7 @@ class Ground:
         self.scene = scene
         self.chose = False  # whether some equation had several roots
         self.working_out: set[str] = set()  # the letters that are being told aside
-        self.passed_over: dict[str, list[Formula]] = {}  # roots for letters of the scene with which it does not come about
+        self.passed_over: dict[str, list[Formula]] = {}  # roots for letters with which the scene does not come about
         self.picked: dict[str, Formula] = {}  # those that are meant, where others are known
         self.givens = {given.name: given for given in problem.givens}
         self.signs = SignOracle(

@@ -80,8 +80,14 @@ def place_told(problem: Problem, letter: str) -> State | None:
 def stands_at(problem: Problem, letter: str) -> bool:
     """Whether a letter tells a place at which something is in balance, or stands steadily."""
     still = [state for state in problem.states if state.balance or state.steady]
-    lines = [line for state in still for line in state.conditions if line.path is not None and line.value is not None]
-    return any(line.path.quantity in PLACES and letter in line.value.symbols() for line in lines)
+    return any(
+        line.path is not None
+        and line.path.quantity in PLACES
+        and line.value is not None
+        and letter in line.value.symbols()
+        for state in still
+        for line in state.conditions
+    )
 
 
 def without_line(problem: Problem, state: State, line: Condition) -> Problem:

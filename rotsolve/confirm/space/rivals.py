@@ -85,8 +85,12 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
 
     Of what is not steady the other roots of its equation are looked at alone: to follow it at each place would take long.
     """
+    if len(hearing.places) > 1 and not steady_somewhere(hearing):
+        from rotsolve.confirm.space.together import as_good
+
+        return None if as_good(hearing, find, own) else True
     if not steady_somewhere(hearing):
-        untold = find.modifier in EXTREMES and not at_once(hearing.problem)
+        untold = find.modifier in EXTREMES and not followed_nowhere(hearing.problem)
         return None if untold or another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
         return True
@@ -130,10 +134,12 @@ def against_as_well(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     """What is said of an angle that no motion tells, with which to the other side all equations hold too, and of a size or a place with a
     value of the other sign; else ''."""
     letter = hearing.letter(find)
-    if letter is None or len(hearing.places) > 1 or steady_somewhere(hearing) or find.modifier in EXTREMES:
+    if letter is None or steady_somewhere(hearing) or find.modifier in EXTREMES:
         return ""
     given = next(given for given in hearing.problem.givens if given.name == letter)
     sought = SoughtLetter(find, given, hearing.known, own, find.group)
+    if len(hearing.places) > 1:
+        return next((sought.equal_to(found[letter]) for found in hearing.other_sets), "")
     if not hearing.is_angle(letter):
         values = other_values(hearing, letter, own, roots) if may_be_against(hearing, letter, own) else ()
         found = next((value for value in values if value < 0.0), None)
@@ -171,7 +177,7 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
     named = chain(sought.other_roots(), (-own,) if rate else ())
     if any(leaves_nothing(hearing, place, value) for value in filter(sought.may_be, named)):
         return True
-    return at_once(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
+    return followed_nowhere(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
 
 
 def letter_on_the_way(hearing: Hearing) -> str:
@@ -223,16 +229,16 @@ def others_on_the_way(
 
 
 def other_values(hearing: Hearing, letter: str, own: float, roots: tuple[Formula, ...]) -> Iterator[float]:
-    """Other values of the only letter that is put in with which the equations of all bodies leave nothing over: of a scene that is no motion
-    to be followed all that it may be are looked at, else other roots of its equation."""
+    """Other values of the only letter that is put in with which the equations of all bodies leave nothing over: where nothing has to be
+    followed all that it may be are looked at, else other roots of its equation."""
     angle = hearing.is_angle(letter)
-    for value in others(hearing, own) if at_once(hearing.problem) else fitting_roots(hearing, letter, roots):
+    for value in others(hearing, own) if followed_nowhere(hearing.problem) else fitting_roots(hearing, letter, roots):
         near = math.remainder(value - own, math.tau) if angle else value - own
         if abs(near) > SAME * max(abs(own), abs(value)):
             yield value
 
 
-def at_once(problem: Problem) -> bool:
+def followed_nowhere(problem: Problem) -> bool:
     """Whether nothing has to be followed in time: a scene of one moment, or of the moments around events."""
     joined = {(event.from_, event.to) for event in problem.events}
     names = [state.name for state in problem.states]
