@@ -79,6 +79,10 @@ class NoClosedForm(ValueError):
     """No unknown can be isolated."""
 
 
+class NoRealValue(NoClosedForm):
+    """Numbers have been looked through, and none satisfies the equation."""
+
+
 class Unprintable(ValueError):
     """A closed form would be longer than what a page can hold."""
 

@@ -111,7 +111,9 @@ class Rivals:
                 yield SoughtLetter(find, given, known, known[name], name, roots, on_the_way=True)
 
     def may_hang_on(self, sought: SoughtLetter, found: Mapping[str, AnswerConfirmation]) -> list[str]:
-        """The answers that a letter tells: its own, or where no question asks for it all that are confirmed."""
+        """The answers that a letter tells: its own, or where no question asks for it and it may be several all that are confirmed."""
+        if sought.on_the_way and not sought.roots:
+            return []
         if sought.on_the_way:
             return [name for name, verdict in found.items() if stands_confirmed(verdict)]
         return [sought.find.group] if sought.find.group in found else []
@@ -141,7 +143,7 @@ class Rivals:
                     break
         except OverBudget:
             letter = f": {sought.given.name}" if sought.on_the_way else ""
-            names = [one.name for one in self.answers] if sought.on_the_way else [name]
+            names = [one.name for one in self.answers if sought.roots] if sought.on_the_way else [name]
             self.against |= dict.fromkeys(names, f"{letter}{UNTOLD}")
 
     def others_with(self, sought: SoughtLetter, value: float) -> list[str]:
