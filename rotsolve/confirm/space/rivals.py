@@ -139,7 +139,10 @@ def against_as_well(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     given = next(given for given in hearing.problem.givens if given.name == letter)
     sought = SoughtLetter(find, given, hearing.known, own, find.group)
     if len(hearing.places) > 1:
-        return next((sought.equal_to(found[letter]) for found in hearing.other_sets), "")
+        from rotsolve.confirm.space.together import against_its_sense
+
+        other = against_its_sense(hearing, letter, own)
+        return "" if other is None else sought.equal_to(other)
     if not hearing.is_angle(letter):
         values = other_values(hearing, letter, own, roots) if may_be_against(hearing, letter, own) else ()
         found = next((value for value in values if value < 0.0), None)
@@ -208,11 +211,15 @@ def leaves_nothing(hearing: Hearing, letter: str, value: float) -> bool:
 
 def others_on_the_way(
     hearing: Hearing, roots: Callable[[str], tuple[Formula, ...]]
-) -> Iterator[tuple[str, float, str]]:
-    """Other values of the only letter that is put in where no question asks for it, with which a scene is as good.
+) -> Iterator[tuple[str, dict[str, float], str]]:
+    """Other values of letters that are put in where no question asks for them, with which a scene is as good.
 
     With a rate of the other sense and the same size, and with what is told as positive and is negative, goes what is said of it.
     """
+    if len(hearing.places) > 1:
+        from rotsolve.confirm.space.together import sets_on_the_way
+
+        yield from sets_on_the_way(hearing)
     place = letter_on_the_way(hearing)
     if not place:
         return
@@ -225,7 +232,7 @@ def others_on_the_way(
         if tilt is not None and not UPRIGHT < tilt < math.pi - UPRIGHT:
             continue
         behind = against or (not hearing.is_angle(place) and abs(value + own) <= SAME * abs(own))
-        yield place, value, f": {place} = {value:g} in SI units makes it so too" if behind else ""
+        yield place, {place: value}, f": {place} = {value:g} in SI units makes it so too" if behind else ""
 
 
 def other_values(hearing: Hearing, letter: str, own: float, roots: tuple[Formula, ...]) -> Iterator[float]:

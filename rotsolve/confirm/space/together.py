@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator
 from contextlib import suppress
 
+from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.hearing import STEP, Hearing
 from rotsolve.language.limited import limited_letters
@@ -40,10 +41,17 @@ def as_good(hearing: Hearing, find: Find, own: float) -> bool:
     if letter is None:
         return True
     found = [numbers[letter] for numbers in hearing.other_sets if in_sense(hearing, numbers)]
+    found = [value for value in found if is_apart(hearing, letter, value, own)]
     if hearing.is_angle(letter):
         found = [math.remainder(value, math.tau) for value in found]
-    beyond = {"largest": own.__lt__, "smallest": own.__gt__}.get(find.modifier, own.__ne__)
-    return any(map(beyond, found))
+    beyond = {"largest": own.__lt__, "smallest": own.__gt__}.get(find.modifier)
+    return any(map(beyond, found)) if beyond is not None else bool(found)
+
+
+def against_its_sense(hearing: Hearing, letter: str, own: float) -> float | None:
+    """Another number of a letter, with others of the rest; None where there is none."""
+    found = (numbers[letter] for numbers in hearing.other_sets)
+    return next((value for value in found if is_apart(hearing, letter, value, own)), None)
 
 
 def in_sense(hearing: Hearing, found: Numbers) -> bool:
@@ -79,10 +87,24 @@ def improved(hearing: Hearing, start: Numbers) -> Numbers | None:
 
 
 def is_another(hearing: Hearing, found: Numbers, own: Numbers) -> bool:
-    """Whether one of some numbers is another than that which is answered; whole turns of an angle are none."""
-    for name, value in found.items():
-        apart = value - own[name]
-        near = math.remainder(apart, math.tau) if hearing.is_angle(name) else apart
-        if abs(near) > APART * max(abs(own[name]), abs(value), 1.0 if hearing.is_angle(name) else 0.0):
-            return True
-    return False
+    """Whether one of some numbers is another than that which is answered."""
+    return any(is_apart(hearing, name, value, own[name]) for name, value in found.items())
+
+
+def is_apart(hearing: Hearing, name: str, value: float, own: float) -> bool:
+    """Whether two numbers of a letter are different ones; angles whole turns apart are not."""
+    angle = hearing.is_angle(name)
+    near = math.remainder(value - own, math.tau) if angle else value - own
+    return abs(near) > APART * max(abs(own), abs(value), 1.0 if angle else 0.0)
+
+
+def sets_on_the_way(hearing: Hearing) -> Iterator[tuple[str, Numbers, str]]:
+    """Other numbers of several letters, of which some are asked for by no question, each set with the first of these that is another, and
+    with what is said of it where it goes against its sense."""
+    asked = {find.formula for find in hearing.problem.finds if not find.terms}
+    names = [name for name in hearing.places if isinstance(name, str) and Symbol(name) not in asked]
+    for found in hearing.other_sets if names else ():
+        letter = next((name for name in names if is_apart(hearing, name, found[name], hearing.known[name])), "")
+        if letter:
+            said = f": {letter} = {found[letter]:g} in SI units makes it so too"
+            yield letter, found, "" if in_sense(hearing, found) else said

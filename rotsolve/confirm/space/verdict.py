@@ -151,8 +151,8 @@ def judged_in_space(
     sure = [answer for answer in answers if verdicts[answer.name].holds]
     from rotsolve.confirm.space.rivals import others_on_the_way
 
-    for letter, value, behind in others_on_the_way(hearing, others) if sure else ():
-        other = Hearing(problem, {**known, letter: value}, told, scans)
+    for letter, values, behind in others_on_the_way(hearing, others) if sure else ():
+        other = Hearing(problem, {**known, **values}, told, scans)
         for answer in sure:
             finds = [find for find in problem.finds if find.group == answer.name]
             own = verdicts[answer.name]
