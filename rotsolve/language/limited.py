@@ -26,7 +26,11 @@ def letters_of_places(problem: Problem) -> frozenset[str]:
     found = [ref.place for ref in named if isinstance(ref, PointRef) and ref.place is not None]
     for body in problem.bodies:
         found += [spot for _, spot in body.points]
-        found += [spot for part in (*body.parts, *body.holes) for spot in (part.at, part.start, part.end) if spot]
+        found += [part.at for part in (*body.parts, *body.holes) if part.at is not None]
+        ends = [spot for part in body.parts for spot in (part.start, part.end) if spot is not None]
+        sizes |= {
+            letter for spot in ends for part in spot for letter in part.symbols()
+        }  # they make the length of a rod
     return frozenset(letter for spot in found for part in spot for letter in part.symbols()) - sizes
 
 
