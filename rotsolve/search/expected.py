@@ -17,7 +17,6 @@ from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.limited import letters_of_places
 from rotsolve.language.problem import Given
 from rotsolve.laws.groups import one_motion
 from rotsolve.search.numbers import Numbers
@@ -52,6 +51,8 @@ class Expected(Struct, frozen=True):
         given = self.givens.get(name)
         if given is None or given.dimension is None or given.dimension.matches(ANGLE):
             return False
+        from rotsolve.language.limited import letters_of_places
+
         return name not in letters_of_places(self.scene.configuration.problem)
 
     def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:

@@ -19,7 +19,6 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import PointRef
-from rotsolve.language.limited import letters_of_places
 from rotsolve.language.problem import Find, Given, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.expected import Expected
@@ -303,6 +302,7 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
 
     A size is positive; a rate in space has its sign, but for the least with which a motion is stable or steady.
     """
+    from rotsolve.language.limited import letters_of_places
     from rotsolve.motion.limits import limits_of_scene
 
     numbers, given, word = search.numbers, search.givens[name], asked.modifier

@@ -77,9 +77,7 @@ def test_a_start_angle_that_no_question_asks_for_may_be_another(find: str) -> No
         solve(FALLEN.replace("TOLD", "kinetic_energy: 8 J").replace("FIND", find))
 
 
-@pytest.mark.parametrize(
-    ("word", "told"), [("", r"q = −8\.60722° makes it so too"), ("largest ", "and is larger")]
-)
+@pytest.mark.parametrize(("word", "told"), [("", r"q = −8\.60722° makes it so too"), ("largest ", "and is larger")])
 def test_where_one_start_leads_the_other_way_the_other_is_tried(word: str, told: str) -> None:
     """ω = +5 rad/s at −90°: at once from −171.4°, and on the way back from −8.6°."""
     with pytest.raises(Unsolvable, match=told):
