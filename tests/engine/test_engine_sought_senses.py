@@ -7,6 +7,7 @@ spring from a place above its hinge stands where M g (L/2) cos q is the spring's
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 
@@ -99,7 +100,7 @@ def stable(place: float) -> list[float]:
         return pull * (x * (1.2 - y) - y * (place - x)) - 9.8 * math.cos(q)
 
     angles = [-math.pi + math.tau * (k + 0.5) / 5000 for k in range(5000)]
-    return [math.degrees(a) for a, b in zip(angles, angles[1:], strict=False) if drive(a) > 0 >= drive(b)]
+    return [math.degrees(a) for a, b in pairwise(angles) if drive(a) > 0 >= drive(b)]
 
 
 @pytest.mark.parametrize("place", [0.0, 0.3])
