@@ -42,6 +42,7 @@ TRIG = (*SIN_COS, "tan")
 INVERSE = ("asin", "acos", "atan", "atan2")
 MULTIPLE_LIMIT = 24  # multiples of an angle beyond which sin(37 x) stays as it is
 CONSTANT_LIMIT = 12  # multiples of a base angle beyond which constants such as sin(37π/180) stay as they are
+SHOWN_LIMIT = 4  # the same of what is written: sin 25° and sin 35° and not polynomials of sin 5°
 POWER_LIMIT = 1000  # powers of a base beyond which exp(4001 x/1000) stays as it is
 
 
@@ -91,7 +92,8 @@ class Rewriter:
                     for term, value in vector.items():
                         self.shares[term] = lcm(self.shares.get(term, 1), value.denominator)
         share = lcm(*(t.denominator for t in turns)) if len(turns) > 1 else 1
-        if len(turns) > 1 and all(t * share <= CONSTANT_LIMIT for t in turns):
+        limit = CONSTANT_LIMIT if self.split_logs else SHOWN_LIMIT
+        if len(turns) > 1 and all(t * share <= limit for t in turns):
             self.shares[PI] = share
 
     def _linear(self, argument: Formula) -> Vector:
