@@ -157,3 +157,20 @@ def test_a_length_in_place_beside_letters_keeps_its_dimension(way: str, parts: t
     found = solve(DOOR.replace("WAY", way))
     assert found.answers["T"].float == pytest.approx(12 * 9.8 / 2 * math.hypot(*parts) / parts[2])
     assert all(check.holds is not False for check in found.checks)
+
+
+LOLLIPOP = """up: z
+given: {m: 0.3 kg, r: 5 cm, R: 20 cm, W: 4 rad/s, N: unknown, g: 9.81 m/s^2, l: sqrt(R^2 + r^2)}
+bodies: {pop: {shape: sphere, mass: m, radius: r, points: {O: [0, 0, -l], Q: [0, -r*R/l, -r*r/l]}}}
+connections: {pivot: {ball: pop.O}}
+actions: {floor: {force: N, on: pop.Q, direction: z}}
+states: {now: {pop.tilt: acos(r/l), pop.precession: W, pop.spin: -W*l/r, steady: true}}
+find: {N: N, w: pop.angular_velocity.y}
+"""
+
+
+def test_a_root_that_is_a_given_is_written_as_that() -> None:
+    """Morin, problem 9.23: N = m g + (7/5) m r Ω², and ω = Ω R/r; with l = √(R² + r²) the root √(l² − r²) is R."""
+    found = solve(LOLLIPOP)
+    assert found.answers["N"].float == pytest.approx(0.3 * (9.81 + 7 / 5 * 0.05 * 16))
+    assert (found.answers["N"].exact, found.answers["w"].exact) == ("m (g + 7 r W²/5)", "R W/r")
