@@ -144,7 +144,10 @@ class Textbook(Struct, kw_only=True):
             if not (isinstance(node, Call) and node.function == "sqrt") or node.symbols().isdisjoint(made):
                 return node
             root = self.simplify(node.substitute(made))
-            return node if root.holds("sqrt") else root
+            if root.holds("sqrt"):
+                return node
+            self.signs.decided[node.arguments[0] - root**2] = 0  # other numbers of l hang on it
+            return root
 
         return value.transform(change, "sqrt")
 

@@ -174,3 +174,9 @@ def test_a_root_that_is_a_given_is_written_as_that() -> None:
     found = solve(LOLLIPOP)
     assert found.answers["N"].float == pytest.approx(0.3 * (9.81 + 7 / 5 * 0.05 * 16))
     assert (found.answers["N"].exact, found.answers["w"].exact) == ("m (g + 7 r W²/5)", "R W/r")
+
+
+def test_other_numbers_of_that_given_are_another_case() -> None:
+    many = solve(LOLLIPOP.replace(", w: pop.angular_velocity.y", "")).evaluate_many({"l": [0.25, 0.3]})["N"]
+    alone = [solve(LOLLIPOP.replace("sqrt(R^2 + r^2)", f"{length} m")).answers["N"].float for length in (0.25, 0.3)]
+    assert list(many) == pytest.approx(alone)
