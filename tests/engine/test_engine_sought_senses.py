@@ -85,6 +85,12 @@ def test_where_one_start_leads_the_other_way_the_other_is_tried(word: str, told:
         solve(FALLEN.replace("TOLD", "rod.angular_velocity: 5 rad/s").replace("FIND", f"q: {word}q"))
 
 
+def test_another_root_of_another_law_is_no_objection() -> None:
+    found = solve(FALLEN.replace("TOLD", "rod.angular_velocity: 5 rad/s").replace("FIND", "q: smallest q"))
+    assert found.answers["q"].float == pytest.approx(math.radians(-171.3928), abs=1e-5)
+    assert all(check.holds is not False for check in found.checks)
+
+
 def test_what_no_start_leads_to_is_refused() -> None:
     with pytest.raises(Unsolvable, match="no `q` is found that fits"):
         solve(FALLEN.replace("TOLD", "rod.angular_velocity: 7.9 rad/s").replace("FIND", "q: q"))
