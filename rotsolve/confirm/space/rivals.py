@@ -216,7 +216,7 @@ def others_on_the_way(
 
     With a rate of the other sense and the same size, and with what is told as positive and is negative, goes what is said of it.
     """
-    if len(hearing.places) > 1:
+    if len(hearing.places) > 1 and not steady_somewhere(hearing):  # what is steady is looked at in all its motions
         from rotsolve.confirm.space.together import sets_on_the_way
 
         yield from sets_on_the_way(hearing)
