@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import Contradicted, NeverReached, Unsolvable
+from rotsolve.core.faults import Contradicted, Impossible, NeverReached, Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, TIME
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
@@ -71,10 +71,36 @@ def drawn_as_acting(found: Found, law: str | None) -> Found:
 
 
 def searched(configuration: Configuration, law: str | None) -> tuple[Decision | None, Found]:
-    """The answers to all questions, with a state more wherever the laws of a phase end before it does."""
+    """The answers to all questions; where a state is never reached with a root for a letter that is sought, or another letter can not be
+    what it is with it, with the other roots."""
+    passed: dict[str, list[Formula]] = {}
+    first: Unsolvable | None = None
+    while True:
+        picked: dict[str, Formula] = {}
+        try:
+            return searched_beyond(configuration, law, passed, picked)
+        except (NeverReached, Impossible) as error:
+            first = first or error
+            letter = next((name for name, root in picked.items() if root not in passed.get(name, ())), None)
+            if letter is None:
+                raise first from None
+            passed.setdefault(letter, []).append(picked[letter])
+        except Unsolvable as error:
+            raise first or error from None
+
+
+def searched_beyond(
+    configuration: Configuration, law: str | None, passed: dict[str, list[Formula]], picked: dict[str, Formula]
+) -> tuple[Decision | None, Found]:
+    """The answers to all questions, with a state more wherever the laws of a phase end before it does.
+
+    Roots that are `passed` over for a letter that is sought are not taken; those taken are noted in `picked`.
+    """
     first: Unsolvable | None = None
     while True:
         decision, search = prepared(configuration, law)
+        assert search.ground is not None
+        search.ground.passed_over, search.ground.picked = passed, picked
         found = answered_fully(search)
         if search.ground and search.ground.chose and doubtful(found):  # perhaps by a root that is not meant
             again = answered_fully(Search(search.scene, search.families, search.spare, careful=True))
@@ -225,6 +251,12 @@ def solved_for(letter: str, search: Search) -> Formula | float | None:
     return found.formula or (None if found.number is None else found.number.float)
 
 
+def other_roots(letter: str, search: Search) -> tuple[Formula, ...]:
+    """The roots beside that which the answers make of a letter of the scene, if only aside."""
+    own = search if letter in search.solver.solved else search.beside_by(families_for(None))
+    return tuple(own.solver.with_found(root) for root in own.rivals.get(letter, ()))
+
+
 def decided(configuration: Configuration) -> Decision | None:
     """How all that rubs behaves; None where nothing does, and no state says how a contact moves."""
     spoken_of = any(line.word for state in configuration.timeline.states for line in state.conditions)
@@ -269,7 +301,7 @@ def composed(
         forward=search.scene.configuration.forward,
         by_law=lambda law: solved(problem, search.scene.configuration, law, digits, at).derivation,
         letter=lambda letter: solved_for(letter, search),
-        others=lambda letter: tuple(search.solver.with_found(root) for root in search.rivals.get(letter, ())),
+        others=lambda letter: other_roots(letter, search),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 

@@ -165,11 +165,18 @@ def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[l
 
 
 def placed(
-    model: Known, start: Placed | None = None, *, time: float = 0.0, lines: bool = True, stir: float = 0.0
+    model: Known,
+    start: Placed | None = None,
+    *,
+    time: float = 0.0,
+    lines: bool = True,
+    stir: float = 0.0,
+    kept: Mapping[tuple[str, str], float] = {},
 ) -> Placed:
     """Places and rates that fulfil all that is held and what the state says; from `start` on as little is changed as need be.
 
-    What nothing tells stays as it is drawn and at rest, or, where `stir` is not 0, does something else.
+    What nothing tells stays as it is drawn and at rest, or, where `stir` is not 0, does something else; what holds from where it is drawn,
+    as a hinge at the ground does, misses that by as much as is `kept`.
     """
     q = list(start.q) if start is not None else stirred(model, stir)
     origin = start.origin if start is not None else q
@@ -180,7 +187,7 @@ def placed(
         pose = Pose(model.seats, q, still, time, offsets, origin)
         rows, grips = split(held_by(model, pose))
         said = list(told(model, pose, {grip.name: grip for grip in grips})) if lines else []
-        places = [(row.slope, row.gap) for row in rows if row.hard]
+        places = [(row.slope, row.gap - kept.get(row.key, 0.0)) for row in rows if row.hard or row.key in kept]
         places += [(line.slope, line.gap) for line in said if line.gap is not None]
         worst = max((abs(gap) for _, gap in places), default=0.0)
         if worst < CLOSE:
@@ -258,8 +265,12 @@ def moving(
     firm = [row for row in rows if not row.loose]
     firm += [grip.row for grip in grips if grip.static is None and grip.name not in slips]
     equations = [(row.slope, row.speed) for row in firm if row.slope and row.speed is not None]
-    equations += [(line.slope, line.speed) for line in said if line.speed is not None]
+    equations += [(line.slope, line.speed) for line in said if line.speed is not None and not line.sized]
     found = nearest(equations, free)
+    sized = [(line.slope, line.speed) for line in said if line.speed is not None and line.sized]
+    if sized:
+        equations += [(slope, in_sense_of(found, slope, speed)) for slope, speed in sized]
+        found = nearest(equations, free)
     for grip in grips:
         if grip.static is None or grip.name in slips or not found.open & grip.row.slope.keys():
             continue
@@ -268,6 +279,13 @@ def moving(
     return replace(
         at, speed=found.values, open=found.open, clash=max(at.clash, found.clash if found.clash > 1e-9 else 0.0)
     )
+
+
+def in_sense_of(found: Solved, slope: Slope, speed: float) -> float:
+    """A speed, which has no sense, in that of the rates where these are told without it."""
+    if found.open & slope.keys():
+        return speed
+    return math.copysign(speed, sum([part * found.values[index] for index, part in slope.items()]))
 
 
 def nearest(equations: Sequence[tuple[Slope, float]], free: Sequence[float]) -> Solved:

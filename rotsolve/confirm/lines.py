@@ -25,12 +25,14 @@ if TYPE_CHECKING:
 
 
 class Stated(Struct, frozen=True):
-    """A line as an equation: a place (`gap` is to become 0 along `slope`), or a rate (slope · q̇ = speed)."""
+    """A line as an equation: a place (`gap` is to become 0 along `slope`), or a rate (slope · q̇ = speed), of which one that is `sized`
+    tells the size alone: where other lines tell all rates in it, it has their sense."""
 
     slope: Slope
     gap: float | None
     speed: float | None
     path: str = ""
+    sized: bool = False
 
 
 EXTREMES = ("largest", "smallest")
@@ -94,7 +96,8 @@ def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) 
     rate = rate_of(path, pose, model)
     if rate is not None:
         slope, sign = rate
-        yield Stated(slope, None, (2 * math.pi / value if path.quantity == "period" else value) * sign, name)
+        speed = (2 * math.pi / value if path.quantity == "period" else value) * sign
+        yield Stated(slope, None, speed, name, sized=path.quantity == "speed")
         return
     place = placed_value(path, pose, model)
     if place is None and path.quantity == "length":

@@ -172,16 +172,21 @@ def against(item: AnswerConfirmation) -> str:
 
 
 def asked_letters(problem: Problem, numbers: Numbers, solved: Solved) -> dict[str, float]:
-    """The letters that are asked for, by the answers."""
-    found = {}
-    for given in problem.givens:
-        if given.asked and solved is not None:
-            value = solved(given.name)
+    """The letters that are asked for, by the answers; what hangs on others of them by these."""
+    found: dict[str, float] = {}
+    told = {given.name: solved(given.name) for given in problem.givens if given.asked and solved is not None}
+    while told:
+        before = len(found)
+        for name, value in told.items():
             try:
                 if value is not None:
-                    found[given.name] = float(value_of(value, numbers) if isinstance(value, Formula) else value)
+                    known = {**numbers, **found}
+                    found[name] = float(value_of(value, known) if isinstance(value, Formula) else value)
             except (NotConfirmed, ArithmeticError):
                 continue
+        told = {name: value for name, value in told.items() if name not in found}
+        if len(found) == before:
+            break
     return found
 
 

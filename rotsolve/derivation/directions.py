@@ -89,7 +89,7 @@ class Directions:
 
     @property
     def _senseless(self) -> bool:
-        """Whether a turn counts in a sense that nothing in the scene tells: seen from above, where nothing moves or turns in a named way."""
+        """Whether a turn counts in a sense that nothing tells: seen from above, where nothing moves or turns in a named way."""
         problem = self.search.scene.configuration.problem
         turns = self._quantity is not None and self._quantity.positive in TURNS
         ways = any(body.moves or body.turns for body in problem.bodies) or problem.actions

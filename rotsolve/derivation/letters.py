@@ -51,12 +51,15 @@ class Letters:
         return f"{find.name}({self.time})" if find.runs else find.name
 
     def tells(self, given: str) -> bool:
-        """Whether a given is the scene's own or occurs in what is printed."""
+        """Whether a given is the scene's own, occurs in what is printed, or in the value of such a one."""
         entry = self.search.givens[given]
         if entry.span is not None and not entry.automatic:
             return True
         found = (answered.found.formula for answered in self.search.answered)
-        return given in self._occurring or any(given in formula.symbols() for formula in found if formula is not None)
+        if given in self._occurring or any(given in formula.symbols() for formula in found if formula is not None):
+            return True
+        others = ((other.name, other.value) for other in self.search.givens.values())
+        return any(value is not None and given in value.symbols() and self.tells(name) for name, value in others)
 
     # which letters occur
 

@@ -29,7 +29,7 @@ from rotsolve.plan import Shortage
 from rotsolve.search.answers import Answered, NoAnswer
 from rotsolve.search.consistency import BITS, KnownBalls, runs
 from rotsolve.search.planning import families_for
-from rotsolve.search.search import FEW_TRIES, Search
+from rotsolve.search.search import FEW_TRIES, TURN, Search, whole_turns
 from rotsolve.solver.textbook import is_long_root
 
 LONGEST_TOLD = 40  # nodes of an equation that is told among the checks
@@ -61,7 +61,8 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
             formula = again(other, answered) if outcome is Confirmation.OPEN else answered.found.formula
             if outcome is Confirmation.NO_PLAN or formula is None or law not in families(other.answered[-1], other):
                 continue
-            if outcome is Confirmation.HOLDS or same(formula, answered.found.formula, search, balls):
+            forms = (formula, *other_forms(other, answered.asked.letter))
+            if outcome is Confirmation.HOLDS or any(same(one, answered.found.formula, search, balls) for one in forms):
                 pending.remove(answered)
                 agreed.append(answered)
             elif over_a_phase(other) and not has_quantities(formula):  # what rests on an open letter is no other answer
@@ -233,6 +234,14 @@ def again(other: Search, answered: Answered) -> Formula | None:
         return other.answer(answered.asked).found.formula
     except (NoAnswer, NotYet):
         return None
+
+
+def other_forms(other: Search, letter: str) -> Iterator[Formula]:
+    """The other roots that another search knows for a letter of the scene, of an angle those within half a turn: which is meant is told by
+    more than its law."""
+    for root in other.rivals.get(letter, ()):
+        found = other.solver.with_found(root)
+        yield found + whole_turns(found, other) * TURN if other.may_be_angle(letter) else found
 
 
 def same(one: Formula, other: Formula | None, search: Search, balls: KnownBalls) -> bool:

@@ -8,13 +8,30 @@ from msgspec import Struct
 from msgspec.structs import astuple
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.language.bodies import PointRef
 from rotsolve.language.keys import Element
-from rotsolve.language.problem import Body, Problem
+from rotsolve.language.problem import Body, Problem, references
 
 
 def limited_letters(problem: Problem) -> dict[str, str]:
     """Letters that stand alone where the scene takes only values within limits, with these: the radius of a wheel, the angle of a slope."""
     return {value.name: limits for _, value, limits in limited_values(problem) if isinstance(value, Symbol)}
+
+
+def letters_of_places(problem: Problem) -> frozenset[str]:
+    """Letters in coordinates of points or parts, which may be negative, and in nothing that has limits, as sizes or places on rods."""
+    named = list(references((problem.bodies, problem.connections, problem.actions, problem.events, problem.finds)))
+    sizes = {letter for _, value, _ in limited_values(problem) for letter in value.symbols()}
+    sizes |= {letter for ref in named if ref.argument is not None for letter in ref.argument.symbols()}
+    found = [ref.place for ref in named if isinstance(ref, PointRef) and ref.place is not None]
+    for body in problem.bodies:
+        found += [spot for _, spot in body.points]
+        found += [part.at for part in (*body.parts, *body.holes) if part.at is not None]
+        ends = [spot for part in body.parts for spot in (part.start, part.end) if spot is not None]
+        sizes |= {
+            letter for spot in ends for part in spot for letter in part.symbols()
+        }  # they make the length of a rod
+    return frozenset(letter for spot in found for part in spot for letter in part.symbols()) - sizes
 
 
 def limited_values(problem: Problem) -> Iterator[tuple[str, Formula, str]]:

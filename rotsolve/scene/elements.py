@@ -184,7 +184,7 @@ def read_vector(scope: Scope, key: Key, node: Node, label: str, owner: str) -> A
         return in_space_only(scope, node, f"{label}: [x, y, z]")
     if not isinstance(node, List) or len(node.items) != 2:
         return scope.fault(node, f"`{label}` wants `[x, y]`", kind="form")
-    found = [read_scalar(scope, item, Want(label)) for item in node.items]
+    found = in_space.read_ratio(scope, node, label, owner)
     return None if None in found else tuple(found)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from rotsolve.algebra.exact.normal import simplify
@@ -65,8 +66,7 @@ def read_way(scope: Scope, node: Node, label: str, owner: str = "") -> Direction
         return scope.fault(node, f"{quoted(word)} is no direction in space", hint(word, WORDS, "directions"), "choice")
     if isinstance(node, Map) or len(node.items) != 3:
         return scope.fault(node, f"`{label}` wants `x`, `y`, `z` or `[x, y, z]`", kind="form")
-    found = [read_scalar(scope, item, Want(label)) for item in node.items]
-    x, y, z = found
+    x, y, z = read_ratio(scope, node, label, owner)
     if x is None or y is None or z is None:
         return None
     if all(scope.side(part) == 0 for part in (x, y, z)):
@@ -74,6 +74,18 @@ def read_way(scope: Scope, node: Node, label: str, owner: str = "") -> Direction
             node, f"`{label}` is a direction of length 0", "it needs a component that is not 0", "limits"
         )
     return (x, y, z)
+
+
+def read_ratio(scope: Scope, node: List, label: str, owner: str) -> list[Formula | None]:
+    """The components of a direction, of which only the ratio counts: a length in place beside letters is a letter too, and keeps its
+    dimension."""
+    words = {word for item in node.items if isinstance(item, Text) for word in re.findall(r"\w+", item.value)}
+    lettered = not words.isdisjoint(scope.givens)
+    letters = "xyz" if lettered else ("", "", "")
+    return [
+        read_scalar(scope, item, Want(label, letter=letter, owner=owner))
+        for letter, item in zip(letters, node.items, strict=False)
+    ]
 
 
 def read_axis(scope: Scope, node: Node, owner: str) -> Direction | None:

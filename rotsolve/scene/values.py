@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 
 from rotsolve.algebra.certified.ball import evaluate, note
-from rotsolve.algebra.formula import ZERO, Call, Formula, Quotient, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Negative, Number, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
@@ -241,9 +241,21 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
 
 
 def turned_letters(formula: Formula) -> set[str]:
-    """The letters of which sines, cosines or tangents are taken, alone."""
+    """The letters of which sines, cosines or tangents are taken: alone, a number of times, or in a sum, sin(2 q + 30°)."""
     calls = (node for node in formula.walk(Call) if isinstance(node, Call) and node.function in ("sin", "cos", "tan"))
-    return {call.arguments[0].name for call in calls if isinstance(call.arguments[0], Symbol)}
+    return {name for call in calls for name in letters_summed(call.arguments[0])}
+
+
+def letters_summed(value: Formula) -> Iterator[str]:
+    """The letters that are terms of a sum, or numbers of times terms, so that they measure what it does."""
+    if isinstance(value, Symbol):
+        yield value.name
+    elif isinstance(value, Quotient) and isinstance(value.denominator, Number):
+        yield from letters_summed(value.numerator)
+    elif isinstance(value, (Sum, Negative, Product)):
+        parts = [part for part in value.children() if not isinstance(part, Number)]
+        for part in parts if len(parts) == 1 or isinstance(value, Sum) else ():
+            yield from letters_summed(part)
 
 
 def agreed_dimension(

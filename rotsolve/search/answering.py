@@ -290,6 +290,8 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
     if find.terms or not isinstance(find.formula, Symbol):
         settle(search, letters_named(find) & search.scene.configuration.problem.sought)
     question = question_for(find, search.scene, search.letters(), search.beside())
+    if find.terms and not isinstance(question.formula, Symbol):  # what a state tells by a letter is what that is
+        settle(search, question.formula.symbols() & search.scene.configuration.problem.sought)
     question = replace(question, whole=whole)
     if search.scene.configuration.problem.space:
         from rotsolve.space.entries import by_answers

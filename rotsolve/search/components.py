@@ -17,11 +17,13 @@ from rotsolve.algebra.formula import Call, Formula, Symbol, call, sqrt, total
 from rotsolve.algebra.units.dimension import is_positive
 from rotsolve.core.equation import COMPONENTS, Equation
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import COMPONENT
+from rotsolve.core.symbols import COMPONENT, TIME
 from rotsolve.core.writing import flat
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Given
+from rotsolve.matching import Plan
 from rotsolve.motion.positive import is_angle
+from rotsolve.plan import Planner
 
 
 class Components(Struct, frozen=True):
@@ -76,17 +78,25 @@ def by_components(equations: Sequence[Equation], scene: SceneEquations, positive
     found = list(equations)
     sought = [given for given in scene.configuration.problem.givens if given.asked]
     sizes = [given for given in sought if is_positive(given.dimension)]
-    angles = [given for given in sought if given.dimension is None or is_angle(given)]
-    for size, angle in product(sizes, angles):
+    for size, angle in product(sizes, filter(is_angle, sought)):
         letters = letters_of_components(size, angle)
         pair = Components(size.name, angle.name, *(letter.symbol for letter in letters))
         told = {number: law for number, own in enumerate(found) if (law := by_pair(own, pair, positive)) is not None}
-        if len(told) > 1:
-            found = [told.get(number, law) for number, law in enumerate(found)]
-            found += pair.telling_laws(next(iter(told.values())).section)
+        written = [told.get(number, law) for number, law in enumerate(found)]
+        if len(told) > 1 and are_told(pair, written, scene):
+            found = [*written, *pair.telling_laws(next(iter(told.values())).section)]
             for letter in letters:
                 scene.registry.ask(letter)
     return found
+
+
+def are_told(pair: Components, equations: Sequence[Equation], scene: SceneEquations) -> bool:
+    """Whether both components can be planned without the size and the angle: else these are told in another way, as by an energy."""
+    givens = scene.configuration.problem.givens
+    planner = Planner(equations, [given.name for given in givens if given.asked])
+    known = {TIME, *(given.name for given in givens if not given.asked)}
+    plans = [planner.plan(letter.name, known) for letter in (pair.along, pair.across)]
+    return all(isinstance(plan, Plan) and {pair.size, pair.angle}.isdisjoint(plan.unknowns) for plan in plans)
 
 
 def by_pair(law: Equation, pair: Components, positive: frozenset[str]) -> Equation | None:

@@ -47,9 +47,13 @@ class Expected(Struct, frozen=True):
         return 0, ()
 
     def _is_size(self, name: str) -> bool:
-        """Whether a given has a dimension, so that it is meant to be positive."""
+        """Whether a given has a dimension, so that it is meant to be positive, and is no place."""
         given = self.givens.get(name)
-        return given is not None and given.dimension is not None and not given.dimension.matches(ANGLE)
+        if given is None or given.dimension is None or given.dimension.matches(ANGLE):
+            return False
+        from rotsolve.language.limited import letters_of_places
+
+        return name not in letters_of_places(self.scene.configuration.problem)
 
     def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
         """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed.

@@ -96,6 +96,9 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
     if (fault := search.scene.unwritten_law()) is not None:
         return unsolvable(problem, fault.message, fault.span or find.span, fault.help)
+    if str(error) == ENTANGLED and (way := way_out(find, problem)):  # as many equations as unknowns: nothing is missing
+        message = f"`{find.name}` is not solved by these laws: {ENTANGLED} in its equations"
+        return unsolvable(problem, message, find.span, way, kind=UNSOLVED)
     if error.shortage is None or not missing:
         help = suggestion((), search, find)
         message = f"too little is known to find `{find.name}`{alone}"
@@ -107,6 +110,14 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
     help = suggestion(missing, search, find, error.shortage.asked)
     return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
+
+
+def way_out(find: Find, problem: Problem) -> str:
+    """What to do where equations of several letters that are sought, or of a quantity under a condition, are not solved; else ''."""
+    sought = sorted(problem.sought | ({find.seeks} if find.seeks else set()))
+    if len(sought) > 1:
+        return f"tell all but one of {', '.join(f'`{name}`' for name in sought)}"
+    return "say the condition as a line of a state" if find.where is not None and not find.seeks else ""
 
 
 def law_that_gives(find: Find, search: Search) -> str:

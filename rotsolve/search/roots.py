@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -127,8 +128,11 @@ class RootChoice(Struct, frozen=True):
         stable = self.coming_back(name, [root for _, root in numbered])
         if stable:
             found = sorted([real[place] for place in stable], key=lambda entry: entry[1] < 0)
-            one = "the stable one" if len(found) == 1 else f"of {len(found)} stable ones that nearest to zero"
-            return PickedRoot(self._smallest(found, roots), (f"{one}: a body displaced from it comes back",))
+            count = len({self._once_round(name, number) for _, number in found})
+            one = "the stable one" if count == 1 else f"of {count} stable ones that nearest to zero"
+            told: Words = (f"{one}: a body displaced from it comes back",)
+            alike = tuple(index for index, _ in found)
+            return PickedRoot(self._smallest(found, roots), told, guessed=count > 1, alike=alike)
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered, period)
         if reached is not None:
             return reached
@@ -177,7 +181,14 @@ class RootChoice(Struct, frozen=True):
             return sign, words
         share = self.numbers.sign([formula.substitute({letters[0]: ONE})])
         sign, words = expected.sign(letters[0])
+        if not sign and self._is_rate(letters[0]):  # its positive root is taken where it is asked for itself
+            sign, words = 1, (Symbol(letters[0]), " > 0")
         return share * sign, words
+
+    def _is_rate(self, name: str) -> bool:
+        """Whether a letter of the laws tells how fast something moves or turns."""
+        quantity = self.scene.registry.quantities.get(name)
+        return quantity is not None and quantity.kind in ("velocity", "angular_velocity")
 
     def _multiple(self, name: str, roots: Sequence[Formula]) -> tuple[str, Sequence[Formula]]:
         """The letter of the laws of which a letter of a question is a multiple, as a component of ω is one of the rate about an axis, with
@@ -258,6 +269,11 @@ class RootChoice(Struct, frozen=True):
             return quantity.kind == "angle"
         return given is not None and (given.dimension is None or is_angle(given))
 
+    def _once_round(self, name: str, number: float) -> float:
+        """A root, of an angle that within half a turn, as far as two are told apart."""
+        within = math.remainder(number, math.tau) if self._is_angle(name) else number
+        return round(within / SAME) * SAME
+
     def _unnumbered(self, name: str, roots: Sequence[Formula]) -> PickedRoot:
         """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""
         sign, words = Expected(self.scene, self.givens, self.numbers).sign(name)
@@ -286,6 +302,7 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
 
     A size is positive; a rate in space has its sign, but for the least with which a motion is stable or steady.
     """
+    from rotsolve.language.limited import letters_of_places
     from rotsolve.motion.limits import limits_of_scene
 
     numbers, given, word = search.numbers, search.givens[name], asked.modifier
@@ -293,15 +310,18 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     limits, strict = [limit.gap for limit in told], {limit.gap for limit in told if limit.strict}
     by_value = search.scene.configuration.problem.space and not (asked.where is not None and asked.where.word)
     signed = given.dimension is None or is_angle(given) or (by_value and given.dimension.matches(ANGULAR_VELOCITY))
+    signed = signed or name in letters_of_places(search.scene.configuration.problem)
     limits += [] if signed else [Symbol(name)]
     if search.scene.configuration.problem.space:
         from rotsolve.space.steady import tilts_with
 
         limits += [gap for tilt in tilts_with(name, search.scene) for gap in (tilt, PI - tilt)]
+    passed = () if search.ground is None else search.ground.passed_over.get(name, ())
     able = [
         index
         for index, root in enumerate(roots)
         if numbers.of(root) is not None
+        and root not in passed
         and not any(
             numbers.side(numbers.with_answers(gap.substitute({name: root}))) in (-1, 0 if gap in strict else -1)
             for gap in limits
@@ -310,10 +330,10 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     placed = any(
         name in ref.argument.symbols() for ref in references(search.scene.configuration.problem) if ref.argument
     )
-    if (
-        given.dimension in BODILY and not placed
-    ):  # without a length, or a mass, there is no body; a place is at an end too
+    bodily = given.dimension in BODILY and not (placed or signed)
+    if bodily:  # without a length, or a mass, there is no body; a place is at an end too
         able = [index for index in able if numbers.side(roots[index]) == 1] or able
+    stable: list[int] = []
     if not search.scene.configuration.problem.space:  # as without the word, what a displaced body comes back to
         choice = RootChoice(search.scene, search.givens, numbers, search.definitions.formula)
         stable = choice.coming_back(name, roots) if asked.where is None else []
@@ -322,4 +342,5 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
         return picked
     sign = -1 if word == "largest" else 1
     best = able[numbers.least([sign * roots[index] for index in able])]
-    return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True)
+    alike = tuple(stable and able)
+    return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True, alike=alike)

@@ -14,7 +14,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle, real_where
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Integral, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
@@ -33,7 +33,16 @@ from rotsolve.search.definitions import Definitions, Stepwise
 from rotsolve.search.numbers import Numbers
 from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
 from rotsolve.solver import ENTANGLED, Solver
-from rotsolve.solver.steps import Contradiction, Found, NoClosedForm, NumbersWanted, PickedRoot, Redundant, Ref
+from rotsolve.solver.steps import (
+    Contradiction,
+    Found,
+    NoClosedForm,
+    NoRealValue,
+    NumbersWanted,
+    PickedRoot,
+    Redundant,
+    Ref,
+)
 
 if TYPE_CHECKING:
     from rotsolve.questions.functions_of_time import Beside
@@ -62,6 +71,8 @@ class Ground:
         self.scene = scene
         self.chose = False  # whether some equation had several roots
         self.working_out: set[str] = set()  # the letters that are being told aside
+        self.passed_over: dict[str, list[Formula]] = {}  # roots for letters with which the scene does not come about
+        self.picked: dict[str, Formula] = {}  # those that are meant, where others are known
         self.givens = {given.name: given for given in problem.givens}
         self.signs = SignOracle(
             problem.values, configuration.positive, configuration.signs.limits, trials=problem.trials
@@ -155,7 +166,8 @@ class Search(Struct, dict=True):
         """
         turns = [0] * len(roots)
         round_ = period is None or is_zero(period - TURN)
-        if name in self.givens and round_ and name == self.solver.once_round:
+        passed = self.ground is not None and name in self.ground.passed_over
+        if name in self.givens and round_ and (name == self.solver.once_round or (passed and self.may_be_angle(name))):
             turns = [whole_turns(root, self) for root in roots]
             roots = [root + count * TURN for root, count in zip(roots, turns, strict=True)]
         picked = self.picked_root(name, roots, period)
@@ -170,10 +182,17 @@ class Search(Struct, dict=True):
             if (
                 picked.guessed or self.scene.configuration.problem.space
             ):  # there a rate of the other sense may have another size
-                self.rivals[name] = tuple(root for index, root in enumerate(roots) if index != picked.root)
+                others = picked.alike or range(len(roots))
+                self.rivals[name] = tuple(roots[index] for index in others if index != picked.root)
+                self.remember_picked(name, roots[picked.root])
         if picked is not None and turns[picked.root]:
             return replace(picked, turns=picked.turns + turns[picked.root])
         return picked
+
+    def remember_picked(self, name: str, root: Formula) -> None:
+        """Note the root of a letter that the scene asks for: where nothing comes about with it, others may do."""
+        if self.ground is not None and self.givens[name].asked:
+            self.ground.picked[name] = root
 
     def extreme_asked(self, name: str, picked: PickedRoot) -> Find | None:
         """The question for the largest or smallest value of a letter, where no motion tells which it comes to first."""
@@ -201,8 +220,13 @@ class Search(Struct, dict=True):
         fitting = (with_sizes if plain else agreeing)(name, roots, self)
         if not plain and len(fitting) == 1 < len(roots):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
+        passed = () if self.ground is None else self.ground.passed_over.get(name, ())
+        fitting = [number for number in fitting if roots[number] not in passed]
+        if passed and len(fitting) == 1:
+            return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
         picked = choice.choose(name, [roots[number] for number in fitting], period)
-        return None if picked is None else replace(picked, root=fitting[picked.root])
+        alike = () if picked is None else tuple(fitting[index] for index in picked.alike)
+        return None if picked is None else replace(picked, root=fitting[picked.root], alike=alike)
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""
@@ -389,6 +413,8 @@ class Search(Struct, dict=True):
                     break
                 raise NoAnswer("too little is known", plan)
             met.update(dict.fromkeys(plan.unknowns))
+            if isinstance(problem, NoRealValue) and self.sums(plan):  # what no moment allows, no sum over a phase does
+                break
             try:
                 found = self.solver.solve(plan)
             except NumbersWanted as error:
@@ -408,6 +434,11 @@ class Search(Struct, dict=True):
         open_form = isinstance(problem, (NoClosedForm, Undefined))
         words = str(problem) if open_form else "too little is known"
         raise NoAnswer(words, open_, open_form=open_form and rooted, met=stones(met, asked.letter))
+
+    def sums(self, plan: Plan) -> bool:
+        """Whether an equation of a plan sums over a phase."""
+        laws = (self.planner.pool[index] for index in plan.equations)
+        return any(law.left.holds(Integral) or law.right.holds(Integral) for law in laws)
 
     def _leads(self, stone: str, asked: Asked, clashes: list[int]) -> bool:
         """Whether a question has an answer once a letter of its plans is settled first; leaves no trace but the law that lets the letter

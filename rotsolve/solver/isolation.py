@@ -20,6 +20,7 @@ from rotsolve.solver.steps import (
     Contradiction,
     Item,
     NoClosedForm,
+    NoRealValue,
     PickedRoot,
     Redundant,
     Unprintable,
@@ -159,7 +160,7 @@ class Isolation(Textbook, kw_only=True):
                 doubtful = root
         if doubtful is not None:
             return doubtful
-        raise NoClosedForm("no real value satisfies the equations")
+        raise NoRealValue("no real value satisfies the equations")
 
     def ranges(self, gap: Formula, asked: str) -> Ranges:
         """Where roots are looked for, one after the other; an angle that is sought once round, and beyond if it does not come round."""

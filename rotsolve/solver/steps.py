@@ -36,8 +36,8 @@ Ref = tuple[str, "int | str"]
 class PickedRoot(Struct, frozen=True):
     """The root that is meant, why, and the whole turns that an angle has gone beyond it, or the whole periods of a time.
 
-    One that does not fit has not the sign that the scene tells; one is `guessed` where others fit as well, and `reached` where it is the
-    first place on the way.
+    One that does not fit has not the sign that the scene tells; one is `guessed` where others fit as well, all or those that are `alike`,
+    and `reached` where it is the first place on the way.
     """
 
     root: int
@@ -46,6 +46,7 @@ class PickedRoot(Struct, frozen=True):
     period: Formula = 2 * PI
     fits: bool = True
     guessed: bool = False
+    alike: tuple[int, ...] = ()
     reached: bool = False
 
     def of(self, roots: Sequence[Formula]) -> Formula:
@@ -76,6 +77,10 @@ class Contradiction(ValueError):
 
 class NoClosedForm(ValueError):
     """No unknown can be isolated."""
+
+
+class NoRealValue(NoClosedForm):
+    """Numbers have been looked through, and none satisfies the equation."""
 
 
 class Unprintable(ValueError):

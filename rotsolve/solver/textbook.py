@@ -124,6 +124,7 @@ class Textbook(Struct, kw_only=True):
 
     def shortest(self, value: Formula) -> Formula:
         """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
+        value = self.roots_of_givens(value)
         final = self.simplify(value)
         bare = value.arguments[0] if isinstance(value, Call) and value.function == "abs" else None
         if bare is not None and length(bare) < length(final) and is_zero(bare - final, self.positive):
@@ -132,6 +133,23 @@ class Textbook(Struct, kw_only=True):
         sums = all(isinstance(root, Sum) for root in roots)
         much = 1 if is_size(value) else Fraction(3, 2)
         return value if sums and much * length(value) < length(final) else final
+
+    def roots_of_givens(self, value: Formula) -> Formula:
+        """A formula with R for √(l² − r²) where the scene says l = √(R² + r²): roots that what givens are made of makes whole."""
+        made = {name: given for name, given in self.signs.values.items() if given.symbols()}
+        if not made or value.symbols().isdisjoint(made):
+            return value
+
+        def change(node: Formula) -> Formula:
+            if not (isinstance(node, Call) and node.function == "sqrt") or node.symbols().isdisjoint(made):
+                return node
+            root = self.simplify(node.substitute(made))
+            if root.holds("sqrt"):
+                return node
+            self.signs.decided[node.arguments[0] - root**2] = 0  # other numbers of l hang on it
+            return root
+
+        return value.transform(change, "sqrt")
 
     def _exponential(self, node: Formula) -> Formula:
         """An exponential with its exponent in textbook form, 1 − exp(−x) where there is a choice; ln(a b) for ln a + ln b."""

@@ -83,10 +83,21 @@ SPUN = (
 )
 NO_ANSWER = re.compile("(?:there is no answer|no answer is found): ")
 
+TWO_ANGLES = """given: {L: 1 m, b: 0.7 m, w: 2 rad/s, p: unknown, q: ANGLE}
+bodies: {one: {shape: rod, mass: 1 kg, length: L}, two: {shape: rod, mass: 1 kg, length: b}}
+connections: {j: {hinge: one.start}, k: {hinge: [one.end, two.start]}}
+states:
+  now: {one.angle: p, two.angle: q, one.angular_velocity: w, two.angular_velocity: w, two.end.velocity.x: -1 m/s TOLD}
+find: {v: one.end.velocity.y}
+"""
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
     "damped fall": (
         ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
         ROD + "actions: {oil: {couple: -tau, on: rod}}\n" + FALL + "find: {x: rod.angular_velocity at low}\n",
+    ),
+    "several letters at once": (
+        TWO_ANGLES.replace("ANGLE", "unknown").replace(" TOLD", ", two.end.velocity.y: 2.4 m/s"),
+        TWO_ANGLES.replace("ANGLE", "20 deg").replace(" TOLD", "").replace("v: one.end.velocity.y", "p: smallest p"),
     ),
     "many turns back": (
         SLED.replace("0.3", "0.01")

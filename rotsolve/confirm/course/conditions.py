@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import SlipsOn
-from rotsolve.confirm.course.following import Broken, Course
+from rotsolve.confirm.course.following import Broken, Course, Unbalanced
 from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.instant import STICKS
 from rotsolve.language.problem import EXTREMES, Condition, Find
@@ -85,6 +85,8 @@ def grip_holds(condition: Condition, course: Course, state: str, *, looked_for: 
     except SlipsOn as reason:
         if reason.owner != condition.owner:
             raise
+        return False
+    except Unbalanced:
         return False
     found = [mode for name, mode in modes.items() if name == condition.owner or name.startswith(f"{condition.owner}.")]
     if not found:

@@ -32,6 +32,10 @@ class Broken(NotConfirmed):
     """An answer with which a line of a state, or its own condition, does not hold."""
 
 
+class Unbalanced(Broken):
+    """A state that is said to be in balance, and is not where it is told to stand."""
+
+
 class Course:
     """The states of a scene in order; each is worked out when someone asks, from the one before.
 
@@ -205,7 +209,10 @@ class Course:
             return first
         from rotsolve.confirm.course.settling import settled
 
-        return settled(first)
+        rest = settled(first)
+        if rest is None:
+            raise Unbalanced(f"`{model.acting.state.name}` is not in balance")
+        return rest
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
         from rotsolve.confirm.course.blows import Blow

@@ -22,7 +22,7 @@ from rotsolve.confirm.course.node import Budget
 from rotsolve.confirm.course.samples import Fits, Numbers, holding
 from rotsolve.confirm.course.scan import Scan, places_beside
 from rotsolve.confirm.course.sizes import letters_open, natural_units
-from rotsolve.confirm.course.sought import place_told, reach_of
+from rotsolve.confirm.course.sought import place_told, reach_of, stands_at
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.verdicts import SAME, not_so, said_of
 from rotsolve.core.derivation import Answer, AnswerConfirmation
@@ -43,6 +43,9 @@ SCANS = 2  # sets of numbers at which each case is looked at over the range of i
 SCAN_BUDGET = 5000  # instants of one body for all of them
 ENOUGH = 0.75  # share of these that has to be left where it is looked once more
 NOT_LOOKED = "its other values were not all looked for: the motion takes too long to follow"
+NOT_LOOKED_ON_THE_WAY = (
+    "other values of `{letter}`, on which it may hang, were not all looked for: the motion takes too long to follow"
+)
 UNTOLD = " was not looked for: the motion takes too long to follow"
 
 
@@ -78,8 +81,9 @@ class Rivals:
             try:
                 value = next(self.rivals(sought), None)
             except OverBudget:
-                if self.scans[sought.case] == 1 and sought.find.group in found:
-                    found[sought.find.group] = AnswerConfirmation(sought.find.group, None, NOT_LOOKED, astray=True)
+                why = NOT_LOOKED_ON_THE_WAY.format(letter=sought.given.name) if sought.on_the_way else NOT_LOOKED
+                names = self.may_hang_on(sought, found) if self.scans[sought.case] == 1 else ()
+                found |= {name: AnswerConfirmation(name, None, why, astray=True) for name in names}
                 continue
             if value is not None:
                 found |= self.rivalled(sought, value)
@@ -106,6 +110,14 @@ class Rivals:
                 name, roots = given.name, self.others(given.name)
                 yield SoughtLetter(find, given, known, known[name], name, roots, on_the_way=True)
 
+    def may_hang_on(self, sought: SoughtLetter, found: Mapping[str, AnswerConfirmation]) -> list[str]:
+        """The answers that a letter tells: its own, or where no question asks for it and it may be several all that are confirmed."""
+        if sought.on_the_way and not sought.roots:
+            return []
+        if sought.on_the_way:
+            return [name for name, verdict in found.items() if stands_confirmed(verdict)]
+        return [sought.find.group] if sought.find.group in found else []
+
     def rivals(self, sought: SoughtLetter) -> Iterator[float]:
         """The values with which all holds as well, those of the equation's other roots first; others of a size stay `against` it."""
         yield from filter(partial(self.does, sought), sought.other_roots())
@@ -130,7 +142,9 @@ class Rivals:
                     self.against |= dict.fromkeys(self.others_with(sought, value), self.equal_to(sought, value))
                     break
         except OverBudget:
-            self.against[name] = UNTOLD
+            letter = f": {sought.given.name}" if sought.on_the_way else ""
+            names = [one.name for one in self.answers if sought.roots] if sought.on_the_way else [name]
+            self.against |= dict.fromkeys(names, f"{letter}{UNTOLD}")
 
     def others_with(self, sought: SoughtLetter, value: float) -> list[str]:
         """The answers that are others with another value: that of the letter, or where no question asks for it all that hang on it."""
@@ -183,8 +197,9 @@ class Rivals:
         told = {one.name for one in self.answers if one.name == find.group}
         if given.asked:
             told |= {one.name for one in self.answers if self.changes_with(one, known, sought.numbers(value))}
-        if self.in_numbers:
-            return {name: AnswerConfirmation(name, False, why, rivalled=True) for name in told}
+        if self.in_numbers:  # a place in balance is said to be one of several
+            holds = None if stands_at(self.problem, given.name) else False
+            return {name: AnswerConfirmation(name, holds, why, rivalled=True) for name in told}
         letters = {one.name: known[one.name] for one in self.open}
         return {name: not_so(name, why, self.problem, letters) for name in told}
 

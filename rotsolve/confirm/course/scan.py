@@ -18,6 +18,7 @@ STEPS, DECADES = 3, 2  # places in each decade, and decades to either side of th
 FAR = (4.0, -4.0)  # decades at which it is looked once more
 NEIGHBOURS = 10.0  # how much larger one of two places may be between which an edge is looked for
 WIDE = 9  # angles in their range
+CORNER = 1e-3  # share of the range of an angle beside its ends, at which it is looked at too
 EDGE, END = (
     12,
     4,
@@ -143,7 +144,8 @@ def places_beside(root: float, unit: float, dimension: Dimension | None, wide: i
     """Places over the range of a letter: sizes are positive, of both signs where the root is negative; angles those of the known one."""
     if dimension == ANGLE:
         low, high = (0.0, RIGHT_ANGLE) if 0.0 < root < RIGHT_ANGLE else (-math.pi, math.pi)
-        return [low + (high - low) * (number + 0.5) / wide for number in range(wide)]
+        shares = (CORNER, *((number + 0.5) / wide for number in range(wide)), 1.0 - CORNER)
+        return [low + (high - low) * share for share in shares]
     powers = [(number + 0.5) / STEPS for number in range(-STEPS * DECADES, STEPS * DECADES)]
     sizes = [(abs(root) or unit) * 10.0**power for power in (*powers, *FAR)]
     return [*sizes, *(-size for size in sizes)] if root < 0.0 else sizes

@@ -15,13 +15,14 @@ ALIKE, SAME = (
     8,
     1e-12,
 )  # steps over which accelerations change by no more than this share of themselves: they always stay so
+FIXED = 1e-6  # share of a step by which nothing moves that is told
 STILL, DONE = 1e-5, 1e-10  # accelerations that are none, as shares of g: at first, and where a step may end
 
 
-def settled(at: Node) -> Node:
+def settled(at: Node) -> Node | None:
     """The instant at which nothing pushes any more, by steps q̈ s with the s of Barzilai and Borwein; the same where nothing pushes now.
 
-    A stable place: from an unstable one the way leads off. NotConfirmed where there is no end.
+    A stable place: from an unstable one the way leads off. None where what is told lets nothing move; NotConfirmed where there is no end.
     """
     try:
         push = at.pushes
@@ -31,11 +32,14 @@ def settled(at: Node) -> Node:
     if largest(push) < STILL * size:
         return at
     step, alike = FIRST / largest(push), 0
+    kept = {key: row.gap for key, row in at.moment.rows.items() if not row.hard}
     for _ in range(TRIES):
         step = min(step, MOST / largest(push))
         moved = replace(at.placed, q=[place + step * rate for place, rate in zip(at.placed.q, push, strict=True)])
-        other = Node(at.model, placed(at.model, moved), at.budget)
+        other = Node(at.model, placed(at.model, moved, kept=kept), at.budget)
         way = [new - old for new, old in zip(other.placed.q, at.placed.q, strict=True)]
+        if largest(way) < FIXED * step * largest(push):
+            return None
         change = [new - old for new, old in zip(other.pushes, push, strict=True)]
         at, push = other, other.pushes
         if largest(push) < DONE * size:

@@ -77,6 +77,19 @@ def place_told(problem: Problem, letter: str) -> State | None:
     return None
 
 
+def stands_at(problem: Problem, letter: str) -> bool:
+    """Whether a letter tells a place at which something is in balance, or stands steadily."""
+    still = [state for state in problem.states if state.balance or state.steady]
+    return any(
+        line.path is not None
+        and line.path.quantity in PLACES
+        and line.value is not None
+        and letter in line.value.symbols()
+        for state in still
+        for line in state.conditions
+    )
+
+
 def without_line(problem: Problem, state: State, line: Condition) -> Problem:
     """The scene in which a state does not tell one of its lines."""
     bare = replace(state, conditions=tuple(one for one in state.conditions if one is not line))

@@ -170,6 +170,13 @@ class Hearing:
             return [math.inf] * count  # no number near it makes them hold
         return [value * STEP for value in found.values]
 
+    @cached_property
+    def other_sets(self) -> list[dict[str, float]]:
+        """Other numbers for several letters that are put in with which the equations leave nothing over either."""
+        from rotsolve.confirm.space.together import other_sets
+
+        return list(other_sets(self))
+
     def correction(self, find: Find) -> float:
         """By how much an answer would have to be another for the equations to leave nothing over."""
         place = self.places.index(self.place_of(find))
@@ -233,7 +240,10 @@ class Hearing:
 
     def natural(self, answer: Answer) -> float:
         """The size that a quantity of its dimension has in the scene, by its masses, lengths and rates."""
-        dimension = answer.dimension or next((part.dimension for part in answer.components), None)
+        return self.usual(answer.dimension or next((part.dimension for part in answer.components), None))
+
+    def usual(self, dimension: Dimension | None) -> float:
+        """The size that quantities of a dimension have in the scene; 0 where nothing tells one."""
         if dimension is None or not self.problem.bodies:
             return 0.0
         mass, span, rate = self.scales

@@ -23,8 +23,8 @@ from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.hearing import VERGES, Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
 from rotsolve.confirm.space.verge import gap_under, step_to
-from rotsolve.language.limited import limited_letters
-from rotsolve.language.problem import EXTREMES, Find, Given
+from rotsolve.language.limited import letters_of_places, limited_letters
+from rotsolve.language.problem import EXTREMES, Find, Given, Problem
 
 ROUND = 24  # places at which an angle is looked at
 DECADES, EACH = 2, 4  # powers of ten to both sides of a number, and places in each
@@ -85,8 +85,13 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
 
     Of what is not steady the other roots of its equation are looked at alone: to follow it at each place would take long.
     """
+    if len(hearing.places) > 1 and not steady_somewhere(hearing):
+        from rotsolve.confirm.space.together import as_good
+
+        return None if as_good(hearing, find, own) else True
     if not steady_somewhere(hearing):
-        return None if find.modifier in EXTREMES or another_root_fits(hearing, find, own, roots) else True
+        untold = find.modifier in EXTREMES and not followed_nowhere(hearing.problem)
+        return None if untold or another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
         return True
     place = hearing.places[0]
@@ -125,16 +130,32 @@ def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     return f"{given.name}{sought.equal_to(value)}: ask for `smallest {given.name}` or `largest {given.name}`"
 
 
-def mirrored_as_well(hearing: Hearing, find: Find, own: float) -> str:
-    """What is said of an angle that no motion tells, with which to the other side all equations hold too; else ''."""
+def against_as_well(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> str:
+    """What is said of an angle that no motion tells, with which to the other side all equations hold too, and of a size or a place with a
+    value of the other sign; else ''."""
     letter = hearing.letter(find)
-    if letter is None or len(hearing.places) > 1 or len(hearing.problem.states) > 1 or steady_somewhere(hearing):
-        return ""
-    if find.modifier in EXTREMES or not hearing.is_angle(letter) or abs(math.sin(own)) <= UPRIGHT:
+    if letter is None or steady_somewhere(hearing) or find.modifier in EXTREMES:
         return ""
     given = next(given for given in hearing.problem.givens if given.name == letter)
     sought = SoughtLetter(find, given, hearing.known, own, find.group)
+    if len(hearing.places) > 1:
+        from rotsolve.confirm.space.together import against_its_sense
+
+        other = against_its_sense(hearing, letter, own)
+        return "" if other is None else sought.equal_to(other)
+    if not hearing.is_angle(letter):
+        values = other_values(hearing, letter, own, roots) if may_be_against(hearing, letter, own) else ()
+        found = next((value for value in values if value < 0.0), None)
+        return "" if found is None else sought.equal_to(found)
+    if len(hearing.problem.states) > 1 or abs(math.sin(own)) <= UPRIGHT:
+        return ""
     return sought.equal_to(-own) if leaves_nothing(hearing, letter, -own) else ""
+
+
+def may_be_against(hearing: Hearing, letter: str, own: float) -> bool:
+    """Whether a letter that is told as positive may be negative too: a place, a force; no rate, which goes by value, and no size that its
+    key keeps positive."""
+    return own >= 0.0 and not rate_or_angle(hearing, letter) and letter not in limited_letters(hearing.problem)
 
 
 def steady_somewhere(hearing: Hearing) -> bool:
@@ -148,15 +169,18 @@ def is_rate(given: Given) -> bool:
 
 
 def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
-    """Whether the equations of all bodies leave nothing over with another root of its equation, that is not beyond the letter's range."""
+    """Whether the equations of all bodies leave nothing over with another value of a letter, that is not beyond its range: another root of
+    its equation, or any that is found over the range where nothing has to be followed."""
     (place, *more), givens = hearing.places, {given.name: given for given in hearing.problem.givens}
     if more or not isinstance(place, str):
         return False
-    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=is_rate(givens[place]))
-    mirrored = (-own,) if is_rate(givens[place]) else ()
-    return any(
-        leaves_nothing(hearing, place, value) for value in filter(sought.may_be, chain(sought.other_roots(), mirrored))
-    )
+    rate = is_rate(givens[place])
+    asked_by_value = find.modifier in EXTREMES and place in letters_of_places(hearing.problem)
+    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=rate or asked_by_value)
+    named = chain(sought.other_roots(), (-own,) if rate else ())
+    if any(leaves_nothing(hearing, place, value) for value in filter(sought.may_be, named)):
+        return True
+    return followed_nowhere(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
 
 
 def letter_on_the_way(hearing: Hearing) -> str:
@@ -187,26 +211,45 @@ def leaves_nothing(hearing: Hearing, letter: str, value: float) -> bool:
 
 def others_on_the_way(
     hearing: Hearing, roots: Callable[[str], tuple[Formula, ...]]
-) -> Iterator[tuple[str, float, str]]:
-    """Other values of the only letter that is put in where no question asks for it, with which a scene is as good: in one moment all that
-    it may be are looked at, else the other `roots` of its equation.
+) -> Iterator[tuple[str, dict[str, float], str]]:
+    """Other values of letters that are put in where no question asks for them, with which a scene is as good.
 
-    With a rate of the other sense and the same size goes what is said of it; what is no rate and no angle is positive.
+    With a rate of the other sense and the same size, and with what is told as positive and is negative, goes what is said of it.
     """
+    if len(hearing.places) > 1 and not steady_somewhere(hearing):  # what is steady is looked at in all its motions
+        from rotsolve.confirm.space.together import sets_on_the_way
+
+        yield from sets_on_the_way(hearing)
     place = letter_on_the_way(hearing)
     if not place:
         return
-    own, angle = hearing.known[place], hearing.is_angle(place)
-    at_once = len(hearing.problem.states) < 2
-    for value in others(hearing, own) if at_once else fitting_roots(hearing, place, roots(place)):
-        near = math.remainder(value - own, math.tau) if angle else value - own
-        if abs(near) <= SAME * max(abs(own), abs(value)) or not (value > 0 or own < 0 or rate_or_angle(hearing, place)):
+    own, free = hearing.known[place], rate_or_angle(hearing, place)
+    for value in other_values(hearing, place, own, roots(place)):
+        against = value < 0.0 <= own and not free
+        if against and not may_be_against(hearing, place, own):
             continue
         tilt = tilt_with(hearing, place, value)
         if tilt is not None and not UPRIGHT < tilt < math.pi - UPRIGHT:
             continue
-        behind = not angle and abs(value + own) <= SAME * abs(own)
-        yield place, value, f": {place} = {value:g} in SI units makes it so too" if behind else ""
+        behind = against or (not hearing.is_angle(place) and abs(value + own) <= SAME * abs(own))
+        yield place, {place: value}, f": {place} = {value:g} in SI units makes it so too" if behind else ""
+
+
+def other_values(hearing: Hearing, letter: str, own: float, roots: tuple[Formula, ...]) -> Iterator[float]:
+    """Other values of the only letter that is put in with which the equations of all bodies leave nothing over: where nothing has to be
+    followed all that it may be are looked at, else other roots of its equation."""
+    angle = hearing.is_angle(letter)
+    for value in others(hearing, own) if followed_nowhere(hearing.problem) else fitting_roots(hearing, letter, roots):
+        near = math.remainder(value - own, math.tau) if angle else value - own
+        if abs(near) > SAME * max(abs(own), abs(value)):
+            yield value
+
+
+def followed_nowhere(problem: Problem) -> bool:
+    """Whether nothing has to be followed in time: a scene of one moment, or of the moments around events."""
+    joined = {(event.from_, event.to) for event in problem.events}
+    names = [state.name for state in problem.states]
+    return all(pair in joined for pair in pairwise(names))
 
 
 def others(hearing: Hearing, own: float) -> Iterator[float]:
@@ -223,9 +266,16 @@ def others(hearing: Hearing, own: float) -> Iterator[float]:
         whole = ROUND + isinstance(place, str)  # of a letter once round, up to where it began
         places = [low + (math.pi - low) * (number + 0.37) / ROUND for number in range(whole)]
     else:
-        sizes = [abs(own or 1.0) * 10 ** (number / EACH) for number in range(-DECADES * EACH, DECADES * EACH + 1)]
+        sizes = sizes_around(abs(own), hearing.usual(hearing.dimension(place)))
         places = [-size * 1.003 for size in reversed(sizes)] + [size * 1.003 for size in sizes]
     yield from roots_between(left, places)
+
+
+def sizes_around(own: float, usual: float) -> list[float]:
+    """Sizes some powers of ten below and above a number and what is usual in a scene."""
+    low, high = min(own or usual or 1.0, usual or own or 1.0), max(own, usual) or 1.0
+    steps = math.ceil((math.log10(high / low) + 2 * DECADES) * EACH)
+    return [low * 10 ** (number / EACH - DECADES) for number in range(steps + 1)]
 
 
 def roots_between(left: Left, places: Sequence[float]) -> Iterator[float]:

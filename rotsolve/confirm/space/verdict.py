@@ -151,8 +151,8 @@ def judged_in_space(
     sure = [answer for answer in answers if verdicts[answer.name].holds]
     from rotsolve.confirm.space.rivals import others_on_the_way
 
-    for letter, value, behind in others_on_the_way(hearing, others) if sure else ():
-        other = Hearing(problem, {**known, letter: value}, told, scans)
+    for letter, values, behind in others_on_the_way(hearing, others) if sure else ():
+        other = Hearing(problem, {**known, **values}, told, scans)
         for answer in sure:
             finds = [find for find in problem.finds if find.group == answer.name]
             own = verdicts[answer.name]
@@ -284,12 +284,12 @@ def tested(
     found = off + (own if letter is None else hearing.known[letter])
     holds = abs(found - own) <= SAME * size
     if holds:
-        from rotsolve.confirm.space.rivals import fits_as_asked, mirrored_as_well
+        from rotsolve.confirm.space.rivals import against_as_well, fits_as_asked
 
         meant = fits_as_asked(hearing, find, own, answer.rivals)
         if not meant:
             return AnswerConfirmation(answer.name, meant, SEVERAL, (own,), (found,))
-        also = mirrored_as_well(hearing, find, own)
+        also = against_as_well(hearing, find, own, answer.rivals)
         return replace(verdict_of(answer.name, holds, (own,), (found,), hearing, numbers), also=also)
     return verdict_of(answer.name, holds, (own,), (found,), hearing, numbers)
 
