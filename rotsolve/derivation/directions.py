@@ -89,11 +89,12 @@ class Directions:
 
     @property
     def _senseless(self) -> bool:
-        """Whether a turn counts in a sense that nothing tells: seen from above, where nothing moves or turns in a named way."""
+        """Whether a turn counts in a sense that nothing tells: about one axis seen from above, where nothing moves in a named way."""
         problem = self.search.scene.configuration.problem
         turns = self._quantity is not None and self._quantity.positive in TURNS
         ways = any(body.moves or body.turns for body in problem.bodies) or problem.actions
-        return turns and not problem.space and problem.plane == "horizontal" and not ways
+        axes = [item for item in problem.connections if any(item.fixed_points())]
+        return turns and not problem.space and problem.plane == "horizontal" and not ways and len(axes) == 1
 
     @cached_property
     def _quantity(self) -> SceneQuantity | None:
