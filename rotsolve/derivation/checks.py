@@ -48,12 +48,12 @@ def limit_checks(search: Search) -> Iterator[Check]:
     """What becomes of an answer when a mass is left out, and when a pure number or an angle is nothing: of each the most telling one."""
     plain = not search.scene.modes  # else a body that slides may stick when an angle is small
     for dimensions, least in ((MASS,), 1), ((NONE, ANGLE), 0):
-        found = [item for item in limits(search, dimensions) if item[0] >= least] if least or plain else []
+        found = [item for item in vanishing_letters(search, dimensions) if item[0] >= least] if least or plain else []
         if found:
             yield min(found, key=lambda item: item[0])[1]
 
 
-def limits(search: Search, dimensions: Sequence[Dimension]) -> Iterator[tuple[int, Check]]:
+def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterator[tuple[int, Check]]:
     """What the first answers come to without a letter of some dimensions, by how long that is: 0 is nothing, 1 a letter."""
     for answered in search.wholes()[:2]:
         formula = answered.found.formula

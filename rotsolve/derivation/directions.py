@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from rotsolve.algebra.certified.ball import Certified
-from rotsolve.algebra.exact.normal import Fractions, simplify
+from rotsolve.algebra.exact.normal import Fractions, is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, negate
 from rotsolve.core.derivation import Answer, Words
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.vectors.heading import TURNS
+from rotsolve.motion.limits import limits_of_scene
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
 
@@ -60,7 +61,14 @@ class Directions:
     def _sure(self, value: Formula) -> int | None:
         """The sign that letters tell, those without a direction of their own as they are meant."""
         sign = self.search.signs.by_letters(value)
-        return self.search.signs.as_meant(value) if sign is None and not isinstance(value, Sum) else sign
+        if sign is None and isinstance(value, Sum):
+            return self._limited(value)
+        return self.search.signs.as_meant(value) if sign is None else sign
+
+    def _limited(self, value: Formula) -> int | None:
+        """The sign of a difference of which the scene says that it is more than nothing, as that of an outer and an inner radius."""
+        gaps = [limit.gap for limit in limits_of_scene(self.search.scene.configuration) if limit.strict]
+        return next((sign for gap in gaps for sign in (1, -1) if is_zero(gap - sign * value)), None)
 
     def _factors(self, value: Formula) -> Iterator[Formula]:
         """What stands with an odd power above and below, as far as it is no mere product of letters."""
@@ -78,7 +86,20 @@ class Directions:
         friction = [term.path.quantity for term in find.terms] == [SIZED] and find.formula == Symbol("#0")
         if friction:
             return self.search.signs.as_meant(formula)
-        return self.search.signs.by_letters(formula.substitute(self.search.values))
+        formula = formula.substitute(self.search.values)
+        sign = self.search.signs.by_letters(formula)
+        return self._by_limits(formula) if sign is None and self.search.signs.lacking(formula) else sign
+
+    def _by_limits(self, formula: Formula) -> int | None:
+        """The sign of what is in proportion to one difference that has a limit, of other letters as they are meant."""
+        try:
+            parts = [part for part in self._factors(formula) if isinstance(part, Sum)]
+        except ZeroDivisionError:
+            return None
+        unsure = [part for part in parts if self.search.signs.by_letters(part) is None]
+        side = self._limited(unsure[0]) if len(unsure) == 1 else None
+        rest = self._sure(simplify(formula / unsure[0], positive=self.search.signs.positive)) if side else None
+        return side * rest if side and rest else None
 
     @cached_property
     def _both(self) -> tuple[str, str]:

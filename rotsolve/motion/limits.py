@@ -69,6 +69,9 @@ def body_limits(body: Body) -> Iterator[Limit]:
     """What its shape asks of its sizes, and those of its parts, and that its holes lie within it beside each other."""
     for part in (body, *(part.body for part in (*body.parts, *body.holes))):
         yield from part.shape.rooms() if part.shape is not None else ()
+        rims = dict(part.radii)
+        if {"inner", "outer"} <= rims.keys():
+            yield Limit(rims["outer"] - rims["inner"], "`inner` must be smaller than `outer`", strict=True)
     yield from tensor_limits(body)
     for hole in body.holes:
         for gap in hole_margins(hole, body.shape):

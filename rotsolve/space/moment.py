@@ -553,8 +553,7 @@ class SpaceMoment(LeaningMoment):
         """The upward vertical in the axes of a body: as the state tells it in the body's own, else as the body stands."""
         told = self.vector_kept(name, "vertical")
         if told is None:
-            axes = self.axes(name)
-            return IN_SPACE.to(axes, Z)
+            return IN_SPACE.to(self.axes(name), Z)
         beyond = square_of(told[0]) - ONE
         if not self.held.vanishes(beyond):
             line = self.line(name, "vertical", "x")
@@ -592,14 +591,7 @@ class SpaceMoment(LeaningMoment):
         own = self.attitude(name)
         if own.axes.name != NODE:
             rows, base, lost = after(own.axes.rows, own.own), own.axes.base, own.axes.lost or self.spun_away(name)
-            return Axes(
-                BODY,
-                rows,
-                own.omega,
-                own.rates,
-                lost,
-                base,
-                after(own.axes.turned, own.own) if base is not None else AS_DRAWN,
-            )
+            turned = after(own.axes.turned, own.own) if base is not None else AS_DRAWN
+            return Axes(BODY, rows, own.omega, own.rates, lost, base, turned)
         rows = after(after(own.axes.rows, turn_about(Z, self.nodding(name).angles[2])), own.own)
         return Axes(BODY, rows)

@@ -189,15 +189,15 @@ def angular_momentum_of_all(at: Node, path: Path, term: Term | None) -> Reckoned
     return number(found, max(part.size for _, part in parts))
 
 
-def small_swings(at: Node, path: Path, term: Term | None) -> Reckoned:
+def period_of_swings(at: Node, path: Path, term: Term | None) -> Reckoned:
     """The period of small swings about a state, or their frequency, by the slope of what drives the body back."""
-    from rotsolve.confirm.course.swings import Small, as_asked
+    from rotsolve.confirm.course.swings import Small, period_as_asked
 
-    return as_asked(Small(at, path.owner).period(told=at.model.acting.state.balance), path.quantity)
+    return period_as_asked(Small(at, path.owner).period(told=at.model.acting.state.balance), path.quantity)
 
 
 OF_BODIES: dict[str, Reading] = {
-    **dict.fromkeys(("swing_period", "frequency", "angular_frequency"), small_swings),
+    **dict.fromkeys(("swing_period", "frequency", "angular_frequency"), period_of_swings),
     "kinetic_energy": kinetic_energy,
     "potential_energy": height_energy,
     "energy": body_energy,

@@ -138,9 +138,9 @@ class Small:
 
 def swinging(course: Course, term: Term) -> Reckoned:
     """The period of swings, or their frequency, or 2π times that."""
-    return as_asked(swing_time(course, term), term.path.quantity)
+    return period_as_asked(swing_time(course, term), term.path.quantity)
 
 
-def as_asked(time: float, quantity: str) -> Reckoned:
+def period_as_asked(time: float, quantity: str) -> Reckoned:
     """A period, the frequency that belongs to it, or 2π times that."""
     return number({"swing_period": time, "frequency": 1.0 / time}.get(quantity, 2.0 * math.pi / time))
