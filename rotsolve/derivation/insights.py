@@ -259,7 +259,8 @@ def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
             turns = search.scene.instant(law.section).turn_words(body.name)[back]
             where = f"about the point where {and_joined(held)} {act}"
             torque = search.solver.simplify(negate(law.left) if back else law.left)
-            yield (f"{where}, {spoken(body.name)} is turned {turns} by ", torque)
+            felt: Words = () if back else (", which is ", law.right)
+            yield (f"{where}, {spoken(body.name)} is turned {turns} by ", torque, *felt)
             return
 
 
