@@ -10,10 +10,9 @@ from collections.abc import Iterator
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.equation import CONSERVATION, MOMENTUM, Equation
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, dot_product, scaled_by, vector_sum
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
@@ -35,42 +34,25 @@ class HeldTogether(Struct, frozen=True):
     inner: tuple[Joint, ...]
 
     def kept(self, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
-        """Their energy, and their angular momentum about the direction about which nothing outside turns them."""
+        """Their energy, and their angular momentum about the direction about which nothing outside turns them.
+
+        What is driven steadily keeps its energy in the frame that turns with it (space/turning_frame).
+        """
         whole, way = in_a_list(self.names), self.untwisted(before)
         if way is not None and not self.root.powered:
             first, last = (self.momentum(laws, way) for laws in (before, after))
             if first != last:
                 words = f"angular momentum about {'the vertical' if way == Z else 'the axis'}, {whole}"
                 yield MOMENTUM.equation(first, last, interval.name, self.names, words=words)
-        if self.root.motor or any(joint.powered for joint in self.inner) or self.swings_as_one(before):
+        if self.root.powered or any(joint.powered for joint in self.inner) or self.swings_as_one(before):
             return
-        rate = self.steady_drive(before)
-        if rate is None or (rate != ZERO and way is None):
-            return
-        first, last = (self.energy(laws, rate, way) for laws in (before, after))
+        first, last = (total([energy_of(laws, name) for name in self.names]) for laws in (before, after))
         if first != last:
-            turning = f" in axes that turn with {spoken(self.root.body.owner)}, with K − Ω L for K"
-            since = f" of {whole}" + (turning if rate != ZERO else "")
-            yield CONSERVATION.equation(first, last, interval.name, self.names, since=since)
+            yield CONSERVATION.equation(first, last, interval.name, self.names, since=f" of {whole}")
 
     def swings_as_one(self, laws: SpaceLaws) -> bool:
         """Whether they go round on a hinge with what is fast on the first of them, of which the energy is told already."""
         return turns_undriven(self.root) and carried_with(laws, self.names[0]) is not None
-
-    def steady_drive(self, laws: SpaceLaws) -> Formula | None:
-        """The rate with which the first of them is driven round, 0 where nothing drives it; None where that changes."""
-        if not self.root.drive:
-            return ZERO
-        drive = dict(self.root.drive)
-        rate = drive.get("angular_velocity") if len(drive) == 1 else None
-        return None if rate is None or TIME in rate.symbols() else rate
-
-    def energy(self, laws: SpaceLaws, rate: Formula, way: Triple | None) -> Formula:
-        """K + M g h of all; E − Ω L where the first is driven round at Ω: what drives it gives them the power Ω dL/dt."""
-        whole = total([energy_of(laws, name) for name in self.names])
-        if rate == ZERO or way is None:
-            return whole
-        return add(whole, negate(multiply(rate, self.momentum(laws, way))))
 
     def untwisted(self, laws: SpaceLaws) -> Triple | None:
         """The direction in space, through the point that the ground holds, about which neither the joint there nor a weight turns them."""
