@@ -42,6 +42,7 @@ def dimensions(search: Search) -> Iterator[Check]:
 
 
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
+FEW, LONGEST = 6, 120  # nodes of a formula of which limits are looked at: shorter ones show them, longer ones take long
 
 
 def limit_checks(search: Search) -> Iterator[Check]:
@@ -57,7 +58,9 @@ def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterat
     """What the first answers come to without a letter of some dimensions, by how long that is: 0 is nothing, 1 a letter."""
     for answered in search.wholes()[:2]:
         formula = answered.found.formula
-        if answered.asked.find.runs or formula is None or has_quantities(formula) or length(formula) < 6:
+        if answered.asked.find.runs or formula is None or has_quantities(formula):
+            continue
+        if not FEW <= length(formula) <= LONGEST:
             continue
         letters = [given for given in search.givens.values() if given.name in formula.symbols()]
         for given in (given for given in letters if given.dimension in dimensions):

@@ -10,11 +10,11 @@ from rotsolve.algebra.exact.normal import Fractions, is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, negate
 from rotsolve.core.derivation import Answer, Words
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.vectors.heading import TURNS
 from rotsolve.motion.limits import limits_of_scene
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
 
+OF_TURNING = ("angular_velocity", "angular_acceleration", "angular_momentum", "rotation")
 SIZED = "friction_force"  # the kind of quantity of which only the size is asked
 
 
@@ -112,7 +112,7 @@ class Directions:
     def _senseless(self) -> bool:
         """Whether a turn counts in a sense that nothing tells: about one axis seen from above, where nothing moves in a named way."""
         problem = self.search.scene.configuration.problem
-        turns = self._quantity is not None and self._quantity.positive in TURNS
+        turns = self._quantity is not None and self._quantity.kind in OF_TURNING
         ways = any(body.moves or body.turns for body in problem.bodies) or problem.actions
         axes = [item for item in problem.connections if any(item.fixed_points())]
         return turns and not problem.space and problem.plane == "horizontal" and not ways and len(axes) == 1

@@ -184,15 +184,13 @@ class Search(Struct, dict=True):
             ):  # there a rate of the other sense may have another size
                 others = picked.alike or range(len(roots))
                 self.rivals[name] = tuple(roots[index] for index in others if index != picked.root)
-                self.remember_picked(name, roots[picked.root])
+                if (
+                    self.ground is not None and self.givens[name].asked
+                ):  # where nothing comes about with it, others may do
+                    self.ground.picked[name] = roots[picked.root]
         if picked is not None and turns[picked.root]:
             return replace(picked, turns=picked.turns + turns[picked.root])
         return picked
-
-    def remember_picked(self, name: str, root: Formula) -> None:
-        """Note the root of a letter that the scene asks for: where nothing comes about with it, others may do."""
-        if self.ground is not None and self.givens[name].asked:
-            self.ground.picked[name] = root
 
     def extreme_asked(self, name: str, picked: PickedRoot) -> Find | None:
         """The question for the largest or smallest value of a letter, where no motion tells which it comes to first."""
@@ -366,16 +364,12 @@ class Search(Struct, dict=True):
         finally:
             self.solver.numeric = False
 
-    @property
-    def components(self) -> list[str]:
-        """The letters of the components of sizes and angles that are both sought."""
-        return of_kinds(self.scene.registry.quantities, (COMPONENT,))
-
     def _settle_first(self, asked: Asked) -> None:
         """Settle the letters that are worked out by themselves (`Law.apart`, and rates with roots of their own), of those with which a
         question is planned."""
         told = (law.left.name for law in self.planner.pool if law.law.apart and isinstance(law.left, Symbol))
-        apart = {*told, *self.scene.settled_first(), *self.components} - self.known - self.settling - {asked.letter}
+        components = of_kinds(self.scene.registry.quantities, (COMPONENT,))
+        apart = {*told, *self.scene.settled_first(), *components} - self.known - self.settling - {asked.letter}
         plan = self._plan(asked.letter, set()) if apart and not self.confirming else None
         if isinstance(plan, Plan):
             self.settling.add(asked.letter)

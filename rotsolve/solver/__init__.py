@@ -355,9 +355,10 @@ class Solver(Isolation, kw_only=True):
         letter = Symbol(asked)
         if written is not None and written.holds(Integral):
             return [Equality(letter, written), *more]
-        stated = written if written is not None and part_of_whole(written) else value
-        if stated is written and length(share := self.with_answers(stated)) <= SHORT_SHARE:
-            return [*more, Equality(letter, stated), Equality(letter, share)]
+        if written is not None and part_of_whole(written):
+            share = self.with_answers(written)
+            put_in = [Equality(letter, share)] if length(share) <= SHORT_SHARE else []
+            return [*more, Equality(letter, written), *put_in]
         drawn = self.drawn_together(value)
         together = [Equality(letter, drawn)] if drawn not in (None, value, final) else []
-        return [*more, Equality(letter, stated), *together]
+        return [*more, Equality(letter, value), *together]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import equal, is_zero, simplify
+from rotsolve.algebra.formula import Symbol, call, sqrt
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 
@@ -32,3 +33,13 @@ def test_constants_stay_as_they_are(written: str, shown: tuple[str, ...]) -> Non
 )
 def test_what_vanishes_by_their_relations_does(nothing: str) -> None:
     assert is_zero(parse(nothing))
+
+
+def test_a_root_is_one_whatever_the_order_of_its_letters() -> None:
+    a, b, c, t, w = map(Symbol, "abctw")
+    one, two = sqrt((a - c) * (b - c) / (a * b)), sqrt((b - c) * (a - c) / (b * a))
+    positive = frozenset("abctw")
+    assert equal(one, two, positive)
+    swing = 2 * w * call("exp", t * w * one) / (1 + call("exp", 2 * t * two * w))
+    assert equal(swing, 2 * w * call("exp", t * two * w) / (1 + call("exp", 2 * w * t * one)), positive)
+    assert not equal(one, sqrt((a - c) * (b + c) / (a * b)), positive)

@@ -291,3 +291,27 @@ def test_the_push_during_a_blow_is_asked_over_a_letter_like_any_other() -> None:
     assert found.answers["q"].float == pytest.approx(0.0, abs=1e-12)
     assert found.answers["Q"].float == pytest.approx(3.0)
     assert confirmed(found)
+
+
+@pytest.mark.parametrize(
+    ("word", "angle"), [("largest", 180.0), ("smallest", -math.degrees(math.acos(9.8 / 36 / 0.5)))]
+)
+def test_of_a_place_on_a_turning_hinge_it_is_said_that_its_stability_was_not_looked_at(word: str, angle: float) -> None:
+    """cos q = g/(w² R) below, and 180° on top, where a bead stays only if nothing touches it."""
+    solution = solve(f"""
+title: A bead on a hoop that goes round
+up: z
+given: {{m: 0.1 kg, R: 0.5 m, w: 6 rad/s, q: unknown, g: 9.8 m/s^2}}
+bodies:
+  shaft: {{mass: 0, points: {{O: [0, 0, 0]}}}}
+  bead: {{parts: {{b: {{shape: particle, mass: m, at: [0, 0, -R]}}}}, points: {{C: [0, 0, 0]}}}}
+connections:
+  post: {{hinge: shaft.O, along: z, angular_velocity: w}}
+  ring: {{hinge: [shaft.O, bead.C], along: "-y"}}
+states: {{now: {{bead.angle: q, steady: true}}}}
+find: {{q: {word} q in deg}}
+""")
+    assert solution.answers["q"].float == pytest.approx(angle)
+    (verdict,) = solution.derivation.confirmed
+    assert verdict.holds is None
+    assert "comes back was not looked at" in verdict.why

@@ -71,12 +71,12 @@ def test_in_letters_it_is_the_first_as_well() -> None:
     assert [case.exact for case in answer.branches] == ["π − arcsin((3 g + 2 L w²)/(6 g))"]
 
 
-def test_the_largest_of_such_angles_is_not_confirmed() -> None:
+def test_the_largest_of_such_angles_is_refused() -> None:
     text = (
         SCENE.replace("th: th,", "th: largest th,").replace("FROM", "60").replace("FIRST", "0").replace("THEN", "1.5")
     )
-    (verdict, _) = solve(text).derivation.confirmed
-    assert verdict.holds is None
+    refused = solve(text).refused["th"]
+    assert "is where its state is reached first: `largest` chooses none" in str(refused)
 
 
 @pytest.mark.exhaustive

@@ -30,6 +30,15 @@ from rotsolve.algebra.formula import (
 )
 
 Factor = tuple[Poly, int]
+Monomials = frozenset[tuple[frozenset[tuple[Formula, int]], int]]
+
+
+def monomials_of(ring: Field, poly: Poly) -> Monomials:
+    """A polynomial whatever the order of the letters of its field."""
+    atoms = ring.atoms
+    return frozenset(
+        (frozenset((atoms[i], e) for i, e in enumerate(powers) if e), c) for powers, c in ring.terms(poly).items()
+    )
 
 
 class Radicals:
@@ -38,6 +47,12 @@ class Radicals:
     def __init__(self, order: Sequence[str] = (), positive: Collection[str] = ()) -> None:
         self.order = order
         self.positive = positive
+        # polynomials as they were written first: a field of its own has its letters in another order
+        self.written: dict[Monomials, Formula] = {}
+
+    def _shown(self, ring: Field, shaper: Shaper, poly: Poly) -> Formula:
+        """A polynomial as it stands under a root, written alike wherever it stands."""
+        return self.written.setdefault(monomials_of(ring, poly), shaper.poly(poly))
 
     def _factors(self, argument: Formula) -> tuple[Field, Fraction, list[Factor], PolynomialSigns]:
         ring = Field([argument])
@@ -87,7 +102,7 @@ class Radicals:
         result = _numeric_root(abs(number))
         rest = ring.one if number > 0 else -ring.one
         for poly, e in known:
-            shown = shaper.poly(poly)
+            shown = self._shown(ring, shaper, poly)
             result = multiply(result, power(shown, e // 2))
             if e % 2:
                 result = multiply(result, call("sqrt", shown))
@@ -96,7 +111,7 @@ class Radicals:
                 rest = rest * poly
             shown = shaper.poly(poly)
             result = multiply(result, power(call("abs", shown) if e // 2 % 2 else shown, e // 2))
-        return result if rest.is_one() else multiply(result, call("sqrt", shaper.poly(rest)))
+        return result if rest.is_one() else multiply(result, call("sqrt", self._shown(ring, shaper, rest)))
 
     def abs(self, argument: Formula) -> Formula:
         """|argument| with the factors outside whose sign is known."""

@@ -64,6 +64,7 @@ class Rewriter:
         self.known: dict[tuple[str, Formula], Formula] = {}
         self.shares: dict[Formula, int] = {}  # term -> denominator of its base angle, for terms to be expanded
         self.exp_shares: dict[Formula, int] = {}
+        self.terms: list[Formula] = []  # of arguments, with roots in them, as they were written first
         self.constants_apart = constants_apart  # whether sin 25° and sin 35° are not written by sin 5°
         found = [node for f in formulas for node in f.walk(Call) if isinstance(node, Call)]
         self.plain = all(node.function in SIN_COS and isinstance(node.arguments[0], Symbol) for node in found)
@@ -102,7 +103,20 @@ class Rewriter:
         return PI in self.shares
 
     def _linear(self, argument: Formula) -> Vector:
-        return angles.linear(self(argument) if argument.holds("sqrt", "abs", *INVERSE) else argument, self.order)
+        return self._terms_of(self(argument) if argument.holds("sqrt", "abs", *INVERSE) else argument)
+
+    def _terms_of(self, argument: Formula) -> Vector:
+        """An argument by its terms, each written as where it stood first: T w √x and T √x w are one."""
+        return {self._as_before(term): value for term, value in angles.linear(argument, self.order).items()}
+
+    def _as_before(self, term: Formula) -> Formula:
+        """A term, or an equal one that stood in an argument before."""
+        if not term.holds("sqrt"):
+            return term
+        before = (other for other in self.terms if other == term or self._zero(add(other, negate(term))))
+        found = next(before, None)
+        self.terms += [term] if found is None else []
+        return term if found is None else found
 
     # rewriting
 
@@ -207,7 +221,7 @@ class Rewriter:
     # sin and cos
 
     def _sin_cos(self, argument: Formula) -> SinCos:
-        vector, turns, quarters = angles.split_pi(angles.linear(argument, self.order))
+        vector, turns, quarters = angles.split_pi(self._terms_of(argument))
         if not vector:
             return angles.turn(self._constant(turns), quarters)
         whole = len(vector) == 1 and all(abs(value) == 1 for value in vector.values())  # sin(arcsin(k sin x)) = k sin x
@@ -249,7 +263,7 @@ class Rewriter:
 
     def _exp(self, argument: Formula) -> Formula:
         result: Formula = ONE
-        for term, value in angles.linear(argument, self.order).items():
+        for term, value in self._terms_of(argument).items():
             share = lcm(self.exp_shares.get(term, 1), value.denominator)
             n = int(value * share)
             if isinstance(term, Call) and term.function == "log" and share == 1:
