@@ -21,7 +21,7 @@ from rotsolve.core.equation import RATE, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import system_told
-from rotsolve.core.symbols import has_quantities
+from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
 from rotsolve.language.problem import Path
@@ -246,11 +246,11 @@ def opposite_energies(told: Sequence[Answered]) -> Iterator[Words]:
 def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """What turns a body about the point at which it rolls or unwinds, which tells at once the way in which it goes."""
     rates, states = (ACCELERATION, ANGULAR_ACCELERATION), search.scene.configuration.timeline.order
-    asked = {
-        law.section for item in told if item.asked.dimension in rates for law in behind(item, search)
-    } & states.keys()
+    laws = [law for item in told if item.asked.dimension in rates for law in behind(item, search)]
+    asked, printed = {law.section for law in laws} & states.keys(), {name for law in laws for name in law.symbols()}
     for law in search.planner.pool:
-        if law.law != RATE or law.section not in asked or law.left == ZERO:
+        left, right = ({name for name in side.symbols() if is_key(name)} for side in (law.left, law.right))
+        if law.law != RATE or law.section not in asked or law.left == ZERO or not left <= printed:
             continue
         body = next(one for one in search.scene.facts(law.section).bodies if one.name == law.bodies[0])
         held = list(dict.fromkeys(force.noun for force in body.forces if force.internal))
@@ -259,7 +259,7 @@ def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
             turns = search.scene.instant(law.section).turn_words(body.name)[back]
             where = f"about the point where {and_joined(held)} {act}"
             torque = search.solver.simplify(negate(law.left) if back else law.left)
-            felt: Words = () if back else (", which is ", law.right)
+            felt: Words = () if back or not right <= printed else (", which is ", law.right)
             yield (f"{where}, {spoken(body.name)} is turned {turns} by ", torque, *felt)
             return
 
