@@ -7,7 +7,7 @@ it sees one `Moment` of the scene, and the `Surroundings` in which it acts.
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Sequence
-from typing import ClassVar, Protocol
+from typing import Any, ClassVar, Protocol
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import ZERO, Formula
@@ -36,6 +36,8 @@ class SceneElements(Protocol):
     def events(self) -> tuple[Event, ...]: ...
     @property
     def gravity(self) -> Formula | None: ...
+    @property
+    def states(self) -> tuple[Any, ...]: ...
     @property
     def plane(self) -> str: ...
     @property

@@ -98,6 +98,8 @@ def lexemes(text: str, names: Collection[str]) -> Iterator[Lexeme]:
             kind, end = "quantity", stop
         elif kind == "name" and (text[position:end].endswith(".at") and text[end : end + 1] == "("):
             kind, end = "path", path_end(text, end)
+        elif match[0] == "pi" and match[0] not in names and (stop := unit_end(text, end, names)) > end:
+            kind, end = "quantity", stop  # pi rad
         elif kind == "name" and "." in match[0]:
             kind = "path"
         yield Lexeme(kind, text[position:end], position, end)
@@ -203,8 +205,10 @@ def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | 
         if re.search(r"[-+*/^()]", unit) or any(word in scope.givens for word in re.findall(r"\w+", unit)):
             return EXPRESSION
         return unit_fault(scope, node, error)
-    if scope.kinds.get(unit) == "given" and quantity.value != ZERO:  # else it is nothing either way
-        return ambiguous(scope, node, node.value.strip(), unit, DIMENSIONS[want.dimension] if want.dimension else None)
+    wanted, own = DIMENSIONS[want.dimension] if want.dimension else None, scope.dimensions.get(unit)
+    alone = wanted is not None and own is not None and quantity.dimension.matches(wanted) and not own.matches(wanted)
+    if scope.kinds.get(unit) == "given" and quantity.value != ZERO and not alone:  # a length of 2 m is none of a mass m
+        return ambiguous(scope, node, node.value.strip(), unit, wanted)
     return literal_value(scope, node, want, quantity)
 
 

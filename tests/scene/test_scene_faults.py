@@ -136,3 +136,10 @@ def test_nothing_can_be_read_one_way_where_a_letter_is_a_unit_too(nothing: str) 
     problem = read_text(SCENE.replace("rod: {", f"rod: {{points: {{P: [{nothing}, R]}}, "), "s.yaml")
     body = next(body for body in problem.bodies if body.name == "rod")
     assert dict(body.points)["P"][0] == ZERO
+
+
+def test_what_can_only_be_a_length_is_one_beside_a_mass_of_that_name() -> None:
+    """Where a length is wanted, `2 m` is no multiple of a mass `m`."""
+    (disc,) = [body for body in read_text(SCENE.replace("radius: R}", "radius: 2 m}")).bodies if body.name == "disc"]
+    assert disc.shape is not None
+    assert "m" not in (disc.shape.outer or ZERO).symbols()

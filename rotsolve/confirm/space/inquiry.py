@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
 from rotsolve.confirm.space.freedoms import freedoms
@@ -180,7 +181,9 @@ class Inquiry:
         told = time_after(state)
         passed = None if told is None else self.rig.value(told)
         try:
-            return [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+            ways = [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+            self.check_letters(names[place - 1], state)
+            return ways
         except NotConfirmed as reason:
             with suppress(NotConfirmed):
                 found: list[Manner] = self.kept(
@@ -188,6 +191,15 @@ class Inquiry:
                 )
                 return found
             raise reason
+
+    def check_letters(self, before: str, state: State) -> None:
+        """Refuse what sets out away from its state while letters have no numbers: whether it turns back hangs on them."""
+        from rotsolve.confirm.space.kept import sets_out_away
+
+        if letters_open(self.problem) and any(
+            sets_out_away(self.rig, world, state) for way in self.ways(before) for world in way.worlds
+        ):
+            raise NotConfirmed("it sets out away from its state, and whether it turns back hangs on letters")
 
     def by_what_stays(self, before: str, state: State) -> list[Manner]:
         """The ways in which all moves at a later state, by what stays on the way, where that is too long to be followed."""

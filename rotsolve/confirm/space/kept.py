@@ -37,6 +37,7 @@ from rotsolve.language.problem import Path, State, Term
 
 GUESSES = (0.7, 1.1, 1.9)  # for angles that no line tells
 UPRIGHT = 1e-12  # how nearly a direction is that of the vertical
+STILL_SHARE = 1e-9  # of the square of the largest rate: a second rate that is none
 WAY = 48  # places on the way at which it is looked whether it gets on
 NEVER = "by what its bodies keep, its motion never comes there"
 NOT_KEPT = "what its bodies keep on the way to its state"
@@ -51,6 +52,8 @@ def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner
         there = Underway(rig, state, put, leader, turned_at(start, leader), share)
         if not any(True for _ in roots_kept(rig, root, start, Stance(rig, there, GUESSES[0]))):
             raise Unfit(NEVER)
+    if leader is not None:
+        check_setting_out(rig, start, state, leader)
     stances = [Stance(rig, Lines(rig, state, put), guess) for guess in GUESSES]
     found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
     if root is None and found[0] and turns_on_line(rig, start):
@@ -103,6 +106,32 @@ def leading_joint(rig: Rig, state: State) -> Joint | None:
     if len(lines) != 1 or len(joints) != 1 or joints[0] is None or not joints[0].turning or state.steady:
         raise NotConfirmed(NOT_KEPT)
     return joints[0]
+
+
+def sets_out_away(rig: Rig, start: World, state: State) -> bool:
+    """Whether a body on a hinge turns at first away from the angle that a later state tells, or a slide goes to it on what turns."""
+    lines = Lines(rig, state, {})
+    for joint in rig.joints.values():
+        if joint.sliding and joint.carrier.owner in rig.bodies:
+            return True  # past what drives it outwards it may not come
+        end = lines.told(joint.body.owner, "angle") if joint.turning else None
+        if end is not None and (end - turned_at(start, joint)) * rate_on_joint(start.now, joint) < 0.0:
+            return True
+    return False
+
+
+def check_setting_out(rig: Rig, start: World, state: State, leader: Joint) -> None:
+    """Refuse what sets out away from its angle, or from rest in balance: whether and how it comes there was not followed."""
+    end = Lines(rig, state, {}).told(leader.body.owner, "angle")
+    if end is None:
+        return
+    way, rate = end - turned_at(start, leader), rate_on_joint(start.now, leader)
+    if rate == 0.0:
+        rate = rate_on_joint(start.found, leader)
+        if abs(rate) <= STILL_SHARE * max((abs(part) for part in start.now.values.values()), default=1.0) ** 2:
+            raise NotConfirmed("it rests in balance at first, from where the least push decides")
+    if way * rate < 0.0:
+        raise NotConfirmed("it sets out the other way, and whether it turns back was not looked at")
 
 
 def turned_at(world: World, joint: Joint) -> float:
