@@ -161,3 +161,21 @@ def test_angles_are_looked_at_all_round() -> None:
     scene = ROTOR.replace("[r*cos(q), r*sin(q), 0]", "[0, 0.4*r, 0]").replace("rotor.angle: 0 deg", "rotor.angle: q")
     found = solve(scene.replace("TOLD", "shaft.force.y: 20 N").replace("FIND", "F: shaft.force.x"))
     assert [(item.holds, item.why) for item in found.derivation.confirmed] == [(None, UNSURE)]
+
+
+def test_of_a_blow_at_an_angle_that_to_the_other_side_is_told_too() -> None:
+    """J b/2 cos q = −I ω: q and −q strike as hard across the plate."""
+    solution = solve("""
+title: A plate that is struck
+up: z
+gravity: none
+given: {M: 3 kg, a: 0.6 m, b: 0.4 m, J: 2 N s, q: unknown}
+bodies: {plate: {shape: rectangle, mass: M, sides: [b, a], points: {P: [b/2, 0, 0], H: [-b/2, -a/2, 0]}}}
+connections: {pin: {hinge: plate.H, along: y, bearings: [0 m, a]}}
+states: {before: {plate.angle: 0 deg, plate.angular_velocity: 0 rad/s}, after: {plate.angular_velocity: -3 rad/s}}
+events: {hit: {impulse: J, on: plate.P, direction: [sin(q), 0, cos(q)], from: before, to: after}}
+find: {q: q in deg}
+""")
+    (verdict,) = solution.derivation.confirmed
+    assert verdict.holds
+    assert "makes it so too" in verdict.also

@@ -147,7 +147,7 @@ def against_as_well(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
         values = other_values(hearing, letter, own, roots) if may_be_against(hearing, letter, own) else ()
         found = next((value for value in values if value < 0.0), None)
         return "" if found is None else sought.equal_to(found)
-    if len(hearing.problem.states) > 1 or abs(math.sin(own)) <= UPRIGHT:
+    if not followed_nowhere(hearing.problem) or abs(math.sin(own)) <= UPRIGHT:
         return ""
     return sought.equal_to(-own) if leaves_nothing(hearing, letter, -own) else ""
 
