@@ -12,6 +12,7 @@ from itertools import combinations
 
 from msgspec import Struct
 
+from rotsolve.algebra.formula import Integral
 from rotsolve.core.equation import ANGULAR_MOMENTUM, FAMILIES, KINEMATICS, NEWTON, SECOND_CHOICE
 from rotsolve.core.symbols import of_kinds
 from rotsolve.matching import Plan
@@ -31,6 +32,12 @@ def families_for(law: str | None) -> tuple[str, ...]:
 def forces_in(plan: Plan) -> int:
     """How many unknowns of a plan are forces."""
     return len(of_kinds(plan.unknowns, FORCES))
+
+
+def sums(plan: Plan, planner: Planner) -> bool:
+    """Whether an equation of a plan sums over a phase."""
+    laws = (planner.pool[index] for index in plan.equations)
+    return any(law.left.holds(Integral) or law.right.holds(Integral) for law in laws)
 
 
 class LawChoice(Struct, frozen=True, dict=True):

@@ -14,7 +14,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle, real_where
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Integral, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
@@ -31,7 +31,7 @@ from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, Chosen, NoAnswer, unsolvable
 from rotsolve.search.definitions import Definitions, Stepwise
 from rotsolve.search.numbers import Numbers
-from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
+from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for, sums
 from rotsolve.solver import ENTANGLED, Solver
 from rotsolve.solver.steps import (
     Contradiction,
@@ -407,7 +407,9 @@ class Search(Struct, dict=True):
                     break
                 raise NoAnswer("too little is known", plan)
             met.update(dict.fromkeys(plan.unknowns))
-            if isinstance(problem, NoRealValue) and self.sums(plan):  # what no moment allows, no sum over a phase does
+            if isinstance(problem, NoRealValue) and sums(
+                plan, self.planner
+            ):  # what no moment allows, no sum over a phase does
                 break
             try:
                 found = self.solver.solve(plan)
@@ -428,11 +430,6 @@ class Search(Struct, dict=True):
         open_form = isinstance(problem, (NoClosedForm, Undefined))
         words = str(problem) if open_form else "too little is known"
         raise NoAnswer(words, open_, open_form=open_form and rooted, met=stones(met, asked.letter))
-
-    def sums(self, plan: Plan) -> bool:
-        """Whether an equation of a plan sums over a phase."""
-        laws = (self.planner.pool[index] for index in plan.equations)
-        return any(law.left.holds(Integral) or law.right.holds(Integral) for law in laws)
 
     def _leads(self, stone: str, asked: Asked, clashes: list[int]) -> bool:
         """Whether a question has an answer once a letter of its plans is settled first; leaves no trace but the law that lets the letter
