@@ -119,7 +119,9 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
 def inertia_untold(unknowns: Iterable[str], search: Search) -> str | None:
     """A body of which the scene tells the moment of inertia about its axis alone, where equations link the one across it to what lacks."""
     quantities = search.scene.registry.quantities
-    across = {key: item.owner for key, item in quantities.items() if item.kind == "inertia" and item.component == ACROSS_AXIS}
+    across = {
+        key: item.owner for key, item in quantities.items() if item.kind == "inertia" and item.component == ACROSS_AXIS
+    }
     reached, linked = set[str](), set(unknowns) if across else set[str]()
     while linked - reached:
         reached |= linked

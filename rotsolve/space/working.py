@@ -84,7 +84,7 @@ def keeps_axial_rate(laws: SpaceLaws, joint: Joint) -> bool:
 
 
 def rolls_at_rest(laws: SpaceLaws, joint: Joint) -> bool:
-    """Whether a joint is the axle of a wheel that carries nothing and rolls on what is at rest: where it touches that nothing gives power."""
+    """Whether a joint is the axle of a wheel that carries nothing and rolls on what is at rest, which gives it no power there."""
     held, name = laws.moment.held, joint.body.owner
     others = [other for other in held.of_body(name) if other is not joint]
     touching = bool(others) and all(other.rolls and other.carrier.owner not in held.bodies for other in others)
