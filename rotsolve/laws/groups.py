@@ -66,13 +66,13 @@ def string_between(body: BodyFacts, wheel: BodyFacts) -> Force | None:
     return None
 
 
-def about_contacts(at: AtMoment) -> Iterator[Equation]:
+def rotation_about_contacts(at: AtMoment) -> Iterator[Equation]:
     """Σ τ = I α + r × m a of a body about the one point at which surfaces hold it: the forces there, often unknown, have no arm."""
     for body in at.facts.bodies:
         slips = any(force.role.rubs and not force.internal for force in body.forces)
-        point = None if body.motion.kind == "axis" or body.changing or slips else touched(body)
+        point = None if body.motion.kind == "axis" or body.changing or slips else one_contact(body)
         if point is not None and body.motion.turns:
-            pushes, rates = about_point(point, body)
+            pushes, rates = newton_about(point, body)
             if pushes and rates and len(flat(rates)) <= SIMPLE:
                 nouns = list(dict.fromkeys(force.noun for force in body.forces if force.arm == point))
                 words: Words = (f"{and_joined(nouns)} {'have' if len(nouns) > 1 else 'has'} no arm there",)
@@ -81,23 +81,23 @@ def about_contacts(at: AtMoment) -> Iterator[Equation]:
                 yield ABOUT_CONTACT.equation(*sides, at.section, (body.name,), words, point=where)
 
 
-def touched(body: BodyFacts) -> Vector | None:
+def one_contact(body: BodyFacts) -> Vector | None:
     """The one point, from the reference, at which surfaces press a body; None where there are several, or none."""
     points = {force.arm for force in body.forces if force.role.presses and force.internal}
     return points.pop() if len(points) == 1 else None
 
 
-def about_point(point: Vector, body: BodyFacts) -> tuple[list[Formula], list[Formula]]:
+def newton_about(point: Vector, body: BodyFacts) -> tuple[list[Formula], list[Formula]]:
     """Torques about a point of what acts elsewhere, and I α + r × m a, the rate of the angular momentum about it."""
     sense = body.motion.sense
     apart = [force for force in body.forces if force.arm != point]
-    pushes = [force.size * lever(tidy(force.arm - point), force, sense) for force in apart]
+    pushes = [force.size * lever_arm(tidy(force.arm - point), force, sense) for force in apart]
     pushes += [signed(couple.torque, sense) for couple in body.couples]
     orbital = signed((body.cm - point).cross(body.centre_acceleration.scaled(body.mass)), sense)
     return flat(pushes), [term for term in (response(body), orbital) if term != ZERO]
 
 
-def lever(arm: Vector, force: Force, sense: int) -> Formula:
+def lever_arm(arm: Vector, force: Force, sense: int) -> Formula:
     """The lever of a force that turns in a sense, its positive terms first."""
     size = signed(arm.cross(force.direction), sense)
     if isinstance(size, Negative) and isinstance(size.operand, Sum):
@@ -109,7 +109,7 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     """Rolling or unwinding: about the point held by the surface or string, whose forces then have no arm."""
     held = {force.arm for force in body.forces if force.internal}
     if len(held) == 1:
-        pushes, rates = about_point(held.pop(), body)
+        pushes, rates = newton_about(held.pop(), body)
         where = f"the point of contact of {spoken(body.name)}"
         yield RATE.equation(positive_first(pushes), positive_first(rates), section, (body.name,), point=where)
 
