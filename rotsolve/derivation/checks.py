@@ -103,6 +103,21 @@ def nudged(search: Search) -> Iterator[Check]:
                 break
 
 
+FEW_PERCENT = 0.1  # up to which share of something a quantity is small beside it
+
+
+def beside_each_other(search: Search, letters: Letters) -> Iterator[Check]:
+    """What an approximation takes to be small beside what, in numbers: "ω = 3.1 rad/s is small beside s = 126 rad/s"."""
+    for pair in dict.fromkeys(search.scene.small_beside()):
+        small, large = (search.apart().certified(value) for value in pair)
+        if small is None or large is None or not large.float or not all(isinstance(value, Symbol) for value in pair):
+            continue
+        words = " is small beside " if abs(small.float) <= FEW_PERCENT * abs(large.float) else " is not small beside "
+        less, more = (letters.printed(value) for value in pair)
+        told = (less, f" = {small.text(4)} rad/s", words, more, f" = {large.text(4)} rad/s")
+        yield Check(told, None, "approximation:")
+
+
 def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> bool:
     """Whether friction holds a body that nothing moves from rest, or what moves or is pushed takes it along."""
     scene, state = search.scene, passage.start.state
@@ -126,6 +141,7 @@ def checks(search: Search, letters: Letters, balls: KnownBalls, at: TimeValue | 
         *limit_checks(search),
         *requirements(search, letters, at),
         *nudged(search),
+        *beside_each_other(search, letters),
     )
 
 

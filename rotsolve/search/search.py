@@ -16,7 +16,7 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.equation import NEWTON, VANISHING, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
@@ -274,7 +274,7 @@ class Search(Struct, dict=True):
         parts = tuple(self._part(part) for part in asked.parts)
         self._enter(asked)
         first = len(self.solver.steps)
-        if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
+        if asked.find.whole and asked.formula == ZERO and asked.law != VANISHING:  # by symmetry: it takes no step
             self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
         if asked.letter in self.solver.solved:
             answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts, aside=aside)
