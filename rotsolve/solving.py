@@ -370,6 +370,11 @@ def check_consistent(search: Search) -> KnownBalls:
 
         for refusal in not_reached(search):
             raise refusal
+    if any(search.scene.configuration.rides(state.name) for state in problem.states):
+        from rotsolve.search.running_off import run_off
+
+        for gone in run_off(search):
+            raise gone
     if problem.space and problem.states:
         from rotsolve.search.coming import not_come_to
 

@@ -9,10 +9,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.instant import gathered, slip_speed
 from rotsolve.confirm.lines import from_axis, once_round, placed_value, rate_of
 from rotsolve.confirm.model import Model
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 
 HOLDS = 1e-6  # how well all lines of a state have to hold at once
@@ -77,10 +78,37 @@ def riding_gauge(line: Condition, model: Model) -> Gauge:
     owner, far = path.owner, model.value(line.value)
 
     def gap(at: Node) -> float:
-        away = from_axis(owner, at.pose, at.model)
-        return (away.value if away is not None else 0.0) - far
+        out = out_on_rod(owner, at)
+        away = from_axis(owner, at.pose, at.model) if out is None else None
+        return (out or 0.0) - far if away is None else away.value - far
 
     return Gauge(gap, far, f"{owner}.radius")
+
+
+def out_on_rod(owner: str, at: Node) -> float | None:
+    """How far out from the axis a body is on a rod that begins there, less than nothing beyond it; None on all else."""
+    model, rides = at.model, (item.ride() for item in at.model.acting.connections)
+    carrier = next((ride.carrier.owner for ride in rides if ride is not None and ride.rider.owner == owner), None)
+    whole = None if carrier is None else shape_of(model.body(carrier)).reach()
+    if carrier is None or whole is None:
+        return None
+    axis, half = model.axis(carrier), model.value(whole) / 2
+    if abs(math.hypot(*axis) - half) > HOLDS * half:
+        return None
+    (x, y), (u, w), (a, b) = (
+        at.pose.place(name, spot)
+        for name, spot in ((owner, model.seats[owner].rigid.centre), (carrier, axis), (carrier, (0.0, 0.0)))
+    )
+    return ((x.value - u.value) * (a.value - u.value) + (y.value - w.value) * (b.value - w.value)) / half
+
+
+def check_on_rods(at: Node) -> None:
+    """Astray where a body has slid past the axis off a rod that begins there."""
+    for item in at.model.acting.connections:
+        ride = item.ride()
+        out = None if ride is None or not ride.free else out_on_rod(ride.rider.owner, at)
+        if ride is not None and out is not None and out < -HOLDS:
+            raise Astray(f"`{ride.rider.owner}` slides off `{ride.carrier.owner}` at its axis")
 
 
 def word_gauge(line: Condition, model: Model) -> Gauge:
