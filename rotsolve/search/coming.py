@@ -39,6 +39,7 @@ def not_come_to(search: Search) -> Iterator[Unsolvable]:
             yield from without_rates(interval.end, COMING, search)
             yield from below_summit(interval, search)
             yield from in_equilibrium(interval, search)
+            yield from off_its_way(interval, search)
 
 
 def in_equilibrium(interval: Interval, search: Search) -> Iterator[Unsolvable]:
@@ -54,6 +55,15 @@ def in_equilibrium(interval: Interval, search: Search) -> Iterator[Unsolvable]:
             span = configuration.timeline.state(interval.end).span
             why = f"`{body.name}` is at rest there in equilibrium, and stays so"
             yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+
+
+def off_its_way(interval: Interval, search: Search) -> Iterator[Unsolvable]:
+    """What sets out away from a place and never turns back, turns back before it, or rests in balance, on a joint of whatever carries it."""
+    lines = search.scene.configuration.timeline.state(interval.end).conditions
+    if any(line.path is not None and line.path.quantity in ("angle", "position") for line in lines):
+        from rotsolve.search.ways_on_joints import barred_ways
+
+        yield from barred_ways(interval, search)
 
 
 def dynamics_of(search: Search) -> Mapping[str, SpaceLaws]:
