@@ -19,7 +19,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
+from rotsolve.algebra.formula import PI, ZERO, Formula, Integral, Number, call
 from rotsolve.core.faults import NeverReached
 from rotsolve.core.symbols import has_quantities
 from rotsolve.motion.timeline import Interval
@@ -96,7 +96,7 @@ class LookedAt(Struct, frozen=True):
             far = self.far_off()
             return None if far is None else far == -1
         turned = start - self.ahead * TURN
-        lost = self.side(way.left.substitute({PLACE: turned}) - way.left.substitute({PLACE: start}))
+        lost = self.side(way.left_at(turned) - way.left_at(start))
         least = self.least(turned)
         return None if lost is None or least is None else lost == -1 or least == -1
 
@@ -119,7 +119,7 @@ class LookedAt(Struct, frozen=True):
             return None
         forward = self.ahead if stop is self.way.end else -self.ahead
         signs = [
-            self.side(self.way.left.substitute({PLACE: place}))
+            self.side(self.way.left_at(place))
             for place in places
             if self.numeric or self.between(place, stop, forward)
         ]
@@ -155,13 +155,13 @@ class LookedAt(Struct, frozen=True):
     def side(self, value: Formula) -> int | None:
         """The sign of what is left; by numbers one that is nothing but for rounding is 0."""
         if not self.numeric:
-            return self.search.numbers.side(simplify(value))
+            return None if value.holds(Integral) else self.search.numbers.side(simplify(value))
         number = self.search.numbers.of(value)
         return None if number is None else 0 if abs(number) <= SHARE * self.size() else 1 if number > 0 else -1
 
     def size(self) -> float:
         """How large energies are on the way, by numbers."""
-        ends = self.search.numbers.of(self.way.left.substitute({PLACE: self.way.start})), self.search.numbers.of(
+        ends = self.search.numbers.of(self.way.left_at(self.way.start)), self.search.numbers.of(
             self.way.pull.substitute({PLACE: self.way.start}) * (self.way.end - self.way.start)
         )
         return sum(abs(end or 0.0) for end in ends)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.calculus.integral import integrate_by_hand
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, add, negate, total
@@ -41,11 +42,13 @@ class WayOnJoint(Struct, frozen=True):
     gap: Formula
     effort: Formula
 
-    @property
-    def left(self) -> Formula:
-        """E + ∫ Q dq − W by the place."""
-        spent = ZERO if self.effort == ZERO else Integral(self.effort, PLACE, self.start, Symbol(PLACE))
-        return add(self.gap, spent)
+    def left_at(self, place: Formula) -> Formula:
+        """E + ∫ Q dq − W at a place."""
+        given: Formula | None = ZERO
+        if self.effort != ZERO:
+            given = integrate_by_hand(self.effort, PLACE, self.start, place)
+        there = self.gap.substitute({PLACE: place})
+        return add(there, Integral(self.effort, PLACE, self.start, place) if given is None else given)
 
     @property
     def pull(self) -> Formula:
