@@ -371,9 +371,9 @@ def check_consistent(search: Search) -> KnownBalls:
         for refusal in not_reached(search):
             raise refusal
     if any(search.scene.configuration.rides(state.name) for state in problem.states):
-        from rotsolve.search.running_off import run_off
+        from rotsolve.search.riding import barred_rides
 
-        for gone in run_off(search):
+        for gone in barred_rides(search):
             raise gone
     if problem.space and problem.states:
         from rotsolve.search.coming import not_come_to

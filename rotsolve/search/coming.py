@@ -58,7 +58,7 @@ def in_equilibrium(interval: Interval, search: Search) -> Iterator[Unsolvable]:
 
 
 def off_its_way(interval: Interval, search: Search) -> Iterator[Unsolvable]:
-    """What sets out away from a place and never turns back, turns back before it, or rests in balance, on a joint of whatever carries it."""
+    """What sets out away from a place for ever, turns back before it, or rests in balance, on a joint of whatever carries it."""
     lines = search.scene.configuration.timeline.state(interval.end).conditions
     if any(line.path is not None and line.path.quantity in ("angle", "position") for line in lines):
         from rotsolve.search.ways_on_joints import barred_ways

@@ -22,10 +22,10 @@ from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import PI, ZERO, Formula, Integral, Number, call
 from rotsolve.core.faults import NeverReached
 from rotsolve.core.symbols import has_quantities
+from rotsolve.core.ways import PLACE, WayEnd, WayOnJoint
 from rotsolve.motion.timeline import Interval
-from rotsolve.search.explain import unreachable
+from rotsolve.search.endings import never_reached
 from rotsolve.search.search import Search
-from rotsolve.space.ways import PLACE, WayOnJoint, ways_on_joints
 
 if TYPE_CHECKING:
     from rotsolve.space.scene import SpaceEquations
@@ -41,26 +41,34 @@ BALANCED = "`{}` is at rest in balance, and stays so"
 
 
 def barred_ways(interval: Interval, search: Search) -> Iterator[NeverReached]:
-    """The places of bodies on joints to which they do not come in a phase."""
-    configuration = search.scene.configuration
-    span = configuration.timeline.state(interval.end).span
+    """The places of bodies on joints in space to which they do not come in a phase."""
+    from rotsolve.space.ways import ways_on_joints
+
     for way in ways_on_joints(cast("SpaceEquations", search.scene), interval):
-        looked = looked_at(way, search)
-        why = "" if looked is None else looked.objection()
-        if why:
-            yield unreachable(configuration.problem, interval.start, interval.end, span, why.format(way.body))
+        yield from barred_way(way, interval, search)
 
 
-def looked_at(way: WayOnJoint, search: Search) -> LookedAt | None:
+def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[NeverReached]:
+    """That a body does not come to the end of its way, if it does not."""
+    configuration = search.scene.configuration
+    looked = way_looked_at(way, search)
+    why = "" if looked is None else looked.objection()
+    if why:
+        yield never_reached(interval, configuration, why.format(way.body), sure=True)
+
+
+def way_looked_at(way: WayOnJoint, search: Search) -> LookedAt | None:
     """A way of which all is known but its place, if it leads elsewhere."""
     aside = search.apart()
     known = [aside.settled(value) for value in (way.start, way.end, way.rate, way.gap, way.effort)]
     start, end, rate, gap, effort = known
     if start is None or end is None or rate is None or gap is None or effort is None or any(map(open_, known)):
         return None
-    found = WayOnJoint(way.body, way.turning, start, end, rate, gap, effort)
+    found = WayOnJoint(way.body, way.turning, start, end, rate, gap, effort, way.ends)
     letters = {name for value in known if value is not None for name in value.symbols()} - {PLACE}
-    ahead = search.numbers.side(simplify(end - start))
+    ahead = search.numbers.side(simplify(end - start)) or (
+        way.ends != (None, None) and -(search.numbers.side(rate) or 0)
+    )
     return LookedAt(found, search, ahead, letters <= search.values.keys()) if ahead else None
 
 
@@ -86,8 +94,13 @@ class LookedAt(Struct, frozen=True):
         if sets_out == 0:
             return BALANCED
         if sets_out == -self.ahead and (at_rest or self.turns_back() is False):
-            return AWAY
+            return AWAY if self.off is None else self.off.words
         return BARRED if sets_out and self.least(self.way.end) in (0, -1) else ""
+
+    @property
+    def off(self) -> WayEnd | None:
+        """Where it runs off that sets out away from its end."""
+        return self.way.ends[self.ahead < 0]
 
     def turns_back(self) -> bool | None:
         """Whether what sets out away from its end comes back: on a hinge within a turn, or since each turn takes of its energy."""
@@ -102,7 +115,10 @@ class LookedAt(Struct, frozen=True):
 
     def far_off(self) -> int | None:
         """The sign of what is least on a slide however far it goes away from its end."""
-        far = self.way.start - self.ahead * FAR * abs_of(self.way.end - self.way.start)
+        if self.off is not None:
+            last = self.side(self.way.left_at(self.off.place))
+            return -1 if last == -1 or self.least(self.off.place) == -1 else None if last is None else 0
+        far = self.way.start - self.ahead * FAR * call("abs", self.way.end - self.way.start)
         if self.numeric:
             return self.least(far)
         power, lead = 0, self.way.gap
@@ -119,15 +135,15 @@ class LookedAt(Struct, frozen=True):
             return None
         forward = self.ahead if stop is self.way.end else -self.ahead
         signs = [
-            self.side(self.way.left_at(place))
-            for place in places
-            if self.numeric or self.between(place, stop, forward)
+            self.side(self.way.left_at(place)) for place in places if self.numeric or self.between(place, stop, forward)
         ]
         return None if None in signs else min((sign for sign in signs if sign is not None), default=1)
 
     def between(self, place: Formula, stop: Formula | None, forward: int) -> bool:
-        """Whether a place lies beyond the start, and before another one, in letters."""
+        """Whether it is slowest at a place beyond the start, and before another one, in letters."""
         side = self.search.numbers.side
+        if side(simplify(differentiate(self.way.pull, PLACE).substitute({PLACE: place}))) == -1:
+            return False  # it is fastest there
         gone = side(simplify((place - self.way.start) * forward)) == 1
         return gone and (stop is None or side(simplify((stop - place) * forward)) == 1)
 
@@ -161,11 +177,8 @@ class LookedAt(Struct, frozen=True):
 
     def size(self) -> float:
         """How large energies are on the way, by numbers."""
-        ends = self.search.numbers.of(self.way.left_at(self.way.start)), self.search.numbers.of(
-            self.way.pull.substitute({PLACE: self.way.start}) * (self.way.end - self.way.start)
+        ends = (
+            self.search.numbers.of(self.way.left_at(self.way.start)),
+            self.search.numbers.of(self.way.pull.substitute({PLACE: self.way.start}) * (self.way.end - self.way.start)),
         )
         return sum(abs(end or 0.0) for end in ends)
-
-
-def abs_of(value: Formula) -> Formula:
-    return call("abs", value)

@@ -1,4 +1,4 @@
-"""Ways: what a body on a hinge or a slide has left of its energy at each place of its way, carried by what is driven, turns freely, or stands.
+"""Ways: what a body on a hinge or a slide has left of its energy at each place of its way, carried by what is driven, turns, or stands.
 
 With all momenta p of coordinates that nothing pushes, and at rest in its own, the energy in the frame of what is driven evenly is the
 effective potential W(q) = V − T₀ + ½ p²/I(q) (Goldstein, Poole & Safko, Classical Mechanics, §3.3 and §8.5). It goes on as long as
@@ -10,15 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
-
-from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.calculus.integral import integrate_by_hand
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, add, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate, total
 from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian
 from rotsolve.core.symbols import key_of
+from rotsolve.core.ways import PLACE, WayOnJoint
 from rotsolve.language.bodies import Joint
 from rotsolve.space.lagrangian import MotionsInSpace, motions_in_space
 
@@ -26,34 +23,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.timeline import Interval
     from rotsolve.space.scene import SpaceEquations
 
-PLACE = "#place"  # the letter of a place on the way
 RATE = "#rate "
-
-
-class WayOnJoint(Struct, frozen=True):
-    """The way of a body on a joint in a phase: its place and rate at the start, its place at the end, and by any place what is `left` for
-    ½ M q̇², as the energy without forces that have no potential, and the `effort` of those."""
-
-    body: str
-    turning: bool
-    start: Formula
-    end: Formula
-    rate: Formula
-    gap: Formula
-    effort: Formula
-
-    def left_at(self, place: Formula) -> Formula:
-        """E + ∫ Q dq − W at a place."""
-        given: Formula | None = ZERO
-        if self.effort != ZERO:
-            given = integrate_by_hand(self.effort, PLACE, self.start, place)
-        there = self.gap.substitute({PLACE: place})
-        return add(there, Integral(self.effort, PLACE, self.start, place) if given is None else given)
-
-    @property
-    def pull(self) -> Formula:
-        """What drives it along its way where it is at rest: Q − dW/dq."""
-        return simplify(add(differentiate(self.gap, PLACE), self.effort))
 
 
 def ways_on_joints(scene: SpaceEquations, interval: Interval) -> Iterator[WayOnJoint]:
@@ -62,7 +32,7 @@ def ways_on_joints(scene: SpaceEquations, interval: Interval) -> Iterator[WayOnJ
     for motions in motions_in_space(scene, before):
         motion = motions.motion
         pushed = [q for q in motion.coordinates if not motion.cyclic(q)]
-        joint = joint_of(pushed[0], motions) if len(pushed) == 1 else None
+        joint = joint_along(pushed[0], motions) if len(pushed) == 1 else None
         if joint is None:
             continue
         own, others = pushed[0], [q for q in motion.coordinates if q not in pushed]
@@ -73,7 +43,7 @@ def ways_on_joints(scene: SpaceEquations, interval: Interval) -> Iterator[WayOnJ
             yield WayOnJoint(joint.body.owner, bool(joint.turning), *ends, now(Symbol(own.rate)), *left)
 
 
-def joint_of(q: GeneralizedCoordinate, motions: MotionsInSpace) -> Joint | None:
+def joint_along(q: GeneralizedCoordinate, motions: MotionsInSpace) -> Joint | None:
     """The hinge or the slide along which a coordinate goes."""
     owner, held = key_of(q.letter.name).owner, motions.first.held
     for joint in held.joints:

@@ -28,7 +28,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import TIME, combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
-from rotsolve.elements.shapes import ends_at, rims, shape_of
+from rotsolve.elements.shapes import ends_at, rims, room_from, shape_of
 from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import amount, key
@@ -381,12 +381,9 @@ class Rides(Connection, frozen=True):
     def rooms(self, scene: Surroundings) -> Iterator[Limit]:
         """On a rod the rider lies between the axis and the rod's end, on a round body within its rim."""
         rider, carrier = self.rides
-        shape = shape_of(scene.bodies[carrier.owner])
-        whole, far = shape.reach(), shape.outer if shape.round else None
         held = (ref for item in scene.problem.connections for ref in item.fixed_points() if ref.owner == carrier.owner)
         axis = next(held, None)
-        if whole is not None and axis is not None:
-            far = whole / 2 - shape.locate(axis.point or "center", axis.argument)[0]
+        far = None if axis is None else room_from(scene.bodies[carrier.owner], axis)
         for place in scene.mentions.values(rider.owner, "radius"):
             if far is None:
                 return

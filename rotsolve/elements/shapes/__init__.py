@@ -48,12 +48,24 @@ def shape_of(body: Body) -> Shape:
 
 def ends_at(body: Body, ref: PointRef) -> bool:
     """Whether a point of a slender body is one of its ends."""
-    shape, named = shape_of(body), dict(body.points).get(ref.point or "")
+    whole = shape_of(body).reach()
+    return whole is not None and ZERO in (
+        simplify(whole / 2 - abscissa_of(body, ref)),
+        simplify(whole / 2 + abscissa_of(body, ref)),
+    )
+
+
+def room_from(body: Body, ref: PointRef) -> Formula | None:
+    """How far a body goes on from an axis through one of its points: to the end of what is slender, to the rim of what is round."""
+    shape = shape_of(body)
     whole = shape.reach()
-    if whole is None:
-        return False
-    place = (named or shape.locate(ref.point or "center", ref.argument))[0]
-    return ZERO in (simplify(whole / 2 - place), simplify(whole / 2 + place))
+    return simplify(whole / 2 - abscissa_of(body, ref)) if whole is not None else shape.outer if shape.round else None
+
+
+def abscissa_of(body: Body, ref: PointRef) -> Formula:
+    """The x of a point in the body's axes."""
+    named = dict(body.points).get(ref.point or "")
+    return (named or shape_of(body).locate(ref.point or "center", ref.argument))[0]
 
 
 def rims(body: Body) -> dict[str, Formula]:
