@@ -386,7 +386,10 @@ def check_consistent(search: Search) -> KnownBalls:
         for refusal in out_of_bounds(search):
             raise refusal
     for value, (sign, question, span) in configuration.supposed.items():
-        if configuration.signs.sign(settled_aside(value, search)) != sign:
+        settled = settled_aside(value, search)
+        told = configuration.signs.sign(settled)
+        size = balls.size(settled) if told is None else None  # a letter without a closed form has its ball
+        if told != sign and (size is None or not size * sign > 0):
             raise configuration.undecided(value, question, span)
     return balls
 

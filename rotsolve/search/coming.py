@@ -43,18 +43,19 @@ def not_come_to(search: Search) -> Iterator[Unsolvable]:
 
 
 def in_equilibrium(interval: Interval, search: Search) -> Iterator[Unsolvable]:
-    """The bodies on hinges that are at rest where nothing turns them, and never come to another angle."""
-    from rotsolve.space.summit import stays_put
+    """The bodies on hinges, or at a fixed point, that are at rest where nothing turns them, and never come to another angle, or tilt."""
+    from rotsolve.space.summit import stays_put, stays_upright
 
     configuration, dynamics = search.scene.configuration, dynamics_of(search)
     for body in configuration.problem.bodies:
-        first, last = (dynamics[state].moment.stood(body.name, "angle") for state in (interval.start, interval.end))
-        if first is None or last is None or search.numbers.side(last - first) in (0, None):
-            continue
-        if stays_put(body.name, dynamics[interval.start], search.numbers.side):
-            span = configuration.timeline.state(interval.end).span
-            why = f"`{body.name}` is at rest there in equilibrium, and stays so"
-            yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+        for word, stays in (("angle", stays_put), ("tilt", stays_upright)):
+            first, last = (dynamics[state].moment.stood(body.name, word) for state in (interval.start, interval.end))
+            if first is None or last is None or search.numbers.side(last - first) in (0, None):
+                continue
+            if stays(body.name, dynamics[interval.start], search.numbers.side):
+                span = configuration.timeline.state(interval.end).span
+                why = f"`{body.name}` is at rest there in equilibrium, and stays so"
+                yield unreachable(configuration.problem, interval.start, interval.end, span, why)
 
 
 def off_its_way(interval: Interval, search: Search) -> Iterator[Unsolvable]:

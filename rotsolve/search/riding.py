@@ -39,13 +39,12 @@ def barred_rides(search: Search) -> Iterator[Unsolvable]:
             ends = ends_of_carrier(ride, configuration, interval.start) if ride.free else (None, None)
             if not leaves_by(ends, ride, interval, search):
                 continue
-            try:
-                way = way_on_rod(ride, interval, search, ends)
-            except (NoAnswer, Unsolvable):
+            way = way_on_rod(ride, interval, search, ends)
+            if way is not None:
+                yield from barred_way(way, interval, search)
+            elif sets_out_away(ride, interval, search):
                 message = f"whether `{ride.rider.owner}` runs off `{ride.carrier.owner}` is not solved"
                 yield unsolvable(configuration.problem, message, ride.rider.span, kind=UNSOLVED)
-                continue
-            yield from barred_way(way, interval, search)
 
 
 def ends_of_carrier(ride: Ride, configuration: Configuration, state: str) -> tuple[WayEnd | None, WayEnd | None]:
@@ -66,15 +65,31 @@ def leaves_by(ends: tuple[WayEnd | None, WayEnd | None], ride: Ride, interval: I
     return ends[1] is not None and (ends[0] is not None or side == 1)
 
 
-def way_on_rod(ride: Ride, interval: Interval, search: Search, ends: tuple[WayEnd | None, WayEnd | None]) -> WayOnJoint:
-    """The way of a rider in a phase, by v² at each place; NoAnswer where the laws do not tell that."""
-    configuration, bead = search.scene.configuration, ride.rider.owner
-    places = [
-        getattr(configuration.body(bead, state).shape, "radius", None) for state in (interval.start, interval.end)
-    ]
-    start, end = (place or ZERO for place in places)
-    speed = search.scene.instant(interval.start).outward(bead)
-    return WayOnJoint(bead, False, start, end, speed, square_of_speed(ride, interval, search), ZERO, ends)
+def sets_out_away(ride: Ride, interval: Interval, search: Search) -> bool:
+    """Whether a rider sets out away from where a later state has it, or may do so."""
+    start, end = places_of(ride, interval, search)
+    speed = search.apart().settled(search.scene.instant(interval.start).outward(ride.rider.owner))
+    sides = [None if value is None else search.numbers.side(value) for value in (speed, end - start)]
+    return None in sides or sides[0] != sides[1]
+
+
+def places_of(ride: Ride, interval: Interval, search: Search) -> tuple[Formula, Formula]:
+    """How far from the axis a rider is at the start and the end of a phase."""
+    shapes = [search.scene.configuration.body(ride.rider.owner, at).shape for at in (interval.start, interval.end)]
+    start, end = (getattr(shape, "radius", None) or ZERO for shape in shapes)
+    return start, end
+
+
+def way_on_rod(
+    ride: Ride, interval: Interval, search: Search, ends: tuple[WayEnd | None, WayEnd | None]
+) -> WayOnJoint | None:
+    """The way of a rider in a phase, by v² at each place; None where the laws do not tell that."""
+    bead, places = ride.rider.owner, places_of(ride, interval, search)
+    try:
+        left = square_of_speed(ride, interval, search)
+    except (NoAnswer, Unsolvable):
+        return None
+    return WayOnJoint(bead, False, *places, search.scene.instant(interval.start).outward(bead), left, ZERO, ends)
 
 
 def square_of_speed(ride: Ride, interval: Interval, search: Search) -> Formula:

@@ -372,7 +372,7 @@ class Rides(Connection, frozen=True):
             raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)
         untold = scene.mentions.untold(rider.owner, "radius") if self.ride().free else None
         if untold is not None:
-            help = f"give `{rider.owner}.radius`"
+            help = f"give `{rider.owner}.radius`, if only as a letter that is sought, `given: {{r: unknown}}`"
             raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{untold[0]}`", span=untold[1], help=help)
         if self.ride().free and scene.problem.events:
             raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
@@ -385,8 +385,9 @@ class Rides(Connection, frozen=True):
         axis = next(held, None)
         far = None if axis is None else room_from(scene.bodies[carrier.owner], axis)
         for place in scene.mentions.values(rider.owner, "radius"):
+            yield Limit(place, f"`{rider.owner}` is on the other side of its axis")
             if far is None:
-                return
+                continue
             yield Limit(simplify(far - place), f"`{rider.owner}` is beyond the end of `{carrier.owner}`")
 
     def check_on_axis(self, scene: Surroundings) -> None:
