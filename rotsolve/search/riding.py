@@ -42,7 +42,7 @@ def barred_rides(search: Search) -> Iterator[Unsolvable]:
             way = way_on_rod(ride, interval, search, ends)
             if way is not None:
                 yield from barred_way(way, interval, search)
-            elif sets_out_away(ride, interval, search):
+            elif goes_away(ride, interval, search):
                 message = f"whether `{ride.rider.owner}` runs off `{ride.carrier.owner}` is not solved"
                 yield unsolvable(configuration.problem, message, ride.rider.span, kind=UNSOLVED)
 
@@ -65,15 +65,15 @@ def leaves_by(ends: tuple[WayEnd | None, WayEnd | None], ride: Ride, interval: I
     return ends[1] is not None and (ends[0] is not None or side == 1)
 
 
-def sets_out_away(ride: Ride, interval: Interval, search: Search) -> bool:
+def goes_away(ride: Ride, interval: Interval, search: Search) -> bool:
     """Whether a rider sets out away from where a later state has it, or may do so."""
-    start, end = places_of(ride, interval, search)
+    start, end = radii_of(ride, interval, search)
     speed = search.apart().settled(search.scene.instant(interval.start).outward(ride.rider.owner))
     sides = [None if value is None else search.numbers.side(value) for value in (speed, end - start)]
     return None in sides or sides[0] != sides[1]
 
 
-def places_of(ride: Ride, interval: Interval, search: Search) -> tuple[Formula, Formula]:
+def radii_of(ride: Ride, interval: Interval, search: Search) -> tuple[Formula, Formula]:
     """How far from the axis a rider is at the start and the end of a phase."""
     shapes = [search.scene.configuration.body(ride.rider.owner, at).shape for at in (interval.start, interval.end)]
     start, end = (getattr(shape, "radius", None) or ZERO for shape in shapes)
@@ -84,7 +84,7 @@ def way_on_rod(
     ride: Ride, interval: Interval, search: Search, ends: tuple[WayEnd | None, WayEnd | None]
 ) -> WayOnJoint | None:
     """The way of a rider in a phase, by v² at each place; None where the laws do not tell that."""
-    bead, places = ride.rider.owner, places_of(ride, interval, search)
+    bead, places = ride.rider.owner, radii_of(ride, interval, search)
     try:
         left = square_of_speed(ride, interval, search)
     except (NoAnswer, Unsolvable):

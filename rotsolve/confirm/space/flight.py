@@ -89,6 +89,7 @@ class Flight:
         self.clock = 0.0  # the time up to the arrival
         self.counted = ""  # a body whose axis is counted on its way round the vertical
         self.gone = 0.0  # how far that has gone
+        self.missed = ""  # what did not hold where its state was looked for
         self.looks, self.most, self.exact = 0, self.limit, EXACT
 
     def drawn_on_slide(self, joint: Joint) -> Arrow:
@@ -142,7 +143,7 @@ class Flight:
         """One more look at the equations; no more than a limit."""
         self.looks += 1
         if self.looks > self.most:
-            raise NotConfirmed(TOO_FAR)
+            raise NotConfirmed(self.missed or TOO_FAR)
 
     def rows(self, number: int, name: str, numbers: Numbers) -> Turned:
         """How a body is turned."""
@@ -269,9 +270,16 @@ class Flight:
                 there_numbers, gone = self.crossing(numbers, through[0], before, through[1], gap)
                 world, self.clock = self.world(there_numbers), clock + gone
                 about = self.gone + self.round_vertical(numbers, there_numbers)
-                if all(abs(self.gap_of(line)(world)) <= HOLDS * self.size_of(line, world) for line in lines[1:]):
+                others = (
+                    line for line in lines[1:] if abs(self.gap_of(line)(world)) > HOLDS * self.size_of(line, world)
+                )
+                off = next(others, None)
+                if off is None:
                     self.gone = about
                     return world
+                self.missed = (
+                    self.missed or f"{line_in_words(off)} does not hold where {line_in_words(lines[0])} first does"
+                )
             self.gone += self.round_vertical(numbers, later)
             numbers, before, clock = later, there, clock + size
 
@@ -477,6 +485,11 @@ class Flight:
 def ways_through(line: Condition) -> tuple[bool, ...]:
     """Whether a gap closes upwards or downwards at a line: at a largest tilt its rate falls to nothing."""
     return {"largest": (False,), "smallest": (True,)}.get(line.word or "", (False, True))
+
+
+def line_in_words(line: Condition) -> str:
+    """What a line of a state is of, in words."""
+    return f"`{line.path.owner}.{line.path.quantity}`" if line.path is not None else f"`{line.owner}`"
 
 
 def near_enough(one: Numbers, other: Numbers, exact: float) -> bool:
