@@ -12,9 +12,9 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle, real_where
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Number, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
@@ -190,19 +190,7 @@ class Search(Struct, dict=True):
                     self.ground.picked[name] = roots[picked.root]
         if picked is not None and turns[picked.root]:
             return replace(picked, turns=picked.turns + turns[picked.root])
-        return picked if picked is None or passed else self.within_a_turn(name, picked, roots, period)
-
-    def within_a_turn(
-        self, name: str, picked: PickedRoot, roots: Sequence[Formula], period: Formula | None
-    ) -> PickedRoot:
-        """The root of an angle that is sought from −180° to 180°, if no motion comes to it and it holds a whole turn on."""
-        given = self.givens.get(name)
-        if given is None or not given.asked or picked.reached or period is None or not self.may_be_angle(name):
-            return picked
-        parts = simplify(TURN / period)
-        whole = isinstance(parts, Number) and parts.value.denominator == 1 and is_zero(picked.period - TURN)
-        more = whole_turns(picked.of(roots), self) if whole else 0
-        return replace(picked, turns=picked.turns + more) if more else picked
+        return picked
 
     def extreme_asked(self, name: str, picked: PickedRoot) -> Find | None:
         """The question for the largest or smallest value of a letter, where no motion tells which it comes to first."""
@@ -219,7 +207,7 @@ class Search(Struct, dict=True):
 
     def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
-        from rotsolve.search.roots import RootChoice
+        from rotsolve.search.roots import RootChoice, nearest_turn
 
         if self.ground is not None:
             self.ground.chose = True
@@ -236,7 +224,9 @@ class Search(Struct, dict=True):
             return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
         picked = choice.choose(name, [roots[number] for number in fitting], period)
         alike = () if picked is None else tuple(fitting[index] for index in picked.alike)
-        return None if picked is None else replace(picked, root=fitting[picked.root], alike=alike)
+        return picked and nearest_turn(
+            name, replace(picked, root=fitting[picked.root], alike=alike), roots, period, self
+        )
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""
