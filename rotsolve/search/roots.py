@@ -293,6 +293,11 @@ class RootChoice(Struct, frozen=True):
         return not signs.trials.keys() >= set(signs.lacking(root))
 
 
+def among(fitting: Sequence[int], picked: PickedRoot) -> PickedRoot:
+    """A root that is picked of those that fit, as one of all roots."""
+    return replace(picked, root=fitting[picked.root], alike=tuple(fitting[index] for index in picked.alike))
+
+
 def nearest_turn(
     name: str, picked: PickedRoot, roots: Sequence[Formula], period: Formula | None, search: Search
 ) -> PickedRoot:
