@@ -22,6 +22,7 @@ class Joins(Event, frozen=True):
     word = "joins"
     bodily = True
     about = "two bodies meet and stay together (inelastic)"
+    heats = True
     quantities = ("impulse", "angular_impulse")
     joins: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]"
@@ -51,6 +52,7 @@ class Collides(Event, frozen=True):
     word = "collides"
     bodily = True
     about = "two bodies bounce off each other"
+    heats = True
     quantities = ("impulse", "angular_impulse")
     collides: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]"
@@ -171,6 +173,7 @@ class Removes(Event, frozen=True):
 class Fixes(Event, frozen=True):
     word = "fixes"
     about = "a point of a moving body is suddenly held; from then on the body turns about it"
+    heats = True
     quantities = ("force", "impulse")
     instead = (
         "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
@@ -204,6 +207,7 @@ class Fixes(Event, frozen=True):
 class Grips(Event, frozen=True):
     word = "grips"
     about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
+    heats = True
     armless = "what acts there has no arm, whatever it is"  # a blow, or friction that lasts until it rolls
     quantities = ("impulse",)
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
