@@ -193,13 +193,13 @@ class Sections:
             from rotsolve.scene.statement import check_slots  # most texts name no givens
 
             check_slots(scope, self.top["text"][1], lines)
-        fields["gravity"] = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         if scope.space and "plane" in self.top:
             in_plane_only(scope, self.top["plane"][0], "plane")
         fields["space"] = scope.space
         fields["surfaces"] = self.each("surfaces", partial(read_element, scope, "surfaces"))
         fields["bodies"] = self.each("bodies", partial(read_body, scope))
+        fields["gravity"], fields["gravity_in"] = self.gravity()
         for section in ("connections", "actions", "events"):
             fields[section] = self.each(section, partial(read_element, scope, section))
         fields["states"] = self.each("states", partial(read_state, scope))
@@ -281,9 +281,20 @@ class Sections:
         found: str | None = read_value(self.scope, SECTIONS[name], node, name, name)
         return found
 
-    def gravity(self) -> Formula | None:
+    def gravity(self) -> tuple[Formula | None, str]:
+        """How large the acceleration of gravity is, and the body with which it turns, where one is named."""
+        node = self.node("gravity")
+        if not isinstance(node, Map):
+            return self.size_of_gravity(node), ""
+        from rotsolve.scene.in_space import read_gravity_in  # few scenes say it
+
+        size, body = read_gravity_in(self.scope, node)
+        found = self.size_of_gravity(size)
+        return found, body if found is not None else ""
+
+    def size_of_gravity(self, node: Node | None) -> Formula | None:
         """`none`, a value, the given `g`, or 9.8 m/s² under an automatic letter."""
-        scope, node = self.scope, self.node("gravity")
+        scope = self.scope
         if isinstance(node, Text) and node.value.strip() == "none":
             return None
         if node is not None:

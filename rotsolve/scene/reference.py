@@ -156,6 +156,12 @@ ABOUT: dict[str, Any] = {
     },
     "additionalProperties": False,
 }
+GRAVITY_IN: dict[str, Any] = {
+    "type": "object",
+    "properties": {"size": SCALAR, "in": {"type": "string"}},
+    "additionalProperties": False,
+    "required": ["in"],
+}
 ROTATION: dict[str, Any] = {
     "type": "object",
     "properties": {"about": EITHER, "by": SCALAR},
@@ -255,9 +261,10 @@ def body_schema(more: dict[str, Key]) -> dict[str, Any]:
 def value_schema(key: Key) -> dict[str, Any]:
     """The schema of one value, by its kind."""
     kinds: dict[str, dict[str, Any]] = {
-        **dict.fromkeys(("text", "quantity", "gravity", "density", "marks", "tolerance", "deduction"), SCALAR),
+        **dict.fromkeys(("text", "quantity", "density", "marks", "tolerance", "deduction"), SCALAR),
         **dict.fromkeys(("place", "spot", "vector"), PLACE),
         **dict.fromkeys(("direction", "axis", "axis in space", "amount", "motion"), EITHER),
+        "gravity": {"anyOf": [SCALAR, GRAVITY_IN]},
         "flag": {"enum": [True, False, "true", "false", "yes", "no"]},
         "choice": {"enum": list(key.choices)},
         "shape": {"enum": [shape.word for shape in SHAPES]},

@@ -33,6 +33,7 @@ from rotsolve.core.vectors.triple import (
     triple,
     turn_about,
     vector_sum,
+    way_between,
 )
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.arrangement import ANGLES, RATES
@@ -323,10 +324,8 @@ class Lapse:
         """v₀ − g t ẑ of the centre of mass of a body that nothing holds, in space axes; None of others."""
         if self.held.of_body(name) or not self.alone(name):
             return None
-        time, gravity = self.passed(), self.before.pushes.gravity
-        assert time is not None
-        start = self.before.moment.of_centre(name, "velocity")
-        return start if gravity is None else vector_sum(start, (ZERO, ZERO, negate(multiply(gravity, time))))
+        start, gravity = self.before.moment.of_centre(name, "velocity"), self.before.pushes.gravity
+        return start if gravity is None else way_between(scaled_by(gravity, self.fallen()[0]), start)
 
     def centre_way(self, name: str) -> Triple | None:
         """v₀ t − ½ g t² ẑ, how far that has gone; None of others."""
@@ -335,8 +334,19 @@ class Lapse:
         time, gravity = self.passed(), self.before.pushes.gravity
         assert time is not None
         gone = scaled_by(time, self.before.moment.of_centre(name, "velocity"))
-        fallen = ZERO if gravity is None else multiply(HALF, multiply(gravity, multiply(time, time)))
-        return vector_sum(gone, (ZERO, ZERO, negate(fallen)))
+        return gone if gravity is None else way_between(scaled_by(gravity, self.fallen()[1]), gone)
+
+    def fallen(self) -> tuple[Triple, Triple]:
+        """How much faster downwards what nothing holds is, and how far it has fallen, for a unit of g: t ẑ and ½ t² ẑ, where that keeps
+        its direction."""
+        time = self.passed()
+        assert time is not None
+        if self.held.problem.gravity_in:
+            from rotsolve.space.weight_in_frame import falling_from
+
+            falling = falling_from(self.before.moment)
+            return falling.speed(time), falling.way(time)
+        return scaled_by(time, Z), scaled_by(multiply(HALF, multiply(time, time)), Z)
 
 
 def along_and_size(vector: Triple) -> tuple[Triple, Formula]:
