@@ -10,7 +10,7 @@ from rotsolve.core.equation import FAMILIES, NEWTON, Equation
 from rotsolve.core.faults import INCOMPLETE, UNSOLVED, Contradicted, NeverReached, Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
+from rotsolve.core.symbols import ACROSS_AXIS, ASKED, MIXED, POSITION, key_of, phase_midst, real
 from rotsolve.core.writing import in_direction, spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem
@@ -76,6 +76,7 @@ def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
     return unsolvable(problem, message, span, "name the turning point as a state, such as `{block.velocity: 0}`")
 
 
+ACROSS = "give it a `shape`, or all of its moments: `inertia: {principal: [Ix, Iy, Iz]}`"
 LINE_OR_EVENT = "give it a line, or an event that leads to it"
 FEW = 24  # unknowns of a question for which help is tried: of more, a line or two seldom is enough
 MANY = 6  # unknowns that a message names one by one
@@ -103,6 +104,9 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
         help = suggestion((), search, find)
         message = f"too little is known to find `{find.name}`{alone}"
         return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
+    if (name := inertia_untold(error.shortage.unknowns, search)) is not None:
+        message = f"too little is known to find `{find.name}`{alone}: nothing tells the moment of inertia of `{name}` across its axis"
+        return unsolvable(problem, message, find.span, ACROSS, kind=INCOMPLETE)
     pool = [search.planner.pool[index] for index in error.shortage.equations]
     laws = [law for law in pool if law.law.words and not any(key_of(name).kind == ASKED for name in law.symbols())]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
@@ -110,6 +114,20 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
     help = suggestion(missing, search, find, error.shortage.asked)
     return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
+
+
+def inertia_untold(unknowns: Iterable[str], search: Search) -> str | None:
+    """A body of which the scene tells the moment of inertia about its axis alone, where equations link the one across it to what lacks."""
+    quantities = search.scene.registry.quantities
+    across = {
+        key: item.owner for key, item in quantities.items() if item.kind == "inertia" and item.component == ACROSS_AXIS
+    }
+    reached, linked = set[str](), set(unknowns) if across else set[str]()
+    while linked - reached:
+        reached |= linked
+        laws = (law.symbols() for law in search.planner.pool)
+        linked = {name for letters in laws if letters & reached for name in letters if name in quantities}
+    return next((owner for key, owner in across.items() if key in reached), None)
 
 
 def way_out(find: Find, problem: Problem) -> str:
