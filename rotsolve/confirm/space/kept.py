@@ -48,7 +48,9 @@ NOT_KEPT = "what its bodies keep on the way to its state"
 def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner]:
     """The ways in which all moves at a later state with what it has kept since the state before, told apart by the rates on joints."""
     root = root_alone(rig)
-    leader = None if any(joint.motor for joint in rig.joints.values()) else leading_joint(rig, state)
+    passed = time_alone(rig, root, state)
+    motors = any(joint.motor for joint in rig.joints.values())
+    leader = None if motors or passed is not None else leading_joint(rig, state)
     for share in (number / WAY for number in range(1, WAY) if leader is not None):  # it has to get there
         assert leader is not None
         there = Underway(rig, state, put, leader, turned_at(start, leader), share)
@@ -57,7 +59,7 @@ def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner
     if leader is not None:
         check_setting_out(rig, start, state, leader)
     stances = [Stance(rig, Lines(rig, state, put), guess) for guess in GUESSES]
-    found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
+    found = [list(roots_kept(rig, root, start, stance, passed)) for stance in stances]
     if root is None and found[0] and turns_on_line(rig, start):
         stances = [turned_on_line(rig, start, found[0][0], Lines(rig, state, put), guess) for guess in GUESSES]
         found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
@@ -97,6 +99,19 @@ class Underway(Lines):
         end = self.told(leader.body.owner, "angle") or 0.0
         self.lines = []
         self.put = {(self.name, leader.body.owner, "angle"): begun + share * (end - begun)}
+
+
+def time_alone(rig: Rig, root: Joint | None, state: State) -> float | None:
+    """The time that a state tells and nothing else, up to which the angular momentum about the joint of the ground grows by what its couples
+    give; None of a state that tells anything else."""
+    lines = [line for line in state.conditions if line.path is not None]
+    if len(lines) != 1 or lines[0].path is None or lines[0].path.quantity != "time" or lines[0].value is None:
+        return None
+    drives = (part for joint in rig.joints.values() for _, part in joint.drive)
+    rolls = any(joint.rolls for joint in rig.joints.values())
+    if root is None or root.powered or rolls or state.steady or any(TIME in part.symbols() for part in drives):
+        raise NotConfirmed(NOT_KEPT)
+    return rig.value(lines[0].value)
 
 
 def leading_joint(rig: Rig, state: State) -> Joint | None:
@@ -184,18 +199,21 @@ def worked(rig: Rig, root: Joint, world: World) -> float:
     return sum(inner_product(way, item.couple) * turned for item in world.efforts.list if item.owner in names)
 
 
-def roots_kept(rig: Rig, root: Joint | None, start: World, stance: Stance) -> Iterator[World]:
-    """The worlds of a stance with as much of what is kept as at the start, in which each body comes to its angle as it must."""
+def roots_kept(
+    rig: Rig, root: Joint | None, start: World, stance: Stance, passed: float | None = None
+) -> Iterator[World]:
+    """The worlds of a stance with as much of what is kept as at the start, in which each body comes to its angle as it must; some told time
+    later those with as much angular momentum as couples give it."""
     moving = Moving(stance)
     count, scale = len(moving.moving.free), natural_rate(moving)
-    wanted = kept_of(rig, root, start)
+    wanted = kept_of(rig, root, start, None if passed is None else 0.0)
 
     def world_with(openly: Sequence[float]) -> World:
         now = moving.rates(openly)
         return World(stance, moving.efforts, now, now)
 
     def over(openly: Sequence[float]) -> list[float]:
-        return [a - b for a, b in zip(kept_of(rig, root, world_with(openly)), wanted, strict=True)]
+        return [a - b for a, b in zip(kept_of(rig, root, world_with(openly), passed), wanted, strict=True)]
 
     model = quadratic(over, count, scale) if count else None
     if model is None or len(wanted) < count:
@@ -208,8 +226,10 @@ def roots_kept(rig: Rig, root: Joint | None, start: World, stance: Stance) -> It
             yield whole
 
 
-def kept_of(rig: Rig, root: Joint | None, world: World) -> list[float]:
-    """What stays: on a joint of the ground, or on none."""
+def kept_of(rig: Rig, root: Joint | None, world: World, passed: float | None) -> list[float]:
+    """What stays: on a joint of the ground, or on none; after a told time what couples have given taken off."""
+    if root is not None and passed is not None:
+        return kept_with_impulse(rig, root, world, passed)
     return kept_afloat(rig, world) if root is None else kept_on_ground(rig, root, world)
 
 
@@ -223,6 +243,15 @@ def kept_afloat(rig: Rig, world: World) -> list[float]:
     turning = whole_momentum(rig, centre, world)
     kept = [*momentum, *turning]
     return kept if any(joint.powered for joint in rig.joints.values()) else [*kept, energy_in(world)]
+
+
+def kept_with_impulse(rig: Rig, root: Joint, world: World, passed: float) -> list[float]:
+    """The angular momentum about the free direction of the root, without what couples that stay have given it in some time: C · n t."""
+    way, names = free_way(rig, root, world.stance), {action.name for action in rig.problem.actions}
+    if way is None:
+        raise NotConfirmed(NOT_KEPT)
+    given = sum(inner_product(way, item.couple) for item in world.efforts.list if item.owner in names)
+    return [inner_product(way, whole_momentum(rig, world.stance.held_at(root), world)) - given * passed]
 
 
 def kept_on_ground(rig: Rig, root: Joint, world: World) -> list[float]:

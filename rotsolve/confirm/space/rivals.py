@@ -124,7 +124,9 @@ def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     if given is None or find.modifier in EXTREMES or len(hearing.letters) > 1:  # what else is sought may forbid it
         return ""
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
-    value = next((root for root in filter(sought.may_be, sought.other_roots()) if leans(hearing, given.name, root)), None)
+    value = next(
+        (root for root in filter(sought.may_be, sought.other_roots()) if leans(hearing, given.name, root)), None
+    )
     if value is None:
         return ""
     return f"{given.name}{sought.equal_to(value)}: ask for `smallest {given.name}` or `largest {given.name}`"
