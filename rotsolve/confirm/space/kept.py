@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import (
+    ALONG,
     Arrow,
     Z,
     arrow_length,
@@ -246,12 +247,26 @@ def kept_afloat(rig: Rig, world: World) -> list[float]:
 
 
 def kept_with_impulse(rig: Rig, root: Joint, world: World, passed: float) -> list[float]:
-    """The angular momentum about the free direction of the root, without what couples that stay have given it in some time: C · n t."""
+    """The angular momentum about the free direction of the root, without what couples that stay have given it in some time: C · n t; and
+    the axial rates of wheels that turn freely."""
     way, names = free_way(rig, root, world.stance), {action.name for action in rig.problem.actions}
     if way is None:
         raise NotConfirmed(NOT_KEPT)
     given = sum(inner_product(way, item.couple) for item in world.efforts.list if item.owner in names)
-    return [inner_product(way, whole_momentum(rig, world.stance.held_at(root), world)) - given * passed]
+    momentum = inner_product(way, whole_momentum(rig, world.stance.held_at(root), world))
+    return [momentum - given * passed, *axial_rates(rig, root, world)]
+
+
+def axial_rates(rig: Rig, root: Joint, world: World) -> Iterator[float]:
+    """ω along its axle of each wheel, the same all round that, which turns freely on what carries it and carries nothing: Euler's equation
+    with I₁ = I₂."""
+    carriers = {joint.carrier.owner for joint in rig.joints.values()}
+    for joint in (joint for joint in rig.joints.values() if joint is not root and joint.turning):
+        name, way = joint.body.owner, world.stance.way(joint)
+        own = [times_arrow(world.stance.turned(name), ALONG[axis]) for axis in range(3) if rig.symmetric(name, axis)]
+        wheel = any(arrow_length(crossed(axis, way)) <= UPRIGHT for axis in own) and rig.solid(name).whole
+        if wheel and not joint.powered and name not in carriers:
+            yield inner_product(way, world.now.arrow(TURNING, name))
 
 
 def kept_on_ground(rig: Rig, root: Joint, world: World) -> list[float]:
