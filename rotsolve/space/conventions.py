@@ -84,7 +84,7 @@ def way_of_weight(scene: SpaceEquations) -> Iterator[Words]:
 def upright_axis(moment: SpaceMoment, name: str, joint: Joint) -> bool:
     """Whether the axis of a hinge is vertical, or nothing tells how it stands."""
     way = moment.axes(name).to(IN_SPACE, moment.direction(name, joint))
-    return moment.axes(name).lost or all(map(moment.held.vanishes, way[:2]))
+    return bool(moment.axes(name).lost) or all(map(moment.held.vanishes, way[:2]))
 
 
 def carried_round_by_precession(scene: SpaceEquations, name: str) -> Words:

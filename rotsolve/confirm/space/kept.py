@@ -103,8 +103,8 @@ class Underway(Lines):
 
 
 def time_alone(rig: Rig, root: Joint | None, state: State) -> float | None:
-    """The time that a state tells and nothing else, up to which the angular momentum about the joint of the ground grows by what its couples
-    give; None of a state that tells anything else."""
+    """The time that a state tells and nothing else, up to which the angular momentum about the joint of the ground grows by what couples
+    give; None of a state that tells more."""
     lines = [line for line in state.conditions if line.path is not None]
     if len(lines) != 1 or lines[0].path is None or lines[0].path.quantity != "time" or lines[0].value is None:
         return None
