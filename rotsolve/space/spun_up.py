@@ -33,7 +33,7 @@ def faster_evenly(before: SpaceLaws, name: str) -> Formula | None:
     if any(one.powered or one.rolls or one.flat for one in own):
         return None
     carried = carried_with(before, name, spins_evenly)
-    if carried is None or (not is_upright(before, name, joint) and not balanced(before, name, joint, carried)):
+    if carried is None or (not is_upright(before, name, joint) and not weighs_evenly(before, name, joint, carried)):
         return None
     members = (name, *(one.body.owner for one in carried if not held.wheel(one.body.owner)))
     couples = [push for member in members for push in before.pushes.on(member) if push.owner in driving(before)]
@@ -77,7 +77,7 @@ def is_upright(before: SpaceLaws, name: str, joint: Joint) -> bool:
     return before.pushes.gravity is None or all(map(moment.held.vanishes, along[:2]))
 
 
-def balanced(before: SpaceLaws, name: str, joint: Joint, carried: list[Joint]) -> bool:
+def weighs_evenly(before: SpaceLaws, name: str, joint: Joint, carried: list[Joint]) -> bool:
     """Whether the weights of a body on a hinge and of all that it carries have no torque about that however it is turned."""
     moment, held = before.moment, before.moment.held
     hinge = reference_place(moment, name)

@@ -125,7 +125,7 @@ def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
         return ""
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
     value = next(
-        (root for root in filter(sought.may_be, sought.other_roots()) if leans(hearing, given.name, root)), None
+        (root for root in filter(sought.may_be, sought.other_roots()) if slants(hearing, given.name, root)), None
     )
     if value is None:
         return ""
@@ -228,7 +228,7 @@ def others_on_the_way(
     own, free = hearing.known[place], rate_or_angle(hearing, place)
     for value in other_values(hearing, place, own, roots(place)):
         against = value < 0.0 <= own and not free
-        if (against and not may_be_against(hearing, place, own)) or not leans(hearing, place, value):
+        if (against and not may_be_against(hearing, place, own)) or not slants(hearing, place, value):
             continue
         behind = against or (not hearing.is_angle(place) and abs(value + own) <= SAME * abs(own))
         yield place, {place: value}, f": {place} = {value:g} in SI units makes it so too" if behind else ""
@@ -319,7 +319,7 @@ def rate_or_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
     return dimension is None or any(dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
 
 
-def leans(hearing: Hearing, letter: str, value: float) -> bool:
+def slants(hearing: Hearing, letter: str, value: float) -> bool:
     """Whether a steady state with a number for its tilt does not stand upright, nor upside down; so does one that tells none by that."""
     tilt = tilt_with(hearing, letter, value)
     return tilt is None or UPRIGHT < tilt < math.pi - UPRIGHT
