@@ -24,6 +24,7 @@ class Joins(Event, frozen=True):
     word = "joins"
     bodily = True
     about = "two bodies meet and stay together (inelastic)"
+    heats = True
     quantities = ("impulse", "angular_impulse")
     joins: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]"
@@ -54,6 +55,7 @@ class Collides(Event, frozen=True):
     bodily = True
     about = "two bodies bounce off each other"
     instead = "collisions are not solved in space; a blow is: `impulse: J, on: BODY.P, direction: [x, y, z]`"
+    heats = True
     quantities = ("impulse", "angular_impulse")
     collides: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]"
@@ -176,6 +178,7 @@ class Removes(Event, frozen=True):
 class Fixes(Event, frozen=True):
     word = "fixes"
     about = "a point of a moving body is suddenly held; from then on the body turns about it"
+    heats = True
     quantities = ("force", "impulse")
     instead = (
         "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
@@ -209,6 +212,7 @@ class Fixes(Event, frozen=True):
 class Grips(Event, frozen=True):
     word = "grips"
     about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
+    heats = True
     armless = "what acts there has no arm, whatever it is"  # a blow, or friction that lasts until it rolls
     quantities = ("impulse",)
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)

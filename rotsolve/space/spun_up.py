@@ -16,7 +16,7 @@ from rotsolve.space.attitude import IN_SPACE
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.places import reference_place
-from rotsolve.space.working import carried_with, driving, keeps_axial_rate, lone_wheel, rolls_at_rest
+from rotsolve.space.working import carried_with, driving, keeps_axial_rate, lone_wheel, on_wheel_at_rest
 
 
 def faster_evenly(before: SpaceLaws, name: str) -> Formula | None:
@@ -53,7 +53,7 @@ def spins_evenly(laws: SpaceLaws, joint: Joint) -> bool:
     if joint.drive:
         return lone_wheel(laws, joint) and even_drive(joint) is not None
     acted = any(ref.owner == joint.body.owner for action in laws.pushes.actions for ref in action.touches())
-    return keeps_axial_rate(laws, joint) or (rolls_at_rest(laws, joint) and not acted)
+    return keeps_axial_rate(laws, joint) or (on_wheel_at_rest(laws, joint) and not acted)
 
 
 def even_drive(joint: Joint) -> Formula | None:

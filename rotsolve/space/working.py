@@ -56,7 +56,7 @@ def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) 
 
 def goes_by_itself(laws: SpaceLaws, joint: Joint) -> bool:
     """Whether a joint is the axle of a rotor whose axial rate is kept, or of a wheel that rolls on what is at rest."""
-    return keeps_axial_rate(laws, joint) or rolls_at_rest(laws, joint)
+    return keeps_axial_rate(laws, joint) or on_wheel_at_rest(laws, joint)
 
 
 def carried_with(
@@ -96,7 +96,7 @@ def lone_wheel(laws: SpaceLaws, joint: Joint) -> bool:
     return held.wheel(name) and not (acted or carries)
 
 
-def rolls_at_rest(laws: SpaceLaws, joint: Joint) -> bool:
+def on_wheel_at_rest(laws: SpaceLaws, joint: Joint) -> bool:
     """Whether a joint is the axle of a wheel that carries nothing and rolls on what is at rest, which gives it no power there."""
     held, name = laws.moment.held, joint.body.owner
     others = [other for other in held.of_body(name) if other is not joint]

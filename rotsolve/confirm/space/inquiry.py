@@ -483,8 +483,7 @@ class Inquiry:
     def only_later(self, state: State) -> bool:
         """Whether a state tells nothing but how much later it is: the motion leads to it, so that none of its lines tests anything."""
         told = all(line.path is not None and line.path.quantity == "time" for line in state.conditions)
-        first = state is self.problem.states[0]
-        return told and not (first or state.steady or self.event_to(state.name))
+        return told and not (state is self.problem.states[0] or state.steady or self.event_to(state.name))
 
     def moving_at(self, state: State | None) -> Moving:
         """How all can move at a state: as it tells, or as a blow leaves it."""
