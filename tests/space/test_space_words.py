@@ -235,3 +235,17 @@ def test_a_length_beside_a_letter_that_is_sought_is_one_fault() -> None:
     assert [fault.help for fault in caught.value.faults] == [
         "choose another letter for what is sought, as `m_1`; `2*m` is the product"
     ]
+
+
+def test_an_angle_has_a_number_where_the_letters_cancel() -> None:
+    """A tossed coin, L₃/L₂ with I₃ = 2 I₁ and P = −2 s/cos γ: tan δ = sin γ cos γ/(1 + sin² γ), 13.19°."""
+    scene = """up: z
+gravity: none
+given: {m: kg, r: m, s: 600 rpm, gamma: 15 deg, P: unknown}
+bodies: {coin: {shape: disc, mass: m, radius: r}}
+states: {now: {coin.tilt: gamma, coin.spin: s, coin.precession: P, steady: true}}
+find: {P: smallest P in rpm, delta: angle of coin.angular_velocity from coin.angular_momentum at now in deg}
+"""
+    answer = solve(scene).answers["delta"]
+    assert answer.float == pytest.approx(13.19, abs=5e-3)
+    assert answer.answer.formula is not None and answer.answer.formula.symbols() == {"gamma"}
