@@ -161,6 +161,9 @@ class AppliedCouple(Action, frozen=True):
 class Press(Action, frozen=True):
     word = "press"
     about = "a brake block pressed on a rim"
+    instead = (
+        "while it turns one way, a couple against that does the same: `actions: {brake: {couple: -mu*F*R, on: BODY}}`"
+    )
     quantities = ("force", "normal_force", "friction_force", "torque", "work", "power")
     press: Formula | None = amount("force that presses", "force", "F", "nonnegative", varies=True, required=True)
     on: PointRef | None = key("point", "the rim", required=True, example="wheel.rim")

@@ -17,6 +17,8 @@ from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
+AFTERWARDS = "begin a scene of its own with what is left then, and with how it stands and moves"
+
 
 class Joins(Event, frozen=True):
     word = "joins"
@@ -52,6 +54,7 @@ class Collides(Event, frozen=True):
     word = "collides"
     bodily = True
     about = "two bodies bounce off each other"
+    instead = "collisions are not solved in space; a blow is: `impulse: J, on: BODY.P, direction: [x, y, z]`"
     heats = True
     quantities = ("impulse", "angular_impulse")
     collides: tuple[PointRef, ...] = key(
@@ -140,6 +143,7 @@ class Impulse(Event, frozen=True):
 class Cuts(Event, frozen=True):
     word = "cuts"
     about = "a string or other connection is gone from then on"
+    instead = AFTERWARDS
     cuts: tuple[str, ...] = key(
         "names", "the connection", refers=("connection",), required=True, default=(), example="cord"
     )
@@ -154,6 +158,7 @@ class Cuts(Event, frozen=True):
 class Removes(Event, frozen=True):
     word = "removes"
     about = "a support, action or body is taken away"
+    instead = AFTERWARDS
     removes: tuple[str, ...] = key(
         "names",
         "the connection, action or body",

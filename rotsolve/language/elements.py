@@ -145,6 +145,7 @@ class ActingElement(Element, frozen=True):
     """Base of all that acts on bodies. `quantities` can be asked of it."""
 
     word: ClassVar[str] = ""
+    instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
     quantities_in_space: ClassVar[tuple[str, ...]] = ()  # beside these, in scenes in space
@@ -190,11 +191,20 @@ class ActingElement(Element, frozen=True):
         return iter(())
 
 
+ALL_THE_TIME = (
+    "what acts does so in all states: begin a scene of its own where that begins or ends, with how all moves then"
+)
+
+
 class Action(ActingElement, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
-    from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",), plane=True)
-    to: str | None = key("name", "the state at which it ends", default=None, refers=("state",), plane=True)
+    from_: str | None = key(
+        "name", "the state at which it begins", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
+    )
+    to: str | None = key(
+        "name", "the state at which it ends", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
+    )
 
     def touches(self) -> tuple[PointRef, ...]:
         """The point on which it acts."""

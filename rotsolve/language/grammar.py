@@ -16,7 +16,7 @@ SECTIONS: dict[str, Key] = {
     "unknown": Key("names", "letters that are asked for, beside those given as `unknown`"),
     "gravity": Key(
         "gravity",
-        "a value, a given, or `none`; 9.8 m/s^2 down when nothing is said",
+        "a value, a given, or `none`; 9.8 m/s^2 down when nothing is said; in space `{size: g, in: earth}` turns with a body",
         dimension="acceleration",
         letter="g",
     ),

@@ -245,6 +245,9 @@ class Problem(Struct, frozen=True):
     lines: tuple[str, ...] = ()
     givens: tuple[Given, ...] = ()
     gravity: Formula | None = None
+    gravity_in: str = (
+        ""  # the body with which the weight turns, along its own −z; '' where it keeps its direction in space
+    )
     plane: str = "vertical"
     space: bool = False  # whether it is a scene in space, with z up
     surfaces: tuple[Surface, ...] = ()

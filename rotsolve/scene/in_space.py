@@ -88,6 +88,18 @@ def read_ratio(scope: Scope, node: List, label: str, owner: str) -> list[Formula
     ]
 
 
+def read_turning_gravity(scope: Scope, node: Map) -> tuple[Node | None, Node | None]:
+    """`gravity: {size: g, in: earth}`: its size, where one is told, and what names the body with which it turns."""
+    if not scope.space:
+        in_space_only(scope, node, "gravity: {…}")
+        return None, None
+    entries = scope.entries(node, "`gravity`", ("size", "in"))
+    if "in" not in entries:
+        scope.fault(node, "`gravity` needs `in`", "write `gravity: {size: g, in: earth}`, or its size alone", "missing")
+        return None, None
+    return (entries["size"][1] if "size" in entries else None), entries["in"][1]
+
+
 def read_axis(scope: Scope, node: Node, owner: str) -> Direction | None:
     """The symmetry axis of a body: one of its own axes."""
     word = node.value.strip() if isinstance(node, Text) else ""

@@ -233,6 +233,10 @@ def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str, wanted: Di
     """Refuse `2 m` where `m` is a given; the product is proposed where it may be what is `wanted`."""
     number, own = text[: -len(unit)].strip(), scope.dimensions.get(unit)
     message = f"{quoted(text)} can be read in two ways: `{unit}` is a given and a unit"
+    if own is None and unit in scope.givens and scope.givens[unit].asked:  # once, wherever it stands
+        said, scope.of_no_kind = unit in scope.of_no_kind, scope.of_no_kind | {unit}
+        help = f"choose another letter for what is sought, as `{unit}_1`; `{number}*{unit}` is the product"
+        return None if said else scope.fault(place, message, help, "ambiguous")
     fits = (own is None or wanted is None or own.matches(wanted)) and "/" not in text
     product = f"write `{number}*{unit}` for the product, or " if fits else ""
     help = f"{product}put the quantity in `given` under a name"

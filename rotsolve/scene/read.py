@@ -193,13 +193,14 @@ class Sections:
             from rotsolve.scene.statement import check_slots  # most texts name no givens
 
             check_slots(scope, self.top["text"][1], lines)
-        fields["gravity"] = self.gravity()
+        fields["gravity"], turning = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         if scope.space and "plane" in self.top:
             in_plane_only(scope, self.top["plane"][0], "plane")
         fields["space"] = scope.space
         fields["surfaces"] = self.each("surfaces", partial(read_element, scope, "surfaces"))
         fields["bodies"] = self.each("bodies", partial(read_body, scope))
+        fields["gravity_in"] = self.turned_with(turning)
         for section in ("connections", "actions", "events"):
             fields[section] = self.each(section, partial(read_element, scope, section))
         fields["states"] = self.each("states", partial(read_state, scope))
@@ -281,9 +282,28 @@ class Sections:
         found: str | None = read_value(self.scope, SECTIONS[name], node, name, name)
         return found
 
-    def gravity(self) -> Formula | None:
+    def gravity(self) -> tuple[Formula | None, Node | None]:
+        """How large the acceleration of gravity is, and what names the body with which it turns, where it does."""
+        node = self.node("gravity")
+        if not isinstance(node, Map):
+            return self.size_of_gravity(node), None
+        from rotsolve.scene.in_space import read_turning_gravity  # few scenes say it
+
+        size, body = read_turning_gravity(self.scope, node)
+        found = self.size_of_gravity(size)
+        return found, body if found is not None else None
+
+    def turned_with(self, node: Node | None) -> str:
+        """The body with which gravity turns; '' where it keeps its direction."""
+        name = node.value.strip() if isinstance(node, Text) else ""
+        if node is not None and name not in self.scope.bodies:
+            self.scope.unknown(node, name, "body", tuple(self.scope.bodies), "bodies")
+            return ""
+        return name
+
+    def size_of_gravity(self, node: Node | None) -> Formula | None:
         """`none`, a value, the given `g`, or 9.8 m/s² under an automatic letter."""
-        scope, node = self.scope, self.node("gravity")
+        scope = self.scope
         if isinstance(node, Text) and node.value.strip() == "none":
             return None
         given = scope.givens.get("g")

@@ -19,6 +19,7 @@ BEGIN = "<!-- generated from the tables: begin -->"
 END = "<!-- generated: end -->"
 LATER = " *(not solved yet)*"
 IN_SPACE = " *(in space)*"
+IN_PLANE = " *(in the plane)*"
 
 
 def describe_all() -> str:
@@ -110,7 +111,7 @@ def key_meaning(key: Key) -> str:
     shown = ", ".join(detail for detail in details if detail)
     text += f" ({shown})" if shown else ""
     text += f", e.g. `{key.example}`" if key.example else ""
-    return text + later_mark(key.later) + (IN_SPACE if key.space else "")
+    return text + later_mark(key.later) + (IN_SPACE if key.space else IN_PLANE if key.plane else "")
 
 
 def later_mark(flag: bool) -> str:
@@ -119,8 +120,8 @@ def later_mark(flag: bool) -> str:
 
 def element_text(cls: Any, kind: str) -> str:
     """An element with its keys, points, quantities and words."""
-    spatial = IN_SPACE if not getattr(cls, "planar", True) else ""
-    lines = [f"`{cls.word}` ({kind}): {cls.about}{later_mark(cls.later)}{spatial}"]
+    world = IN_SPACE if not getattr(cls, "planar", True) else "" if getattr(cls, "spatial", True) else IN_PLANE
+    lines = [f"`{cls.word}` ({kind}): {cls.about}{later_mark(cls.later)}{world}"]
     lines += [f"  - `{word}`: {key_meaning(key)}" for word, key in keys_of(cls)]
     if kind == "shape":
         lines.append(f"  - points: {', '.join((*cls.points, 'cm'))}")
@@ -155,6 +156,12 @@ ABOUT: dict[str, Any] = {
         "about": {"type": "string"},
     },
     "additionalProperties": False,
+}
+GRAVITY_IN: dict[str, Any] = {
+    "type": "object",
+    "properties": {"size": SCALAR, "in": {"type": "string"}},
+    "additionalProperties": False,
+    "required": ["in"],
 }
 ROTATION: dict[str, Any] = {
     "type": "object",
@@ -255,9 +262,10 @@ def body_schema(more: dict[str, Key]) -> dict[str, Any]:
 def value_schema(key: Key) -> dict[str, Any]:
     """The schema of one value, by its kind."""
     kinds: dict[str, dict[str, Any]] = {
-        **dict.fromkeys(("text", "quantity", "gravity", "density", "marks", "tolerance", "deduction"), SCALAR),
+        **dict.fromkeys(("text", "quantity", "density", "marks", "tolerance", "deduction"), SCALAR),
         **dict.fromkeys(("place", "spot", "vector"), PLACE),
         **dict.fromkeys(("direction", "axis", "axis in space", "amount", "motion"), EITHER),
+        "gravity": {"anyOf": [SCALAR, GRAVITY_IN]},
         "flag": {"enum": [True, False, "true", "false", "yes", "no"]},
         "choice": {"enum": list(key.choices)},
         "shape": {"enum": [shape.word for shape in SHAPES]},

@@ -56,6 +56,9 @@ class Scope:
         self.elements: dict[str, type] = {}  # connections, actions and events by name
         self.touched: dict[str, tuple[str, ...]] = {}  # connection -> what it touches
         self.choices: set[str] = set()  # questions whose answer is a label
+        self.of_no_kind: frozenset[str] = (
+            frozenset()
+        )  # letters that are sought and units as well, of which that has been said
         self.conflicts: set[str] = set()  # names used twice: what they name can't be told
 
     def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> Nothing:

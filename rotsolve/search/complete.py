@@ -77,8 +77,28 @@ def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
         except Unfollowed:
             return Fault(f"`{find.name}` is not solved by these laws: {CHANGING}", find.span, STEADY_DRIVE, UNSOLVED)
         except (NotConfirmed, Unfit, ArithmeticError, ValueError):
-            continue
+            if all(map(told_at_first, inquiries)):
+                return Fault(f"`{find.name}` is not solved by these laws", find.span, TOLD, UNSOLVED)
     return None
+
+
+def told_at_first(inquiry: Inquiry) -> bool:
+    """Whether a scene in space tells how all bodies stand and move at first, and of what comes after when it is, so that the laws tell the
+    rest, however long it takes to follow."""
+    from rotsolve.confirm.space.inquiry import by_velocities
+
+    problem = inquiry.problem
+    sought = any(given.asked for given in problem.givens) or any(
+        isinstance(item.strength(), str) for item in problem.actions
+    )
+    first, *later = problem.states or (None,)
+    if first is None or not later or sought or not inquiry.follows or not all(map(inquiry.only_later, later)):
+        return False
+    try:
+        ways = inquiry.ways(first.name)
+    except (NotConfirmed, Unfit, ArithmeticError, ValueError):
+        return False
+    return len(ways) == 1 and len(by_velocities(ways[0].worlds)) == 1 and not ways[0].worlds[0].stance.open
 
 
 def inquiries_in_space(problem: Problem) -> tuple[Inquiry, ...]:

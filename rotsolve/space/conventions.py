@@ -14,9 +14,9 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AS_DRAWN, NOTHING, Z, triple, way_between
 from rotsolve.core.writing import spoken
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import references
-from rotsolve.space.attitude import NODE
+from rotsolve.space.attitude import IN_SPACE, NODE
 from rotsolve.space.coincidences import coincidences
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
@@ -56,8 +56,36 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
         yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
     if scene.held.problem.gravity is None and any(one.law == SECOND_LAW for one in used):
         yield ("gravity is left out",)
+    yield from way_of_weight(scene)
     yield from words_of_line(scene.held, used)
     yield from coincidences(scene.configuration.signs, scene.configuration.problem.givens)
+
+
+def way_of_weight(scene: SpaceEquations) -> Iterator[Words]:
+    """With what the weight turns, or that it does not with a body about an axis that leans, of whose motion along that a scene speaks."""
+    held, problem = scene.held, scene.held.problem
+    if problem.gravity_in:
+        yield (f"the weight goes along −z of {spoken(problem.gravity_in)}, and turns with it",)
+        return
+    terms = [(term.path, term.relative, term.axes) for find in problem.finds for term in find.terms]
+    lines = [(line.path, line.relative, line.axes) for state in problem.states for line in state.conditions]
+    spoken_of = dict[str, None]()
+    for path, *frames in (*terms, *lines):
+        free = path is not None and path.owner in held.bodies and not held.of_body(path.owner)
+        if path is not None and free and problem.gravity is not None and held.mass(path.owner) != ZERO:
+            spoken_of.update(dict.fromkeys(frame for frame in frames if frame))
+    laws = next(iter(scene.dynamics.values()))
+    for name in spoken_of:
+        joint = held.main(name) if name in held.bodies else None
+        if joint is not None and joint.drive and not upright_axis(laws.moment, name, joint):
+            cure = f"gravity: {{in: {name}}} turns it"
+            yield (f"the weight stays along z in space: it does not turn with {spoken(name)} ({cure})",)
+
+
+def upright_axis(moment: SpaceMoment, name: str, joint: Joint) -> bool:
+    """Whether the axis of a hinge is vertical, or nothing tells how it stands."""
+    way = moment.axes(name).to(IN_SPACE, moment.direction(name, joint))
+    return bool(moment.axes(name).lost) or all(map(moment.held.vanishes, way[:2]))
 
 
 def carried_round_by_precession(scene: SpaceEquations, name: str, used: Collection[Equation]) -> Words:

@@ -8,6 +8,7 @@ from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.triple import NOTHING, Triple, cross_product, dot_product, square, square_of, vector_sum
 from rotsolve.core.writing import point_in_words
 from rotsolve.language.bodies import PointRef
+from rotsolve.paths.meaning import NotYet
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
@@ -50,7 +51,10 @@ def power_of(push: ForceInSpace, moment: SpaceMoment) -> Formula:
 def height_above(laws: SpaceLaws, name: str) -> Formula:
     """Of the centre of mass in space, as joints and the state tell it: above the point at which a joint holds it, where no place of that is
     told."""
-    moment = laws.moment
+    moment, frame = laws.moment, laws.moment.held.problem.gravity_in
+    if frame:
+        message = f"weight that turns with `{frame}` has no potential energy of the place alone"
+        raise NotYet(message, help="ask for its `kinetic_energy`")
     if not laws.fixed(name):
         from rotsolve.space.places import point_from_start
 

@@ -17,14 +17,13 @@ from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, ANGULAR_VELOCITY,
 from rotsolve.core.equation import IN_TIME, PART_IN_TIME, Equation
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import MOMENTUM_SIZE, TIME, has_quantities, phase_midst
+from rotsolve.core.symbols import MOMENTUM_SIZE, TIME, phase_midst
 from rotsolve.core.vectors.triple import (
     NOTHING,
     Rows,
     Triple,
     Z,
     after,
-    cross_product,
     dot_product,
     is_axis,
     length_of,
@@ -32,16 +31,17 @@ from rotsolve.core.vectors.triple import (
     scaled_by,
     triple,
     turn_about,
-    vector_sum,
+    way_between,
 )
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Joint
 from rotsolve.space.arrangement import ANGLES, RATES
 from rotsolve.space.attitude import AXIAL, BODY, NODE, Attitude, Axes, Onward
 from rotsolve.space.free import along_momentum, symmetric_way, turns_freely
-from rotsolve.space.inertia import CM, entry_along
+from rotsolve.space.inertia import entry_along
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import left_alone
+from rotsolve.space.spun_up import even_drive, faster_evenly, goes_by_time
 
 
 class Lapse:
@@ -216,52 +216,12 @@ class Lapse:
 
     @remembered
     def acceleration(self, name: str) -> Formula | None:
-        """α of a body on a hinge where it is constant: as it is driven, or, on the ground, where nothing that acts on it has a torque that
-        changes; None of others."""
-        joint, moment = self.held.main(name), self.before.moment
+        """α of a body on a hinge where it is constant: as it is driven, or, on the ground, where nothing that acts on it, or on what it
+        carries, has a torque that changes; None of others."""
+        joint = self.held.main(name)
         if joint is None or not joint.turning or joint.sliding or self.passed() is None:
             return None
-        if joint.drive:
-            return self.driven(joint)
-        alone = self.before.fixed(name) and left_alone(self.before, name, pushed=True)
-        if not alone or self.weight_turns(name, joint):
-            return None
-        couples = [push for push in self.before.pushes.on(name) if push.owner in self.acting]
-        if any(push.force != NOTHING or any(map(has_quantities, push.couple)) for push in couples):
-            return None
-        strengths = [
-            action.strength()
-            for action in self.before.pushes.actions
-            if action.name in {push.owner for push in couples}
-        ]
-        if any(
-            goes_by_time([*value] if isinstance(value, tuple) else [value])
-            for value in strengths
-            if not isinstance(value, str)
-        ):
-            return None
-        return moment.driven(name, joint, "angular_velocity")[1] if couples else ZERO
-
-    @property
-    def acting(self) -> frozenset[str]:
-        return frozenset(action.name for action in self.before.pushes.actions)
-
-    def driven(self, joint: Joint) -> Formula | None:
-        """0 of a hinge that is driven with a constant angular velocity, α of one with a constant angular acceleration; None of others."""
-        if len(joint.drive) != 1 or goes_by_time([value for _, value in joint.drive]):
-            return None
-        ((word, value),) = joint.drive
-        return {"angular_velocity": ZERO, "angular_acceleration": value}.get(word)
-
-    def weight_turns(self, name: str, joint: Joint) -> bool:
-        """Whether the weight has a torque about a hinge: not of an upright axis, nor of one through the centre of mass."""
-        moment = self.before.moment
-        way = moment.direction(name, joint)
-        upright = rotated(moment.turned(name), way)[:2]
-        through = cross_product(self.held.arm(PointRef(name, CM)), way)
-        return self.before.pushes.gravity is not None and not any(
-            all(map(self.held.vanishes, parts)) for parts in (upright, through)
-        )
+        return even_drive(joint) if joint.drive else faster_evenly(self.before, name)
 
     def about_hinge(self, name: str) -> Iterator[Equation]:
         """ω = ω₀ + α t and φ = φ₀ + ω₀ t + ½ α t²; as it is driven by a formula of time, their integrals."""
@@ -291,7 +251,7 @@ class Lapse:
         """
         joint, time, start = self.held.main(name), self.passed(), self.before.moment.clock()
         drive = dict(joint.drive) if joint is not None and len(joint.drive) == 1 else {}
-        if joint is None or time is None or start is None or not goes_by_time([*drive.values()]):
+        if joint is None or time is None or start is None or not any(map(goes_by_time, drive.values())):
             return None
         end, positive = add(start, time), self.later.positive
         rate, gained = drive.get("angular_velocity"), None
@@ -323,10 +283,8 @@ class Lapse:
         """v₀ − g t ẑ of the centre of mass of a body that nothing holds, in space axes; None of others."""
         if self.held.of_body(name) or not self.alone(name):
             return None
-        time, gravity = self.passed(), self.before.pushes.gravity
-        assert time is not None
-        start = self.before.moment.of_centre(name, "velocity")
-        return start if gravity is None else vector_sum(start, (ZERO, ZERO, negate(multiply(gravity, time))))
+        start, gravity = self.before.moment.of_centre(name, "velocity"), self.before.pushes.gravity
+        return start if gravity is None else way_between(scaled_by(gravity, self.fallen()[0]), start)
 
     def centre_way(self, name: str) -> Triple | None:
         """v₀ t − ½ g t² ẑ, how far that has gone; None of others."""
@@ -335,8 +293,19 @@ class Lapse:
         time, gravity = self.passed(), self.before.pushes.gravity
         assert time is not None
         gone = scaled_by(time, self.before.moment.of_centre(name, "velocity"))
-        fallen = ZERO if gravity is None else multiply(HALF, multiply(gravity, multiply(time, time)))
-        return vector_sum(gone, (ZERO, ZERO, negate(fallen)))
+        return gone if gravity is None else way_between(scaled_by(gravity, self.fallen()[1]), gone)
+
+    def fallen(self) -> tuple[Triple, Triple]:
+        """How much faster downwards what nothing holds is, and how far it has fallen, for a unit of g: t ẑ and ½ t² ẑ, where that keeps
+        its direction."""
+        time = self.passed()
+        assert time is not None
+        if self.held.problem.gravity_in:
+            from rotsolve.space.weight_in_frame import falling_from
+
+            falling = falling_from(self.before.moment)
+            return falling.speed(time), falling.way(time)
+        return scaled_by(time, Z), scaled_by(multiply(HALF, multiply(time, time)), Z)
 
 
 def along_and_size(vector: Triple) -> tuple[Triple, Formula]:
@@ -346,8 +315,3 @@ def along_and_size(vector: Triple) -> tuple[Triple, Formula]:
         return triple([ZERO if part == ZERO else ONE for part in vector]), size
     size = length_of(vector)
     return triple([part if part == ZERO else part / size for part in vector]), size
-
-
-def goes_by_time(parts: Triple | list[Formula]) -> bool:
-    """Whether a value goes by the running time."""
-    return any(TIME in part.symbols() for part in parts)

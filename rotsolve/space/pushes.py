@@ -113,12 +113,20 @@ class Pushes:
         mass = self.moment.held.mass(name)
         if self.gravity is None or mass == ZERO:
             return None
-        told = self.moment.vector_kept(name, "vertical") is not None
-        axes, up = (self.moment.axes(name), self.moment.up(name)) if told else (IN_SPACE, Z)
+        axes, up = self.upward(name)
         size = multiply(mass, self.gravity)
         size = simplify(size) if isinstance(mass, Quotient) else size  # of a mass W/g it is W
         down = scaled_by(negate(size), up)
         return ForceInSpace("gravity", name, down, axes, self.moment.arm(PointRef(name, "cm")), self.moment.axes(name))
+
+    def upward(self, name: str) -> tuple[Axes, Triple]:
+        """Against which direction the weight of a body is, and the axes along which that is written."""
+        frame = self.moment.held.problem.gravity_in
+        if frame:
+            return self.moment.own_axes(frame), Z
+        if self.moment.vector_kept(name, "vertical") is not None:
+            return self.moment.axes(name), self.moment.up(name)
+        return IN_SPACE, Z
 
     def reaction_axes(self, joint: Joint) -> Axes:
         """The axes along which the parts of a joint's force are written: level ones of what nods, if it is told how far it has gone round,

@@ -547,6 +547,10 @@ class SpaceEquations(SceneEquations, dict=True):
         self.refuse_varying()
         self.refuse_without()
         self.refuse_turned()
+        if self.configuration.problem.gravity_in:
+            from rotsolve.space.weight_in_frame import refuse_weight_in_frame
+
+            refuse_weight_in_frame(self.held)
         lines = (line for state in self.configuration.problem.states for line in state.conditions)
         refuse_dropped_told(lines, lambda name: (joint := self.held.main(name)) is not None and bool(joint.turning))
         for body in self.held.bodies.values():

@@ -6,7 +6,7 @@ that do not turn, −M a acts at the centre of mass as the weight does (Goldstei
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate
 from rotsolve.core.drive import TURNING
@@ -54,16 +54,23 @@ def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) 
         yield WORK_AND_ENERGY.equation(add(first, work), last, interval.name, members)
 
 
-def carried_with(laws: SpaceLaws, name: str) -> list[Joint] | None:
-    """The clamps by which bodies are fast on one, and on those, and the axles on which rotors turn freely, each with its axial rate kept.
+def goes_by_itself(laws: SpaceLaws, joint: Joint) -> bool:
+    """Whether a joint is the axle of a rotor whose axial rate is kept, or of a wheel that rolls on what is at rest."""
+    return keeps_axial_rate(laws, joint) or on_wheel_at_rest(laws, joint)
+
+
+def carried_with(
+    laws: SpaceLaws, name: str, spins: Callable[[SpaceLaws, Joint], bool] = goes_by_itself
+) -> list[Joint] | None:
+    """The clamps by which bodies are fast on one, and on those, and the axles on which something `spins`.
 
     None where something else that it carries moves on it, or is held besides.
     """
     held, found = laws.moment.held, []
     for joint in (joint for joint in held.joints if joint.carrier.owner == name):
         moves = joint.turning or joint.sliding or joint.free or joint.rolls or joint.flat or joint.powered
-        rotor = keeps_axial_rate(laws, joint) or on_wheel_at_rest(laws, joint)
-        further = [] if rotor else None if moves else carried_with(laws, joint.body.owner)
+        rotor = spins(laws, joint)
+        further = [] if rotor else None if moves else carried_with(laws, joint.body.owner, spins)
         if further is None or not (rotor or held.of_body(joint.body.owner) == (joint,)):
             return None
         found += [joint, *further]
@@ -71,12 +78,18 @@ def carried_with(laws: SpaceLaws, name: str) -> list[Joint] | None:
 
 
 def keeps_axial_rate(laws: SpaceLaws, joint: Joint) -> bool:
-    """Whether a joint is the axle of a rotor that is the same all round it, which carries nothing and on which but its weight nothing acts.
+    """Whether a joint is the axle of a rotor that turns freely on it.
 
     No torque acts along the axle, so that ω along it stays, whatever carries it does (Euler's equation with I₁ = I₂).
     """
+    return not joint.powered and lone_wheel(laws, joint)
+
+
+def lone_wheel(laws: SpaceLaws, joint: Joint) -> bool:
+    """Whether a joint is the axle of a wheel that is the same all round it, which carries nothing and on which but its weight nothing
+    acts."""
     held, name = laws.moment.held, joint.body.owner
-    if not joint.aligned or joint.powered or held.carrier(name) == "" or held.of_body(name) != (joint,):
+    if not joint.aligned or held.carrier(name) == "" or held.of_body(name) != (joint,):
         return False
     acted = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
     carries = any(other.carrier.owner == name for other in held.joints)

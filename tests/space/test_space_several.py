@@ -270,3 +270,19 @@ def test_the_assembly_sees_that_several_motions_fit(name: str) -> None:
         hearing = Hearing(problem, {"g": G, **known, letter: value}, {})
         find = next(find for find in problem.finds if letter in find.formula.symbols())
         assert fits_as_asked(hearing, find, value, ()) is meant, value
+
+
+@pytest.mark.parametrize("later", ["", ", later: {time: T}", ", mid: {time: T}, later: {time: T}"])
+def test_a_later_time_leaves_a_steady_tilt_as_sure(later: str) -> None:
+    """cos θ = (I₃ ω₃ W − M g l)/(I₁ W²), and upright is no other answer."""
+    text = top(
+        "w3: 400 rad/s, W: 3.2 rad/s, q: unknown, T: 0.1 s",
+        "top.tilt: q, top.axial_rate: w3, top.precession: W",
+        "{q: q}",
+    )
+    text = text.replace("steady: true}", f"steady: true}}{later}") if later else text.replace(", T: 0.1 s", "")
+    solution = solve(f"title: T\nup: z\n{text}").complete()
+    assert solution.answers["q"].float == pytest.approx(
+        math.acos((8e-5 * 400 * 3.2 - 0.2 * G * 0.05) / (6e-4 * 3.2**2))
+    )
+    assert [item.holds for item in solution.derivation.confirmed] == [True]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rotsolve import Solution, Unsolvable, solve
+from rotsolve import SceneError, Solution, Unsolvable, solve
 from rotsolve.algebra.formula import Call, Formula, Power, Product, Symbol
 from rotsolve.core.derivation import LawLine
 from rotsolve.page.text import plain_text
@@ -195,3 +195,57 @@ find: {tau: "WORDS about [0, 0, 0]"}
         solve(scene.replace("WORDS", "mast.torque.stay"))
     assert "`stay.torque`" in str(refused.value)
     assert "gives the same tau" in solve(scene.replace("WORDS", "stay.torque")).to().replace("τ", "tau")
+
+
+BODIES = "up: z\nbodies: {bar: {shape: rod, mass: 1 kg, length: 1 m}, bead: {shape: particle, mass: 1 kg}}\n"
+
+
+@pytest.mark.parametrize(
+    ("written", "cure"),
+    [
+        (
+            "connections: {c: {string: [ceiling, bar.start]}}",
+            "`actions: {pull: {force: T, on: BODY.P, direction: [x, y, z]}}`",
+        ),
+        (
+            "connections: {c: {spring: [ceiling, bar.start]}}",
+            "`actions: {pull: {force: k*x, on: BODY.P, direction: [x, y, z]}}`",
+        ),
+        ("connections: {c: {torsion: bar}}", "`actions: {wire: {couple: [-K*theta, 0, 0], on: BODY}}`"),
+        ("connections: {c: {rides: [bead, bar]}}", "`slide: [BAR.P, BEAD], along: x`"),
+        ("connections: {c: {shaft: bar.start}}", "`hinge: shaft.O, along: z, angular_velocity: w`"),
+        ("actions: {a: {press: 3 N, on: bar}}", "`actions: {brake: {couple: -mu*F*R, on: BODY}}`"),
+        ("actions: {a: {couple: [0, 0, 1 N m], on: bar, from: one}}", "begin a scene of its own"),
+        ("events: {e: {removes: bar, from: one, to: two}}", "begin a scene of its own"),
+        ("events: {e: {collides: [bead, bar], from: one, to: two}}", "`impulse: J, on: BODY.P, direction: [x, y, z]`"),
+    ],
+)
+def test_a_word_of_the_plane_is_refused_with_what_says_the_same(written: str, cure: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        solve(f"{BODIES}{written}\nstates: {{one: at rest, two: {{}}}}\nfind: {{v: bar.cm.velocity at two}}\n")
+    helps = [fault.help for fault in caught.value.faults if "is for scenes in the plane" in fault.message]
+    assert helps and all(cure in help for help in helps)
+
+
+def test_a_length_beside_a_letter_that_is_sought_is_one_fault() -> None:
+    bodies = "{bar: {shape: rod, mass: m, length: 2 m}, other: {shape: rod, mass: 1 kg, length: 3 m}}"
+    text = f"given: {{m: unknown}}\nbodies: {bodies}\nfind: {{m: m}}\n"
+    with pytest.raises(SceneError, match="`2 m` can be read in two ways") as caught:
+        solve(text)
+    assert [fault.help for fault in caught.value.faults] == [
+        "choose another letter for what is sought, as `m_1`; `2*m` is the product"
+    ]
+
+
+def test_an_angle_has_a_number_where_the_letters_cancel() -> None:
+    """A tossed coin, L₃/L₂ with I₃ = 2 I₁ and P = −2 s/cos γ: tan δ = sin γ cos γ/(1 + sin² γ), 13.19°."""
+    scene = """up: z
+gravity: none
+given: {m: kg, r: m, s: 600 rpm, gamma: 15 deg, P: unknown}
+bodies: {coin: {shape: disc, mass: m, radius: r}}
+states: {now: {coin.tilt: gamma, coin.spin: s, coin.precession: P, steady: true}}
+find: {P: smallest P in rpm, delta: angle of coin.angular_velocity from coin.angular_momentum at now in deg}
+"""
+    answer = solve(scene).answers["delta"]
+    assert answer.float == pytest.approx(13.19, abs=5e-3)
+    assert answer.answer.formula is not None and answer.answer.formula.symbols() == {"gamma"}

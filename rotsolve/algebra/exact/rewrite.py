@@ -322,11 +322,21 @@ class Rewriter:
         """Whether a formula is made of positive letters and numbers alone."""
         if isinstance(node, Number):
             return node.value > 0
-        if isinstance(node, (Sum, Product, Quotient)):
+        if isinstance(node, Quotient):
+            return self._surely_positive(node.numerator) and self._positive_below(node.denominator)
+        if isinstance(node, (Sum, Product)):
             return all(self._surely_positive(child) for child in node.children())
         if isinstance(node, Power):
             return self._surely_positive(node.base)
         return isinstance(node, Symbol) and node.name in self.positive
+
+    def _positive_below(self, node: Formula) -> bool:
+        """Whether a denominator, which is not 0, is positive: even powers are, of whatever."""
+        if isinstance(node, Product):
+            return all(map(self._positive_below, node.children()))
+        exponent = node.exponent if isinstance(node, Power) else None
+        even = isinstance(exponent, Number) and exponent.value.denominator == 1 and exponent.value.numerator % 2 == 0
+        return even or self._surely_positive(node)
 
     def _same(self, function: str, argument: Formula) -> Formula:
         """The call, or an earlier call of the function whose argument is equal though written in another way."""

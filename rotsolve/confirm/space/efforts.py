@@ -94,10 +94,12 @@ class Efforts:
         return [item for item in self.list if item.body == name]
 
     def weights(self) -> Iterator[Effort]:
+        frame = self.rig.problem.gravity_in
+        down = times_arrow(self.stance.turned(frame), DOWN) if frame else DOWN
         for name in self.rig.bodies:
             mass = self.rig.solid(name).mass
             if self.rig.gravity and mass:
-                yield Effort("gravity", name, STILL, scaled(mass * self.rig.gravity, DOWN))
+                yield Effort("gravity", name, STILL, scaled(mass * self.rig.gravity, down))
 
     def of_joints(self) -> Iterator[Effort]:
         for joint in self.rig.joints.values():

@@ -57,6 +57,7 @@ READ = (
 )  # lines held against worlds
 OF_MASS = ("inertia_tensor", "inertia", "principal_moments", "mass")  # what a body has however it moves
 OPEN = "the equations of all bodies leave it open"
+HANGING = "rates that nothing tells, beside what is asked"
 SEVERAL = "several motions fit its state"
 BROKEN = "the lines of its state do not go together"
 NO_WAY = "no steady motion has these numbers"
@@ -467,16 +468,22 @@ class Inquiry:
         left: list[float] = []
         for state in self.problem.states or (None,):
             standing = self.moving_at(state)
-            if standing.stance.open:
-                raise NotConfirmed(OPEN)
-            if standing.hangs_on_rates():
-                raise NotConfirmed("rates that nothing tells, beside what is asked")
+            why = OPEN if standing.stance.open else HANGING if standing.hangs_on_rates() else ""
+            if why and state is not None and self.only_later(state):
+                continue
+            if why:
+                raise NotConfirmed(why)
             left += standing.moving.left
             left += standing.over([0.0] * len(standing.moving.free))
             left += self.off_lines(standing, state)
         for before, state in pairwise(self.problem.states):
             left += self.off_arrival(before, state) if self.event_to(state.name) is None else ()
         return left
+
+    def only_later(self, state: State) -> bool:
+        """Whether a state tells nothing but how much later it is: the motion leads to it, so that none of its lines tests anything."""
+        told = all(line.path is not None and line.path.quantity == "time" for line in state.conditions)
+        return told and not (state is self.problem.states[0] or state.steady or self.event_to(state.name))
 
     def moving_at(self, state: State | None) -> Moving:
         """How all can move at a state: as it tells, or as a blow leaves it."""

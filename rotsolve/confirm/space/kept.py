@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import (
+    ALONG,
     Arrow,
     Z,
     arrow_length,
@@ -48,7 +49,9 @@ NOT_KEPT = "what its bodies keep on the way to its state"
 def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner]:
     """The ways in which all moves at a later state with what it has kept since the state before, told apart by the rates on joints."""
     root = root_alone(rig)
-    leader = None if any(joint.motor for joint in rig.joints.values()) else leading_joint(rig, state)
+    passed = time_alone(rig, root, state)
+    motors = any(joint.motor for joint in rig.joints.values())
+    leader = None if motors or passed is not None else leading_joint(rig, state)
     for share in (number / WAY for number in range(1, WAY) if leader is not None):  # it has to get there
         assert leader is not None
         there = Underway(rig, state, put, leader, turned_at(start, leader), share)
@@ -57,7 +60,7 @@ def kept_manners(rig: Rig, start: World, state: State, put: Told) -> list[Manner
     if leader is not None:
         check_setting_out(rig, start, state, leader)
     stances = [Stance(rig, Lines(rig, state, put), guess) for guess in GUESSES]
-    found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
+    found = [list(roots_kept(rig, root, start, stance, passed)) for stance in stances]
     if root is None and found[0] and turns_on_line(rig, start):
         stances = [turned_on_line(rig, start, found[0][0], Lines(rig, state, put), guess) for guess in GUESSES]
         found = [list(roots_kept(rig, root, start, stance)) for stance in stances]
@@ -97,6 +100,19 @@ class Underway(Lines):
         end = self.told(leader.body.owner, "angle") or 0.0
         self.lines = []
         self.put = {(self.name, leader.body.owner, "angle"): begun + share * (end - begun)}
+
+
+def time_alone(rig: Rig, root: Joint | None, state: State) -> float | None:
+    """The time that a state tells and nothing else, up to which the angular momentum about the joint of the ground grows by what couples
+    give; None of a state that tells more."""
+    lines = [line for line in state.conditions if line.path is not None]
+    if len(lines) != 1 or lines[0].path is None or lines[0].path.quantity != "time" or lines[0].value is None:
+        return None
+    drives = (part for joint in rig.joints.values() for _, part in joint.drive)
+    rolls = any(joint.rolls for joint in rig.joints.values())
+    if root is None or root.powered or rolls or state.steady or any(TIME in part.symbols() for part in drives):
+        raise NotConfirmed(NOT_KEPT)
+    return rig.value(lines[0].value)
 
 
 def leading_joint(rig: Rig, state: State) -> Joint | None:
@@ -189,18 +205,21 @@ def worked(rig: Rig, root: Joint, world: World) -> float:
     return sum(inner_product(way, item.couple) * turned for item in world.efforts.list if item.owner in names)
 
 
-def roots_kept(rig: Rig, root: Joint | None, start: World, stance: Stance) -> Iterator[World]:
-    """The worlds of a stance with as much of what is kept as at the start, in which each body comes to its angle as it must."""
+def roots_kept(
+    rig: Rig, root: Joint | None, start: World, stance: Stance, passed: float | None = None
+) -> Iterator[World]:
+    """The worlds of a stance with as much of what is kept as at the start, in which each body comes to its angle as it must; some told time
+    later those with as much angular momentum as couples give it."""
     moving = Moving(stance)
     count, scale = len(moving.moving.free), natural_rate(moving)
-    wanted = kept_of(rig, root, start)
+    wanted = kept_of(rig, root, start, None if passed is None else 0.0)
 
     def world_with(openly: Sequence[float]) -> World:
         now = moving.rates(openly)
         return World(stance, moving.efforts, now, now)
 
     def over(openly: Sequence[float]) -> list[float]:
-        return [a - b for a, b in zip(kept_of(rig, root, world_with(openly)), wanted, strict=True)]
+        return [a - b for a, b in zip(kept_of(rig, root, world_with(openly), passed), wanted, strict=True)]
 
     model = quadratic(over, count, scale) if count else None
     if model is None or len(wanted) < count:
@@ -213,8 +232,10 @@ def roots_kept(rig: Rig, root: Joint | None, start: World, stance: Stance) -> It
             yield whole
 
 
-def kept_of(rig: Rig, root: Joint | None, world: World) -> list[float]:
-    """What stays: on a joint of the ground, or on none."""
+def kept_of(rig: Rig, root: Joint | None, world: World, passed: float | None) -> list[float]:
+    """What stays: on a joint of the ground, or on none; after a told time what couples have given taken off."""
+    if root is not None and passed is not None:
+        return kept_with_impulse(rig, root, world, passed)
     return kept_afloat(rig, world) if root is None else kept_on_ground(rig, root, world)
 
 
@@ -228,6 +249,29 @@ def kept_afloat(rig: Rig, world: World) -> list[float]:
     turning = whole_momentum(rig, centre, world)
     kept = [*momentum, *turning]
     return kept if any(joint.powered for joint in rig.joints.values()) else [*kept, energy_in(world)]
+
+
+def kept_with_impulse(rig: Rig, root: Joint, world: World, passed: float) -> list[float]:
+    """The angular momentum about the free direction of the root, without what couples that stay have given it in some time: C · n t; and
+    the axial rates of wheels that turn freely."""
+    way, names = free_way(rig, root, world.stance), {action.name for action in rig.problem.actions}
+    if way is None:
+        raise NotConfirmed(NOT_KEPT)
+    given = sum(inner_product(way, item.couple) for item in world.efforts.list if item.owner in names)
+    momentum = inner_product(way, whole_momentum(rig, world.stance.held_at(root), world))
+    return [momentum - given * passed, *axial_rates(rig, root, world)]
+
+
+def axial_rates(rig: Rig, root: Joint, world: World) -> Iterator[float]:
+    """ω along its axle of each wheel, the same all round that, which turns freely on what carries it and carries nothing: Euler's equation
+    with I₁ = I₂."""
+    carriers = {joint.carrier.owner for joint in rig.joints.values()}
+    for joint in (joint for joint in rig.joints.values() if joint is not root and joint.turning):
+        name, way = joint.body.owner, world.stance.way(joint)
+        own = [times_arrow(world.stance.turned(name), ALONG[axis]) for axis in range(3) if rig.symmetric(name, axis)]
+        wheel = any(arrow_length(crossed(axis, way)) <= UPRIGHT for axis in own) and rig.solid(name).whole
+        if wheel and not joint.powered and name not in carriers:
+            yield inner_product(way, world.now.arrow(TURNING, name))
 
 
 def kept_on_ground(rig: Rig, root: Joint, world: World) -> list[float]:

@@ -124,7 +124,9 @@ def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     if given is None or find.modifier in EXTREMES or len(hearing.letters) > 1:  # what else is sought may forbid it
         return ""
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
-    value = next(filter(sought.may_be, sought.other_roots()), None)
+    value = next(
+        (root for root in filter(sought.may_be, sought.other_roots()) if slants(hearing, given.name, root)), None
+    )
     if value is None:
         return ""
     return f"{given.name}{sought.equal_to(value)}: ask for `smallest {given.name}` or `largest {given.name}`"
@@ -226,10 +228,7 @@ def others_on_the_way(
     own, free = hearing.known[place], rate_or_angle(hearing, place)
     for value in other_values(hearing, place, own, roots(place)):
         against = value < 0.0 <= own and not free
-        if against and not may_be_against(hearing, place, own):
-            continue
-        tilt = tilt_with(hearing, place, value)
-        if tilt is not None and not UPRIGHT < tilt < math.pi - UPRIGHT:
+        if (against and not may_be_against(hearing, place, own)) or not slants(hearing, place, value):
             continue
         behind = against or (not hearing.is_angle(place) and abs(value + own) <= SAME * abs(own))
         yield place, {place: value}, f": {place} = {value:g} in SI units makes it so too" if behind else ""
@@ -318,6 +317,12 @@ def rate_or_angle(hearing: Hearing, place: tuple[str, str, str] | str) -> bool:
     """Whether what is put in may be negative: no mass, length or their like."""
     dimension = hearing.dimension(place)
     return dimension is None or any(dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
+
+
+def slants(hearing: Hearing, letter: str, value: float) -> bool:
+    """Whether a steady state with a number for its tilt does not stand upright, nor upside down; so does one that tells none by that."""
+    tilt = tilt_with(hearing, letter, value)
+    return tilt is None or UPRIGHT < tilt < math.pi - UPRIGHT
 
 
 def tilt_with(hearing: Hearing, place: tuple[str, str, str] | str, value: float) -> float | None:

@@ -44,6 +44,7 @@ RATES = ("angular_velocity", "velocity", "speed", "precession", "nutation", "spi
 ROUNDED = 1e-14  # of the same, for a float that should be nothing
 COUNTED = ("precession_angle", "spin_angle", "angle")  # angles that count whole turns
 
+TOLD_BY_SIZE = f"{SEVERAL}: `smallest {{letter}}` or `largest {{letter}}` tells which"
 OF_SEVERAL = "`{letter}`, on which it may hang, has several values that fit"
 
 Others = Callable[[str], "tuple[Formula, ...]"]
@@ -176,6 +177,8 @@ def hanging_on_doubtful(verdicts: Mapping[str, AnswerConfirmation], hearing: Hea
             None,
         )
         why = "" if letter is None else OF_SEVERAL.format(letter=letter.name)
+        if own in several and hearing.letter(own) is not None and own.modifier not in EXTREMES:
+            why = TOLD_BY_SIZE.format(letter=hearing.letter(own))
         yield replace(item, holds=None, why=why) if why else item
 
 

@@ -47,9 +47,9 @@ def draw_name(solid: DrawnSolid, stage: SpaceStage, sheet: ScenePaper) -> None:
 
 
 def draw_weight(solid: DrawnSolid, stage: SpaceStage, sheet: ScenePaper) -> None:
-    """The weight of a body, down from its centre of mass."""
+    """The weight of a body, down from its centre of mass; none that turns with a body."""
     body, gravity = solid.body, stage.problem.gravity
-    if gravity is None or body.mass is None or not solid.pieces:
+    if gravity is None or stage.problem.gravity_in or body.mass is None or not solid.pieces:
         return
     try:
         if stage.rig.gravity == 0.0 or stage.value(body.mass) == 0.0:

@@ -22,6 +22,7 @@ class Spring(Connection, frozen=True):
     about = "an ideal spring between two points"
     quantities = ("force", "elongation", "potential_energy", "work", "power", "length", "stiffness")
     kept = ("elongation", "force")
+    instead = "at one moment a spring pulls with k x along it: `actions: {pull: {force: k*x, on: BODY.P, direction: [x, y, z]}}`"
     spring: tuple[PointRef, ...] = key("points", "its two ends", count=(2, 2), required=True, example="[ground, block]")
     stiffness: Formula | None = amount("stiffness", "stiffness", "k", "positive", default=None)
     rest_length: Formula | None = amount("length without force", "length", "L", "nonnegative", default=None)
@@ -131,6 +132,10 @@ class Torsion(Connection, frozen=True):
     word = "torsion"
     about = "a torsion spring or wire that turns a body back"
     quantities = ("torque", "potential_energy", "work", "power", "angle")
+    instead = (
+        "at one moment, of a body on a hinge along x with `BODY.angle: theta`, it gives the couple −K θ:"
+        " `actions: {wire: {couple: [-K*theta, 0, 0], on: BODY}}`"
+    )
     torsion: tuple[PointRef, ...] = key(
         "points", "the body, or two bodies", count=(1, 2), required=True, example="disc"
     )

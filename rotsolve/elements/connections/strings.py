@@ -46,6 +46,10 @@ class String(Connection, frozen=True):
     word = "string"
     about = "a string by what it touches, in order from its first end on the left to its last"
     quantities = ("tension", "force", "work", "power", "impulse", "length")
+    instead = (
+        "at one moment a string pulls with a force along it: `actions: {pull: {force: T, on: BODY.P, direction: [x, y, z]}}`, with"
+        " `T: unknown` under `given` where that is sought"
+    )
     words = ("slack", "taut")
     string: tuple[PointRef, ...] = key(
         "points", "what it touches, in order", count=(2, 200), required=True, example="[left, pulley, right]"

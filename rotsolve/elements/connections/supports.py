@@ -344,6 +344,7 @@ class Weld(Connection, frozen=True):
 class Rides(Connection, frozen=True):
     word = "rides"
     about = "a particle slides along another body and turns with it, at its `radius` from the axis"
+    instead = "`slide: [BAR.P, BEAD], along: x` lets it slide along what carries it, from a point of that"
     quantities = ("work",)
     bodily = True
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
@@ -452,6 +453,7 @@ def joint(owner: str, carrier: PointRef, body: PointRef, instant: Moment) -> Ite
 class Shaft(Connection, frozen=True):
     word = "shaft"
     about = "hinges a point of a body to an upright shaft that turns steadily; the picture is the upright plane that turns with it"
+    instead = "`hinge: shaft.O, along: z, angular_velocity: w` turns a shaft, and `hinge: [shaft.O, BODY.P], along: y` holds a body on it"
     quantities = ("force", "angle")
     circling = True
     shaft: tuple[PointRef, ...] = key("points", "the point held", count=(1, 1), required=True, example="rod.start")

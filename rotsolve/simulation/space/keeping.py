@@ -32,8 +32,10 @@ def drift_in_space(regimes: Sequence[Regime]) -> Drift:
 
 def kept_momenta(system: SpaceSystem) -> Iterator[tuple[str, str, Formula]]:
     """The components of angular momentum that are kept: in words, of which body, the component."""
-    for name in system.moment.held.order:
-        if left_alone(system.laws, name) and not system.moment.held.pointlike(name):
+    held = system.moment.held
+    for name in held.order:
+        turned = held.problem.gravity_in and held.of_body(name)  # by weight that keeps to no vertical
+        if left_alone(system.laws, name) and not held.pointlike(name) and not turned:
             for words, (value, _) in momenta(name, system.laws, system.laws):
                 yield f"{words} of `{name}`", name, value
 
@@ -45,14 +47,15 @@ def kept_momentum(number: int, system: SpaceSystem) -> Iterator[Balance]:
 
 
 def energy_in_space(system: SpaceSystem) -> Iterator[Balance]:
-    """K + M g h of all bodies that are not led, against the power of actions and of what leads or drives them."""
+    """K + M g h of all bodies that are not led, against the power of actions and of what leads or drives them; that of weight that turns
+    with a body is such a power too."""
     moment, laws = system.moment, system.laws
-    gravity = ZERO if laws.pushes.gravity is None else laws.pushes.gravity
+    gravity = laws.pushes.gravity or ZERO
     bodies = [name for name in moment.held.order if not moment.held.bodies[name].moved]
     kinetic = [add(*kinetic_energies(laws, name)) for name in bodies]
     heights = [
         multiply(multiply(moment.held.mass(name), gravity), place_in_space(moment, PointRef(name, CM))[2])
-        for name in bodies
+        for name in (() if moment.held.problem.gravity_in else bodies)
     ]
     powers = [
         power_of(push, moment) for name in bodies for push in laws.pushes.on(name) if gives_power(push.owner, system)
@@ -63,6 +66,8 @@ def energy_in_space(system: SpaceSystem) -> Iterator[Balance]:
 def gives_power(owner: str, system: SpaceSystem) -> bool:
     """Whether something is no ideal joint: an action, a drive, what a body that is led carries."""
     held = system.moment.held
+    if owner == "gravity" and held.problem.gravity_in:
+        return True
     joint = held.joint(owner)
     if joint is None:
         return any(action.name == owner for action in system.laws.pushes.actions)

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from second_route.following import cross, followed
 from second_route.particles import (
     Cloud,
     Motion,
@@ -186,7 +187,51 @@ def train_that_runs_north(n: Numbers) -> Answers:
     return {"F": coriolis, "S": n.m * whole[1]}
 
 
+def fallen_on_the_earth(start: Any, axis: Any, n: Numbers, time: float) -> Any:
+    """The place on the earth, followed there: r̈ = −g ẑ − 2 ω × v − ω × (ω × r)."""
+    omega = n.w * axis
+
+    def slope(_: float, state: Any) -> Any:
+        place, velocity = state[:3], state[3:]
+        felt = 2 * cross(omega, velocity) + cross(omega, cross(omega, place))
+        return np.concatenate([velocity, -n.g * Z - felt])
+
+    return followed(slope, start, time, 20)[:3]
+
+
+def stone_from_a_tower(n: Numbers) -> Answers:
+    start = np.concatenate([n.h * Z, 0 * Z])
+    return {"x": fallen_on_the_earth(start, Y, n, np.sqrt(2 * n.h / n.g))[0]}
+
+
+def shell_fired_east(n: Numbers) -> Answers:
+    latitude = getattr(n, "lambda")
+    start = np.concatenate([0 * Z, n.V * (cos(n.a) * X + sin(n.a) * Z)])
+    axis = cos(latitude) * Y + sin(latitude) * Z
+    return {"y": fallen_on_the_earth(start, axis, n, 2 * n.V * sin(n.a) / n.g)[1]}
+
+
+def disc_in_a_fork_spun_up(n: Numbers) -> Answers:
+    """Many points of a disc: the rate at which the shaft spins up from the torque that one of 1 rad/s² takes, then the bearings' forces."""
+
+    def pushes(rate: float, faster: float) -> tuple[Any, Any]:
+        def round_shaft(t: Any) -> Any:
+            return turn(Z, rate * t + faster * t * t / 2)
+
+        body = disc(n.W, n.r).turned(turn(X, pi / 2))
+        motion = Motion(body, lambda t: (round_shaft(t) @ (n.d * X + body.places @ turn(Y, n.s * t).T).T).T, n.s)
+        return motion.force(), motion.torque()
+
+    faster = n.M0 / pushes(0.0, 1.0)[1][2]
+    force, torque = pushes(faster * n.T, faster)
+    lower, upper = two_bearings(force, torque, Z, -n.c, n.c)
+    return {"w": faster * n.T, "D": lower, "C": upper}
+
+
 CALCULATIONS = {
+    "disc-in-a-fork-spun-up": disc_in_a_fork_spun_up,
+    "shell-fired-east": shell_fired_east,
+    "stone-from-a-tower": stone_from_a_tower,
     "axis-brought-level": axis_brought_level,
     "disc-askew-on-a-fork": disc_askew_on_a_fork,
     "fan-with-two-blades": fan_with_two_blades,
