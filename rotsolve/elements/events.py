@@ -11,9 +11,9 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, Heading, Vector, unit
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
-from rotsolve.elements.connections.supports import Hinge
+from rotsolve.elements.connections.supports import GROUND, Axis, Hinge
 from rotsolve.elements.shapes import rim_radius
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
@@ -23,6 +23,7 @@ class Joins(Event, frozen=True):
     bodily = True
     about = "two bodies meet and stay together (inelastic)"
     quantities = ("impulse", "angular_impulse")
+    spatial = True
     joins: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]"
     )
@@ -110,7 +111,7 @@ class Impulse(Event, frozen=True):
             return ()
         return ("impulse ", self.impulse, " on ", *whereabouts(self.on), *aimed_in_words(self.direction))
 
-    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]]:
+    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]] | None:
         assert self.on is not None
         if not isinstance(self.direction, tuple) or len(self.direction) != 3:
             help = "give it `direction: [x, y, z]`"
@@ -172,11 +173,12 @@ class Fixes(Event, frozen=True):
     word = "fixes"
     about = "a point of a moving body is suddenly held; from then on the body turns about it"
     quantities = ("force", "impulse")
-    instead = (
-        "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
-        " and `BODY.P.velocity: [0, 0, 0]` in the state after it; `direction: y` and `BODY.P.velocity.y: 0` stop it one way"
-    )
+    quantities_in_space = ("torque", "angular_impulse")
+    spatial = True
     fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
+    along: Axis = key(
+        "axis in space", "direction of the axis of a hinge, in the body as it is drawn", default=(), space=True
+    )
 
     def check(self, scene: Surroundings) -> None:
         """It fixes what moves freely."""
@@ -196,6 +198,13 @@ class Fixes(Event, frozen=True):
 
     def adds(self) -> tuple[Connection, ...]:
         return (Hinge(self.name, hinge=(self.fixes,)),) if self.fixes is not None else ()
+
+    def joint_in_space(self) -> Joint | None:
+        """A ball joint of the ground, or a hinge where it tells the direction of its axis."""
+        if self.fixes is None:
+            return None
+        turning = ((self.along[0], self.along[1], self.along[2]),) if self.along else ()
+        return Joint(self.name, GROUND, self.fixes, turning=turning, free=not turning)
 
     def holds(self, ref: PointRef, instant: Moment) -> str:
         return called(ref)

@@ -419,6 +419,7 @@ class Event(Element, frozen=True):
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
+    quantities_in_space: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
     planar: ClassVar[bool] = True
     spatial: ClassVar[bool] = False
@@ -456,9 +457,13 @@ class Event(Element, frozen=True):
         """The two points, if any, that stay together from it on, so that their bodies are one."""
         return ()
 
-    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]]:
-        """The point that it strikes in a scene in space, how hard and in which direction."""
-        raise Unsolvable(f"`{self.name}` is not solved in space yet")
+    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]] | None:
+        """The point that it strikes in a scene in space, how hard and in which direction; None of what strikes from within."""
+        return None
+
+    def joint_in_space(self) -> Joint | None:
+        """How it holds a body of a scene in space from then on; None of what holds none, and of bodies that it joins."""
+        return None
 
     def spot(self, ref: PointRef, instant: Moment) -> Vector:
         """Where it acts on the body of a point that takes part, from the body's reference."""

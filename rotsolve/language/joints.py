@@ -1,14 +1,16 @@
-"""Joints: all by which connections of a scene in space hold bodies, with the motors that turn some on their axes as hard as it takes."""
+"""Joints: all by which connections of a scene in space hold bodies, with the motors that turn some on their axes as hard as it takes,
+and those that events bring."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.language.bodies import Joint
-from rotsolve.language.elements import Connection
+from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.elements import Connection, Event
+from rotsolve.language.problem import Problem
 
 
 def joints_in_space(connections: Iterable[Connection]) -> tuple[Joint, ...]:
@@ -30,3 +32,59 @@ def joints_in_space(connections: Iterable[Connection]) -> tuple[Joint, ...]:
             raise Unsolvable(message, span=pair[1].span, help=help)
         found[found.index(driven)] = replace(driven, motor=True)
     return tuple(found)
+
+
+def events_up_to(problem: Problem, state: str) -> Iterator[Event]:
+    """The events that lead to a state or to one before it, in the order of time; none of what is no state."""
+    names = [item.name for item in problem.states]
+    for name in names[: names.index(state) + 1] if state in names else ():
+        yield from (event for event in problem.events if event.to == name)
+
+
+def joints_at(problem: Problem, state: str) -> tuple[Joint, ...]:
+    """The joints of a scene in space at a state: those of its connections, then those that events up to it have brought."""
+    found = joints_in_space(problem.connections)
+    for event in events_up_to(problem, state):
+        joint = event.joint_in_space() or joint_of_joined(event, found, problem)
+        if joint is not None:
+            refuse_held(event, joint, found)
+            found = (*found, joint)
+    return found
+
+
+def joint_of_joined(event: Event, joints: tuple[Joint, ...], problem: Problem) -> Joint | None:
+    """The clamp of two bodies that stay together: what is held already, or is no particle, carries the other; else the second of them."""
+    pair = event.joined()
+    if not pair:
+        return None
+    held = {joint.body.owner for joint in joints}
+    points = {body.name for body in problem.bodies if body.shape is not None and body.shape.pointlike}
+    one, other = pair
+    swapped = one.owner in held or (other.owner not in held and other.owner in points and one.owner not in points)
+    return Joint(event.name, one, other) if swapped else Joint(event.name, other, one)
+
+
+def refuse_held(event: Event, joint: Joint, joints: tuple[Joint, ...]) -> None:
+    """Refuse an event that holds what is held already, or what touches a surface, of which it would have to tell how that goes on."""
+    name = joint.body.owner
+    for other in joints:
+        held, carrier = other.body, joint.carrier.owner
+        if name == held.owner and not touches(other):
+            message = f"`{name}` is held by `{other.owner}` already"
+            if joint.carrier.owner in {item.body.owner for item in joints}:
+                message += f", and so is `{carrier}`"
+            raise Unsolvable(message, span=span_of(event), help=f"`{event.name}` takes a body that moves freely")
+        if touches(other) and held.owner in (name, carrier):
+            message = f"`{held.owner}` touches a surface by `{other.owner}`: `{event.word}` of that is not solved in space"
+            raise Unsolvable(message, span=span_of(event), help=f"leave `{other.owner}` out")
+
+
+def touches(joint: Joint) -> bool:
+    """Whether a joint lets its body touch a surface without holding a point of it."""
+    return joint.rolls or joint.flat
+
+
+def span_of(event: Event) -> object:
+    """The place of the point that an event names last."""
+    refs: tuple[PointRef, ...] = event.points(())
+    return refs[-1].span if refs else None

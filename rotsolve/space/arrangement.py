@@ -32,7 +32,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
-from rotsolve.language.joints import joints_in_space
+from rotsolve.language.joints import joints_at
 from rotsolve.language.problem import Problem
 from rotsolve.language.shape import WHEEL
 from rotsolve.motion.rigid import RigidPiece, part_spot, pieces
@@ -51,10 +51,11 @@ ON_RIM = tuple(point for point in WHEEL if point != "center")  # places by the p
 
 
 class JointedBodies(Struct, frozen=True, dict=True):
-    """The bodies of a scene in space with their joints; refuses by name what it can't follow."""
+    """The bodies of a scene in space with their joints at a state, where events bring some; refuses by name what it can't follow."""
 
     problem: Problem
     signs: SignOracle
+    state: str = ""
 
     def vanishes(self, value: Formula) -> bool:
         """Whether a formula is nothing: whatever its letters are, or with the numbers that they have, which is noted.
@@ -78,8 +79,8 @@ class JointedBodies(Struct, frozen=True, dict=True):
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
-        """All joints of the scene, in the order of the file."""
-        joints = joints_in_space(self.problem.connections)
+        """All joints, in the order of the file; those that events have brought at last."""
+        joints = joints_at(self.problem, self.state)
         for joint in joints:
             self.refuse_led(joint)
         return joints
@@ -134,7 +135,8 @@ class JointedBodies(Struct, frozen=True, dict=True):
 
     def held_on(self, name: str) -> str:
         """What a body is on, in words: a `screw`, an `axle`, the joints `l` and `r`."""
-        words = {item.name: item.spatial_word or item.word for item in self.problem.connections}
+        words = {item.name: item.word for item in self.problem.events}
+        words |= {item.name: item.spatial_word or item.word for item in self.problem.connections}
         own = [joint.owner for joint in self.supports(name)]
         if len(own) > 1:
             return f"the joints {' and '.join(f'`{owner}`' for owner in own)}"

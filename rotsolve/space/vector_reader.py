@@ -29,7 +29,7 @@ from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.passing import Shock, shocks_of_joint
+from rotsolve.space.struck import Shock, shocks_of_joint
 from rotsolve.space.two_balls import letter_along
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
@@ -344,14 +344,13 @@ class VectorReader:
         return vector_sum(*own), laws.moment.axes(joint.body.owner)
 
     def shocks(self, path: Path) -> tuple[Joint, SpaceLaws, list[Shock]]:
-        """A joint, the laws just before the event that leads to this moment, and its impulses in it."""
-        before, joint = self.moment.before, self.held.joint(path.owner)
-        if before is None:
+        """A joint, the laws just after the event that leads to this moment, and its impulses in it."""
+        joint = self.held.joint(path.owner)
+        if self.moment.before is None:
             raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
         if joint is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
-        laws = self.moments[before.when]
-        return joint, laws, list(shocks_of_joint(joint, laws))
+        return joint, self.dynamics, list(shocks_of_joint(joint, self.dynamics))
 
     def forces_of(self, name: str, owner: str) -> Triple:
         """What one connection, action or gravity pushes a body with, in the axes of the body."""

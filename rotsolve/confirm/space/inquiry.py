@@ -92,6 +92,11 @@ class Inquiry:
         clock = 0.0 if state is None else self.clock(state)
         return self.rig if clock is None else Rig(self.problem, {**self.rig.numbers, TIME: clock})
 
+    def rig_since(self, name: str) -> Rig:
+        """The rig with the joints that events up to a state have brought."""
+        joined = Rig(self.problem, self.rig.numbers, name)
+        return self.rig if joined.joints == self.rig.joints else joined
+
     def clock(self, state: State) -> float | None:
         """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as
         told, else 0."""
@@ -166,7 +171,8 @@ class Inquiry:
         """The ways in which all moves just after a blow."""
         from rotsolve.confirm.space.passing import after_blow
 
-        return [after_blow(self.rig, event, way, state, self.put) for way in before]
+        rig = self.rig_since(event.to or "")
+        return [after_blow(rig, event, way, state, self.put) for way in before]
 
     def followed(self, name: str | None) -> list[Manner]:
         """The way in which all moves at a state to which the motion leads from the one before."""
@@ -197,7 +203,7 @@ class Inquiry:
         from rotsolve.confirm.space.kept import sets_out_away
 
         if letters_open(self.problem) and any(
-            sets_out_away(self.rig, world, state) for way in self.ways(before) for world in way.worlds
+            sets_out_away(self.rig_since(before), world, state) for way in self.ways(before) for world in way.worlds
         ):
             raise NotConfirmed("it sets out away from its state, and whether it turns back hangs on letters")
 
@@ -208,7 +214,7 @@ class Inquiry:
         starts = [by_velocities(way.worlds) for way in self.ways(before)]
         if len(starts) != 1 or len(starts[0]) != 1 or starts[0][0].stance.open:
             raise NotConfirmed(SEVERAL)
-        return kept_manners(self.rig, starts[0][0], state, self.put)
+        return kept_manners(self.rig_since(before), starts[0][0], state, self.put)
 
     def kept(self, key: str, follow: Callable[[], Any]) -> Any:
         """What comes of following a motion, which is done once."""
@@ -255,7 +261,7 @@ class Inquiry:
             raise NotConfirmed(SEVERAL)
         several = passed is not None or len(by_velocities(before[0].worlds)) > 1
         starts = by_velocities(before[0].worlds)[: 2 if several else 1]
-        return [Flight(self.rig, world, state, passed) for world in starts]
+        return [Flight(self.rig_since(name), world, state, passed) for world in starts]
 
     def lasting(self, start: str, end: str) -> float:
         """The time from one state to a later one, by the motion from each to the next."""
@@ -484,11 +490,12 @@ class Inquiry:
 
         event = None if state is None else self.event_to(state.name)
         if event is None:
-            return Moving(Stance(self.rig, Lines(self.rig, state, self.put)))
+            rig = self.rig if state is None else self.rig_since(state.name)
+            return Moving(Stance(rig, Lines(rig, state, self.put)))
         worlds = [world for way in self.ways(event.from_) for world in way.worlds]
         if any(world.now is not worlds[0].now for world in worlds):
             raise NotConfirmed(OPEN)
-        return moving_after(self.rig, event, worlds[0], state, self.put)
+        return moving_after(self.rig_since(event.to or ""), event, worlds[0], state, self.put)
 
     def off_arrival(self, before: State, state: State) -> Iterator[float]:
         """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it, and by
@@ -507,7 +514,8 @@ class Inquiry:
                 or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds)
             ):
                 continue
-            there, paced_there = (Flight(self.rig, ways[0].worlds[0], state) for _ in range(2))
+            rig = self.rig_since(before.name)
+            there, paced_there = (Flight(rig, ways[0].worlds[0], state) for _ in range(2))
             if there.rate_of(line) is None:
                 continue
             if self.rig.value(paced.value):  # else it turns back there, and does not pass through

@@ -37,7 +37,7 @@ from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Joint, PointRef
-from rotsolve.language.joints import joints_in_space
+from rotsolve.language.joints import joints_at
 from rotsolve.language.problem import ANY_TIME, Condition, Problem, State
 
 AXES = ("x", "y", "z")
@@ -51,13 +51,13 @@ Told = Mapping[tuple[str, str, str], float]  # (state, body, quantity): answers 
 
 
 class Rig:
-    """The bodies and joints of a problem at one set of numbers for its letters."""
+    """The bodies and joints of a problem at one set of numbers for its letters, with the joints that events up to a state have brought."""
 
-    def __init__(self, problem: Problem, numbers: Mapping[str, float]) -> None:
+    def __init__(self, problem: Problem, numbers: Mapping[str, float], state: str = "") -> None:
         self.problem = problem
         self.numbers: dict[str, Any] = {TIME: NOW, **numbers}
         self.bodies = {body.name: body for body in problem.bodies}
-        self.joints = {joint.owner: joint for joint in joints_in_space(problem.connections)}
+        self.joints = {joint.owner: joint for joint in joints_at(problem, state)}
         others = (item for item in problem.connections if item.motor_in_space() is None)
         unknown = [item for item in others if item.name not in self.joints]
         if unknown:
