@@ -25,12 +25,12 @@ from rotsolve.core.vectors.triple import (
     vector_sum,
     way_between,
 )
-from rotsolve.core.writing import point_in_words, spoken
+from rotsolve.core.writing import and_joined, spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.struck import Blow
-from rotsolve.space.together import in_a_list, keeps_nothing
+from rotsolve.space.together import keeps_nothing
 
 
 class Branch(Struct, frozen=True):
@@ -48,13 +48,13 @@ class Branch(Struct, frozen=True):
     def on_joint(self, joint: Joint) -> Iterator[Equation]:
         """Their angular momentum about the point that a joint holds, along the directions about which it lets them turn."""
         after, first = self.blow.after, self.names[0]
-        where = f" about {point_in_words(joint.body.point or 'center')} of {spoken(first)}"
+        where = f" about {spoken(first)}'s {joint.body.point or 'centre'}"
         place, push = self.struck()
         changes = cross_product(place, push), *self.momenta(NOTHING)
         way = None if joint.free else after.pushes.direction(joint)
         if way is not None:
             parts = (dot_product(way, vector) for vector in changes)
-            yield from self.one(TWISTS, f"{where}, along its axis", *parts)
+            yield from self.one(TWISTS, f"{where}, along the axis", *parts)
         for axis, *parts in zip(AXES, *changes, strict=True) if joint.free else ():
             yield from self.one(TWISTS, f"{where}, along {after.along(first, axis)}", *parts)
 
@@ -74,7 +74,7 @@ class Branch(Struct, frozen=True):
 
     def one(self, law: Law, where: str, *changes: Formula) -> Iterator[Equation]:
         """A law of what is taken, and what there is before and after; where nothing from outside has a part in it, that is kept."""
-        tidy, section, whole = self.blow.after.moment.tidy, self.blow.interval.name, in_a_list(self.names)
+        tidy, section, whole = self.blow.after.moment.tidy, self.blow.interval.name, and_joined([*map(spoken, self.names)])
         taken, old, new = map(tidy, changes)
         if taken == ZERO and old != new:
             kind = "momentum" if law is BLOWS else "angular momentum"

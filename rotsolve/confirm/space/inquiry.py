@@ -364,6 +364,8 @@ class Inquiry:
         event = next((item for item in self.problem.events if item.name == term.during), None)
         if event is not None and term.path.quantity in ("impulse", "angular_impulse"):
             return self.at(term, event.to)
+        if event is not None and term.modifier in (CHANGE, LOST, SIZE_OF_CHANGE):
+            term = replace(term, during=None, start=event.from_, end=event.to)
         if term.other is not None and term.other.at not in (None, term.at):
             return [self.angle_between(replace(term, modifier="", other=None), term.other)]
         if term.at == ANY_TIME:
