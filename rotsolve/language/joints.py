@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Joint
 from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Problem
 
@@ -45,6 +45,7 @@ def joints_at(problem: Problem, state: str) -> tuple[Joint, ...]:
     """The joints of a scene in space at a state: those of its connections, then those that events up to it have brought."""
     found = joints_in_space(problem.connections)
     for event in events_up_to(problem, state):
+        refuse_no_bodies(event, problem)
         joint = event.joint_in_space() or joint_of_joined(event, found, problem)
         if joint is not None:
             refuse_held(event, joint, found)
@@ -64,27 +65,38 @@ def joint_of_joined(event: Event, joints: tuple[Joint, ...], problem: Problem) -
     return Joint(event.name, one, other) if swapped else Joint(event.name, other, one)
 
 
+def refuse_no_bodies(event: Event, problem: Problem) -> None:
+    """Refuse an event that holds or joins what is no body of the scene, or a body with itself."""
+    refs = event.points(()) if event.joined() or event.joint_in_space() is not None else ()
+    names = {body.name for body in problem.bodies}
+    for ref in refs:
+        if ref.owner not in names:
+            message = f"`{event.word}` is about bodies, and `{ref.owner or 'a place'}` is none"
+            raise Unsolvable(message, span=ref.span, help="`fixes: BODY.POINT` holds a point of a body in space")
+    if len(refs) > 1 and refs[0].owner == refs[1].owner:
+        raise Unsolvable(f"`{event.word}` names `{refs[0].owner}` twice", span=refs[1].span, help="name two bodies")
+
+
 def refuse_held(event: Event, joint: Joint, joints: tuple[Joint, ...]) -> None:
     """Refuse an event that holds what is held already, or what touches a surface, of which it would have to tell how that goes on."""
-    name = joint.body.owner
+    name, carrier, span = joint.body.owner, joint.carrier.owner, event.points(())[-1].span
+    carriers = {item.body.owner: item for item in joints if not touches(item)}
+    if name in carriers:
+        also = f", and `{carrier}` by `{carriers[carrier].owner}`" if carrier in carriers else ""
+        message = f"`{name}` is held by `{carriers[name].owner}` already{also}"
+        raise Unsolvable(message, span=span, help=f"`{event.word}` takes a body that moves freely")
+    at = carrier
+    while at in carriers:
+        at = carriers[at].carrier.owner
+        if at == name:
+            message = f"`{name}` and `{carrier}` hang together already: another joint between them is not solved in space"
+            raise Unsolvable(message, span=span, help=f"leave `{event.name}` out")
     for other in joints:
-        held, carrier = other.body, joint.carrier.owner
-        if name == held.owner and not touches(other):
-            message = f"`{name}` is held by `{other.owner}` already"
-            if joint.carrier.owner in {item.body.owner for item in joints}:
-                message += f", and so is `{carrier}`"
-            raise Unsolvable(message, span=span_of(event), help=f"`{event.name}` takes a body that moves freely")
-        if touches(other) and held.owner in (name, carrier):
-            message = f"`{held.owner}` touches a surface by `{other.owner}`: `{event.word}` of that is not solved in space"
-            raise Unsolvable(message, span=span_of(event), help=f"leave `{other.owner}` out")
+        if touches(other) and other.body.owner in (name, carrier):
+            message = f"`{other.body.owner}` touches a surface by `{other.owner}`: `{event.word}` of that is not solved in space"
+            raise Unsolvable(message, span=span, help=f"leave `{other.owner}` out")
 
 
 def touches(joint: Joint) -> bool:
     """Whether a joint lets its body touch a surface without holding a point of it."""
     return joint.rolls or joint.flat
-
-
-def span_of(event: Event) -> object:
-    """The place of the point that an event names last."""
-    refs: tuple[PointRef, ...] = event.points(())
-    return refs[-1].span if refs else None

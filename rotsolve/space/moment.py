@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.drive import TURNING
@@ -66,6 +68,7 @@ class SpaceMoment(LeaningMoment):
     """One state of a scene in space."""
 
     before: SpaceMoment | None
+    met: dict[str, SpaceMoment]  # type: ignore[assignment]
 
     # how bodies stand and turn
 
@@ -91,7 +94,8 @@ class SpaceMoment(LeaningMoment):
                 base = in_own_axes(base, spun)
         if not joint.turning:
             self.refuse_otherwise(name)
-            return hinged_on(base, self.turned(name), Z, HingeTurn())
+            found = hinged_on(base, self.seated(name, joint), Z, HingeTurn())
+            return replace(found, axes=replace(found.axes, rows=self.tidied(found.axes.rows)))
         return self._about_axis(name, joint, base, bool(carrier))
 
     def freely(self, name: str) -> Attitude:
@@ -105,6 +109,19 @@ class SpaceMoment(LeaningMoment):
         if self.later and self.held.pointlike(name) and not self.held.bodies[name].moved:
             return Attitude(IN_SPACE, AS_DRAWN, NOTHING, NOTHING)  # a point has no axes that turn away
         return self._led(name, ()) if self.held.bodies[name].moved else self._anyhow(name)
+
+    def seated(self, name: str, joint: Joint) -> Rows:
+        """How a body that is clamped to another one is turned in the axes of that: as it is drawn, or as both stood when they met."""
+        met = self.met.get(joint.owner)
+        if met is None or self.held.pointlike(name):
+            return self.turned(name)
+        seen = after(transposed(met.own_axes(joint.carrier.owner).standing), met.own_axes(name).standing)
+        return self.tidied(seen)
+
+    def tidied(self, rows: Rows) -> Rows:
+        """The rows of a rotation in textbook form."""
+        x, y, z = (triple([self.tidy(part) for part in row]) for row in rows)
+        return (x, y, z)
 
     def turned(self, name: str) -> Rows:
         """How a body is turned from how it is drawn, as the scene says."""
@@ -139,10 +156,11 @@ class SpaceMoment(LeaningMoment):
                     span=line.span,
                     help=help,
                 )
-        rows, told = self.turned(name), self.vector_told(name, "angular_velocity")
+        stood = self.stood_before(name)
+        rows, told = stood or self.turned(name), self.vector_told(name, "angular_velocity")
         if name in self.lines and told is None and not (self.rests(name) or self.state.steady):
             return self._on_line(name, rows, self.lines[name])
-        askew = self.askew(name, rows) or ("" if self.seen_from_space(name) else self.lost(name))
+        askew = self.askew(name, rows) or ("" if stood or self.seen_from_space(name) else self.lost(name))
         for vector, word in (
             (told, "angular_velocity"),
             (self.vector_told(name, "angular_acceleration"), "angular_acceleration"),
@@ -167,6 +185,13 @@ class SpaceMoment(LeaningMoment):
         if self.seen_from_space(name):
             return Attitude(IN_SPACE, rows, rotated(rows, omega), rotated(rows, alpha))
         return as_drawn(rows, omega, alpha, lost=askew)
+
+    def stood_before(self, name: str) -> Rows | None:
+        """How a body stood before the event that leads to this moment, where time had passed and that is told; None of others."""
+        if self.before is None or not self.later or self.vector_kept(name, "vertical") is not None:
+            return None
+        axes = self.before.own_axes(name)
+        return None if axes.lost else axes.rows
 
     def _on_line(self, name: str, rows: Rows, way: Triple) -> Attitude:
         """A body that has turned about one of its own directions alone, by as much as nothing tells."""

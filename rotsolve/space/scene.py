@@ -104,6 +104,9 @@ class SpaceEquations(SceneEquations, dict=True):
             if before is not None:
                 moment.later = before.event is None or found[before.start].moment.later
                 moment.before = found[before.start].moment if before.event is not None else None
+                moment.met = dict(found[before.start].moment.met)
+                if before.event is not None and before.event.joined():
+                    moment.met[before.event.name] = found[before.start].moment
                 self.lead_on(before, found[before.start], moment)
                 if before.event is None:
                     moment.lines = self.lines_after(found[before.start])
@@ -117,6 +120,7 @@ class SpaceEquations(SceneEquations, dict=True):
         for interval in phases if self.configuration.mentions.functions else ():
             laws = found[interval.name] = self.laws_at(State(interval.name), interval.start)
             laws.moment.at, laws.moment.first, laws.moment.later = f"{GENERIC}{interval.start}", False, True
+            laws.moment.met = self.dynamics[interval.start].moment.met
             self.lead_on(interval, self.dynamics[interval.start], laws.moment)
         return found
 

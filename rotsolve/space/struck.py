@@ -82,11 +82,14 @@ class Blow(Struct, frozen=True):
         return next((joint for joint in self.after.moment.held.joints if joint not in held), None)
 
     def seen_after(self, name: str, vector: Triple) -> Triple:
-        """A vector along the axes that a body had before, along those that it has after: others where what holds it is another joint."""
-        one, other = self.before.moment, self.after.moment
-        if one.held.main(name) == other.held.main(name):
+        """A vector along the axes that a body had before, along those that it has after: others where what holds it is another joint.
+
+        Where nothing tells how it stands both are its own.
+        """
+        one, other = self.before.moment.axes(name), self.after.moment.axes(name)
+        if one.rows == other.rows or (one.lost and other.lost):
             return vector
-        return triple([other.tidy(part) for part in one.axes(name).to(other.axes(name), vector)])
+        return triple([self.after.moment.tidy(part) for part in one.to(other, vector)])
 
     def speeds(self, name: str) -> tuple[Triple, Triple]:
         """The velocity of the centre of mass, before and after."""

@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
+from rotsolve.confirm.space.arrows import Turned, arrow_length, crossed, inner_product, less, product_of, rows_back
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
@@ -24,8 +24,10 @@ from rotsolve.confirm.space.ties import SPEED, TURNING
 from rotsolve.confirm.space.worlds import Manner, Moving, World, manners_of
 from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
+from rotsolve.language.bodies import Joint
 from rotsolve.language.elements import Event
 from rotsolve.language.grammar import ANGLE_OF
+from rotsolve.language.joints import events_up_to
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Path, Problem, State, Term
 
 if TYPE_CHECKING:
@@ -75,6 +77,7 @@ class Inquiry:
         self.problem, self.put = problem, put
         self.rig = Rig(problem, numbers)
         self._ways: dict[str, list[Manner]] = {}
+        self._rigs: dict[str, Rig] = {}
         self._kept: dict[str, Any] = {}  # what comes of following a motion, or why nothing does
 
     # states
@@ -89,13 +92,33 @@ class Inquiry:
 
     def rig_at(self, state: State | None) -> Rig:
         """The rig at the time of a state, where it is told; of a scene that names no state at 0, as at its first one."""
-        clock = 0.0 if state is None else self.clock(state)
-        return self.rig if clock is None else Rig(self.problem, {**self.rig.numbers, TIME: clock})
+        clock, since = (0.0, self.rig) if state is None else (self.clock(state), self.rig_since(state.name))
+        if clock is None:
+            return since
+        found = Rig(self.problem, {**self.rig.numbers, TIME: clock}, "" if state is None else state.name)
+        found.seats = since.seats
+        return found
 
     def rig_since(self, name: str) -> Rig:
-        """The rig with the joints that events up to a state have brought."""
-        joined = Rig(self.problem, self.rig.numbers, name)
-        return self.rig if joined.joints == self.rig.joints else joined
+        """The rig with the joints that events up to a state have brought, and bodies as they stood when they met."""
+        if name not in self._rigs:
+            joined = Rig(self.problem, self.rig.numbers, name)
+            self._rigs[name] = self.rig if joined.joints == self.rig.joints else joined
+            for event in events_up_to(self.problem, name):
+                joint = joined.joints.get(event.name)
+                if joint is not None and any(map(any, joined.solid(joint.body.owner).tensor)):
+                    joined.seats |= self.met(event, joint)
+        return self._rigs[name]
+
+    def met(self, event: Event, joint: Joint) -> dict[str, Turned]:
+        """How a body that an event joins to another one is turned along the axes of that."""
+        carrier, name = joint.carrier.owner, joint.body.owner
+        if carrier not in self.rig.bodies:
+            return {}
+        stance = self.ways(event.from_)[0].worlds[0].stance
+        if stance.open:
+            raise NotConfirmed(OPEN)
+        return {name: product_of(rows_back(stance.turned(carrier)), stance.turned(name))}
 
     def clock(self, state: State) -> float | None:
         """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as

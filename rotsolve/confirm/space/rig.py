@@ -15,6 +15,7 @@ from rotsolve.confirm.space.arrows import (
     ALONG,
     STILL,
     Arrow,
+    Turned,
     arrow_length,
     crossed,
     less,
@@ -62,6 +63,7 @@ class Rig:
         unknown = [item for item in others if item.name not in self.joints]
         if unknown:
             raise NotConfirmed(f"`{unknown[0].name}`: what a `{unknown[0].word}` does in space")
+        self.seats: dict[str, Turned] = {}  # how bodies that an event has joined to others are turned along the axes of these
         self._solids: dict[str, Solid] = {}
         self._idle: dict[str, list[Arrow]] = {}
 
