@@ -11,7 +11,7 @@ from rotsolve.core.faults import INCOMPLETE, UNSOLVED, Contradicted, NeverReache
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
-from rotsolve.core.writing import in_direction, spoken
+from rotsolve.core.writing import and_joined, in_direction, spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
@@ -76,6 +76,7 @@ def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
     return unsolvable(problem, message, span, "name the turning point as a state, such as `{block.velocity: 0}`")
 
 
+ALL_MOMENTS = "tell `inertia: {principal: [I1, I2, I3]}`, or a `shape`"
 LINE_OR_EVENT = "give it a line, or an event that leads to it"
 FEW = 24  # unknowns of a question for which help is tried: of more, a line or two seldom is enough
 MANY = 6  # unknowns that a message names one by one
@@ -99,6 +100,8 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     if str(error) == ENTANGLED and (way := way_out(find, problem)):  # as many equations as unknowns: nothing is missing
         message = f"`{find.name}` is not solved by these laws: {ENTANGLED} in its equations"
         return unsolvable(problem, message, find.span, way, kind=UNSOLVED)
+    if problem.space and search.thorough and (untold := across_untold(find, problem, search.families)):
+        return untold
     if error.shortage is None or not missing:
         help = suggestion((), search, find)
         message = f"too little is known to find `{find.name}`{alone}"
@@ -109,6 +112,20 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     counted = counted if len(laws) < len(missing) else "nothing settles"
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
     help = suggestion(missing, search, find, error.shortage.asked)
+    return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
+
+
+def across_untold(find: Find, problem: Problem, families: tuple[str, ...]) -> Unsolvable | None:
+    """That a question hangs on a moment of inertia of a body of which another one is told; None where that is not what lacks."""
+    from rotsolve.search.one_moment import hangs_across
+
+    names = hangs_across(find, problem, families)
+    if not names:
+        return None
+    told = {body.name for body in problem.bodies if body.axis}
+    help = ALL_MOMENTS + ("" if told.issuperset(names) else f"; `axis: x` of `{names[0]}` where the one that is told is about x")
+    whole = and_joined([f"`{name}`" for name in names])
+    message = f"`{find.name}` hangs on the moment of inertia of {whole} across its axis, which nothing tells"
     return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
 
 
