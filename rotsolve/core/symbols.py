@@ -28,6 +28,7 @@ MARKED = "dot"  # behind the letter of such a rate, which is printed with a dot
 DOTTED = "dotted "  # in front of the kind of a coordinate: its rate, printed as that letter with a dot
 PHASE = " to "  # within the name of a phase
 
+ACROSS_AXIS = "across"  # the component of a moment of inertia about a direction across the axis of a body
 MOMENTUM_SIZE = "size of the angular momentum"  # the kind of a size that is a letter: it is never negative
 ASKED = "asked"  # the kind of what a question stands for and no law speaks of
 ACCELERATIONS = ("acceleration", "angular_acceleration")

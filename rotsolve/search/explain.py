@@ -10,8 +10,8 @@ from rotsolve.core.equation import FAMILIES, NEWTON, Equation
 from rotsolve.core.faults import INCOMPLETE, UNSOLVED, Contradicted, NeverReached, Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
-from rotsolve.core.writing import and_joined, in_direction, spoken
+from rotsolve.core.symbols import ACROSS_AXIS, ASKED, MIXED, POSITION, key_of, phase_midst, real
+from rotsolve.core.writing import in_direction, spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
@@ -76,7 +76,7 @@ def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
     return unsolvable(problem, message, span, "name the turning point as a state, such as `{block.velocity: 0}`")
 
 
-ALL_MOMENTS = "tell `inertia: {principal: [I1, I2, I3]}`, or a `shape`"
+ACROSS = "give it a `shape`, or all of its moments: `inertia: {principal: [Ix, Iy, Iz]}`"
 LINE_OR_EVENT = "give it a line, or an event that leads to it"
 FEW = 24  # unknowns of a question for which help is tried: of more, a line or two seldom is enough
 MANY = 6  # unknowns that a message names one by one
@@ -100,12 +100,13 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     if str(error) == ENTANGLED and (way := way_out(find, problem)):  # as many equations as unknowns: nothing is missing
         message = f"`{find.name}` is not solved by these laws: {ENTANGLED} in its equations"
         return unsolvable(problem, message, find.span, way, kind=UNSOLVED)
-    if problem.space and search.thorough and (untold := across_untold(find, problem, search.families)):
-        return untold
     if error.shortage is None or not missing:
         help = suggestion((), search, find)
         message = f"too little is known to find `{find.name}`{alone}"
         return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
+    if (name := inertia_untold(error.shortage.unknowns, search)) is not None:
+        message = f"too little is known to find `{find.name}`{alone}: nothing tells the moment of inertia of `{name}` across its axis"
+        return unsolvable(problem, message, find.span, ACROSS, kind=INCOMPLETE)
     pool = [search.planner.pool[index] for index in error.shortage.equations]
     laws = [law for law in pool if law.law.words and not any(key_of(name).kind == ASKED for name in law.symbols())]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
@@ -115,18 +116,18 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
 
 
-def across_untold(find: Find, problem: Problem, families: tuple[str, ...]) -> Unsolvable | None:
-    """That a question hangs on a moment of inertia of a body of which another one is told; None where that is not what lacks."""
-    from rotsolve.search.one_moment import hangs_across
-
-    names = hangs_across(find, problem, families)
-    if not names:
-        return None
-    told = {body.name for body in problem.bodies if body.axis}
-    help = ALL_MOMENTS + ("" if told.issuperset(names) else f"; `axis: x` of `{names[0]}` where the one that is told is about x")
-    whole = and_joined([f"`{name}`" for name in names])
-    message = f"`{find.name}` hangs on the moment of inertia of {whole} across its axis, which nothing tells"
-    return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
+def inertia_untold(unknowns: Iterable[str], search: Search) -> str | None:
+    """A body of which the scene tells the moment of inertia about its axis alone, where equations link the one across it to what lacks."""
+    quantities = search.scene.registry.quantities
+    across = {
+        key: item.owner for key, item in quantities.items() if item.kind == "inertia" and item.component == ACROSS_AXIS
+    }
+    reached, linked = set[str](), set(unknowns) if across else set[str]()
+    while linked - reached:
+        reached |= linked
+        laws = (law.symbols() for law in search.planner.pool)
+        linked = {name for letters in laws if letters & reached for name in letters if name in quantities}
+    return next((owner for key, owner in across.items() if key in reached), None)
 
 
 def way_out(find: Find, problem: Problem) -> str:

@@ -227,6 +227,10 @@ class RootChoice(Struct, frozen=True):
         """Places of the roots at which a body that stands somewhere comes back when it is displaced."""
         if not any(state.balance or state.steady for state in self.scene.configuration.timeline.states):
             return []
+        if self.scene.configuration.problem.space:
+            from rotsolve.space.carried_swings import stable_places
+
+            return stable_places(name, roots, self.scene.dynamics, self.numbers)  # type: ignore[attr-defined]
         from rotsolve.search.swings import stable_roots
 
         letter, scale, shift = FirstReached(self.scene, self.numbers, self.definition).place_behind(name)
@@ -333,11 +337,9 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     bodily = given.dimension in BODILY and not (placed or signed)
     if bodily:  # without a length, or a mass, there is no body; a place is at an end too
         able = [index for index in able if numbers.side(roots[index]) == 1] or able
-    stable: list[int] = []
-    if not search.scene.configuration.problem.space:  # as without the word, what a displaced body comes back to
-        choice = RootChoice(search.scene, search.givens, numbers, search.definitions.formula)
-        stable = choice.coming_back(name, roots) if asked.where is None else []
-        able = [index for index in able if index in stable] or able
+    choice = RootChoice(search.scene, search.givens, numbers, search.definitions.formula)
+    stable = choice.coming_back(name, roots) if asked.where is None else []  # what a displaced body comes back to
+    able = [index for index in able if index in stable] or able
     if not able:
         return picked
     sign = -1 if word == "largest" else 1

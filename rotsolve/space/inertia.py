@@ -16,6 +16,7 @@ from rotsolve.algebra.units.dimension import INERTIA as KG_M2
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import Registry, SceneQuantity
+from rotsolve.core.symbols import ACROSS_AXIS
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, ONE_AXIS, InertiaTensor, displaced
 from rotsolve.core.vectors.triple import (
     NOTHING,
@@ -210,7 +211,7 @@ class Tensors(Struct):
             vector_sum(out, minus(on_axis))
         )  # how far from the axis the point is about which it is told, squared
         axial = axial if self.held.vanishes(beside) else simplify(axial - mass * beside)
-        across = self.registry.ask(SceneQuantity("inertia", name, "", "across", "I", KG_M2))
+        across = self.registry.ask(SceneQuantity("inertia", name, "", ACROSS_AXIS, "I", KG_M2))
         return self._shifted(name, round_about_way(axis, axial, across), vector_sum(centre, on_axis), point, spot)
 
 

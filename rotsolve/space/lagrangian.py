@@ -39,7 +39,7 @@ from rotsolve.language.bodies import Joint
 from rotsolve.language.problem import State
 from rotsolve.laws.lagrange import lagrangian_words
 from rotsolve.laws.table import KEPT, MOTION, BetweenMoments, OfMotion, equations_for
-from rotsolve.space.arrangement import ANGLES, RATES
+from rotsolve.space.arrangement import ANGLES, RATES, JointedBodies
 from rotsolve.space.attitude import NODE, Attitude, Nodding, as_drawn, in_euler_angles, nodding, permutation
 from rotsolve.space.energies import kinetic_energies
 from rotsolve.space.laws import SpaceLaws
@@ -155,18 +155,9 @@ def of_what_nods(equation: Equation, names: Sequence[str], laws: SpaceLaws) -> E
 
 def motions_in_space(scene: SpaceEquations, laws: SpaceLaws) -> Iterator[MotionsInSpace]:
     """How bodies that carry each other can move, group by group; why none is written of others is noted."""
-    moment, held = laws.moment, laws.moment.held
-    lettered = LetteredMoment(held, Registry(), State(COURSE + moment.when), scene.configuration)
-    course = SpaceLaws(lettered, Pushes(lettered, laws.pushes.gravity, laws.pushes.actions), scene.tensors)
-    groups: list[tuple[str, ...]] = []
-    for name in held.order:
-        carrier = held.carrier(name)
-        own = next((group for group in groups if carrier in group), None) if carrier else None
-        if own is not None:
-            groups.remove(own)
-        groups.append((*(own or ()), name))
-    for group in groups:
-        found = MotionsInSpace(scene, course, group, moment)
+    course = course_of(laws)
+    for group in carried_together(laws.moment.held):
+        found = MotionsInSpace(course, group, laws.moment)
         try:
             if found.motion.coordinates and found.motion.closed:
                 yield found
@@ -174,10 +165,28 @@ def motions_in_space(scene: SpaceEquations, laws: SpaceLaws) -> Iterator[Motions
             scene.not_restated.append(error.fault.message)
 
 
+def course_of(laws: SpaceLaws) -> SpaceLaws:
+    """The laws at a moment at which all places and rates are letters."""
+    moment = laws.moment
+    lettered = LetteredMoment(moment.held, Registry(), State(COURSE + moment.when), moment.arrangement)
+    return SpaceLaws(lettered, Pushes(lettered, laws.pushes.gravity, laws.pushes.actions), laws.tensors)
+
+
+def carried_together(held: JointedBodies) -> list[tuple[str, ...]]:
+    """The bodies by groups of those that carry each other, what carries others before these."""
+    groups: list[tuple[str, ...]] = []
+    for name in held.order:
+        carrier = held.carrier(name)
+        own = next((group for group in groups if carrier in group), None) if carrier else None
+        if own is not None:
+            groups.remove(own)
+        groups.append((*(own or ()), name))
+    return groups
+
+
 class MotionsInSpace(Struct, frozen=True, dict=True):
     """Bodies that carry each other, at a moment at which places and rates are letters; `first` is that from which on they move so."""
 
-    scene: SpaceEquations
     laws: SpaceLaws
     names: tuple[str, ...]
     first: SpaceMoment
@@ -241,7 +250,7 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
         powers = [(owner, simplify(power)) for name in self.names for owner, power in self._powers(name)]
         upright = not any(self.moment.held.bodies[name].moved for name in self.names)
         changes = {rate: item.change for item in self.free for rate in item.rate.symbols()}
-        page = PageLetters(self.moment.registry, self.scene.registry, lambda item: self._same(item, self.first))
+        page = PageLetters(self.moment.registry, self.first.registry, lambda item: self._same(item, self.first))
         return Lagrangian(
             tuple(coordinates),
             kinetic,
@@ -283,8 +292,8 @@ class MotionsInSpace(Struct, frozen=True, dict=True):
     @property
     def order(self) -> tuple[str, ...]:
         """All letters in the order in which a textbook writes them in a product."""
-        givens = self.scene.configuration.problem.givens
-        return order_on_page(givens, (self.moment.registry, self.scene.registry))
+        givens = self.moment.held.problem.givens
+        return order_on_page(givens, (self.moment.registry, self.first.registry))
 
     def tidy(self, value: Formula) -> Formula:
         return simplify(value, order=self.order, positive=self.moment.positive)

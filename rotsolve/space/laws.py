@@ -39,11 +39,11 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.writing import point_in_words, spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.arrangement import RATES
-from rotsolve.space.attitude import AXIAL, NODE, Attitude, Axes
+from rotsolve.space.attitude import AXIAL, IN_SPACE, NODE, Attitude, Axes
 from rotsolve.space.inertia import CM, Tensors, in_axes, product
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
-from rotsolve.space.rolling import Rolling, shape_that_rolls
+from rotsolve.space.rolling import Rolling, shape_that_rolls, wheel_touching_rate
 from rotsolve.space.thin import unspun
 from rotsolve.space.two_balls import names_along
 
@@ -109,27 +109,32 @@ class SpaceLaws:
                     yield RULE.equation(part, ZERO, moment.when, (name,), words=words)
 
     def slip_rate(self, joint: Joint) -> Triple:
-        """How fast that changes, α × r + ω × ṙ, of what a ball joint holds at a fixed point besides; nothing where the state is steady.
+        """How fast that changes, a + α × r + ω × ṙ, of what another joint holds besides; nothing where the state is steady.
 
-        r goes with the lowest point of a wheel, Ω × r, and with the centre h of a ball, ω × h.
+        r goes with the lowest point of a wheel, Ω × r or with a level axis as that tips, and with the centre h of a ball, ω × h.
         """
         moment, name = self.moment, joint.body.owner
         held = moment.held.main(name)
-        if (
-            held is None
-            or not held.free
-            or not self.fixed(name)
-            or moment.state.steady
-            or joint.carrier.owner in moment.held.bodies
-        ):
+        if held is None or moment.state.steady or joint.carrier.owner in moment.held.bodies:
             return NOTHING
         own, arm = moment.attitude(name), self.pushes.place(joint)
-        carried = cross_product(own.axes.rate, arm)
-        if shape_that_rolls(joint, moment).spherical:
-            carried = cross_product(own.omega, moment.arm(joint.body))
-        elif own.axes.name != NODE:
+        going = self.touching_rate(joint, held)
+        if going is None:
             return NOTHING
-        return vector_sum(cross_product(own.alpha, arm), cross_product(own.omega, carried))
+        carried = vector_sum(cross_product(own.alpha, arm), cross_product(own.omega, going))
+        return vector_sum(moment.reference_acceleration(name), carried)
+
+    def touching_rate(self, joint: Joint, held: Joint) -> Triple | None:
+        """ṙ of the touching point of what is held besides, in the axes of its body; None where that is not known."""
+        moment, name = self.moment, joint.body.owner
+        own = moment.attitude(name)
+        if held.free and self.fixed(name):
+            if shape_that_rolls(joint, moment).spherical:
+                return cross_product(own.omega, moment.arm(joint.body))
+            return cross_product(own.axes.rate, self.pushes.place(joint)) if own.axes.name == NODE else None
+        if not moment.held.wheel(name) or shape_that_rolls(joint, moment).spherical:
+            return None
+        return IN_SPACE.to(own.axes, wheel_touching_rate(joint, moment))
 
     def slip(self, joint: Joint) -> Triple:
         """The velocity of the touching point of what rolls against the surface, as far as it is not told by how the body turns."""

@@ -313,6 +313,11 @@ class SpaceMoment(LeaningMoment):
         joint = self.held.main(name)
         return joint is not None and bool(joint.turning)
 
+    def swings_on(self, name: str) -> bool:
+        """Whether a body turns on a hinge as what acts on it has it, and nothing drives it there."""
+        joint = self.held.main(name)
+        return joint is not None and bool(joint.turning) and not joint.powered
+
     def spun_away(self, name: str) -> str:
         """Why nothing tells where the points of a wheel or ball are that go round in its axes: it has turned since the first state."""
         if self.seen_from_space(name):
@@ -376,6 +381,9 @@ class SpaceMoment(LeaningMoment):
             given = self.told(name, "angular_acceleration")
             given = given if given is not None else screwed(joint, self, "acceleration")
             faster = given if given is not None else self.rate_of(word, name)
+        if self.state.balance and not self.held.vanishes(self.now(rate)):
+            message = f"`{name}` is driven round: nothing is in balance on a turning shaft"
+            raise Unsolvable(message, span=joint.body.span, help="write `steady: true` in place of `balance: true`")
         if self.state.steady and not self.held.vanishes(faster):
             message = (
                 f"`{name}` turns faster and faster by what is told of it, which is not `steady` at {self.spoken_of()}"

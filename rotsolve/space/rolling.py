@@ -93,6 +93,17 @@ def lowest(joint: Joint, moment: MovingBodies) -> Triple:
     return vector_sum(hub, scaled_by(negate(radius), up))
 
 
+def wheel_touching_rate(joint: Joint, moment: MovingBodies) -> Triple:
+    """ṙ = ω × h + R (n · (ω × e)) e in space of the lowest point of a wheel with its axis e level, h its hub from the reference."""
+    name = joint.body.owner
+    own, about = moment.attitude(name), moment.symmetry_axis(name)
+    assert about is not None  # `lowest` has asked for it
+    swung = own.axes.to(IN_SPACE, cross_product(own.omega, moment.arm(joint.body)))
+    tipping = dot_product(Z, own.axes.to(IN_SPACE, cross_product(own.omega, about)))
+    gone = multiply(rolling_radius(joint, moment), tipping)
+    return vector_sum(swung, own.axes.to(IN_SPACE, scaled_by(gone, about)))
+
+
 class Rolling:
     """How the centre of mass moves of a body that rolls and that nothing else holds; all vectors in the axes of space."""
 
@@ -222,11 +233,7 @@ class Rolling:
                 return swung
             below = own.axes.to(self.frame.axes, way_between(hub, self.arm))
             return vector_sum(swung, self.frame.axes.to(IN_SPACE, cross_product(self.frame.omega, below)))
-        about = self.moment.symmetry_axis(self.name)
-        assert about is not None  # `lowest` has asked for it
-        tipping = dot_product(Z, own.axes.to(IN_SPACE, cross_product(own.omega, about)))
-        gone = multiply(rolling_radius(self.joint, self.moment), tipping)
-        return vector_sum(swung, own.axes.to(IN_SPACE, scaled_by(gone, about)))
+        return wheel_touching_rate(self.joint, self.moment)
 
     def goes_round(self) -> Triple | None:
         """v where the state is steady and tells it along node axes: it keeps these components while the axes turn."""

@@ -376,11 +376,11 @@ class SpaceEquations(SceneEquations, dict=True):
         dynamics = self.dynamics[condition.owner]
         spoken_of = {line.path.owner for line in dynamics.moment.state.conditions if line.path is not None}
         names = [name for name in self.held.order if dynamics.moment.nods(name) and name in spoken_of]
+        if condition.word == "stable":
+            names += [name for name in self.held.order if name in spoken_of and dynamics.moment.swings_on(name)]
         if not names:
-            message = (
-                f"up to where the motion at `{condition.owner}` is {condition.word} is solved for what has a tilt alone"
-            )
-            raise NotYet(message, condition.span, "on a hinge ask for the `angular_frequency of small swings` about it")
+            where = f"up to where the motion at `{condition.owner}` is {condition.word}"
+            raise NotYet(f"{where} is solved for what has a tilt, or stands on a hinge", condition.span)
         if len(names) != 1:
             raise NotYet(
                 f"of which body the motion at `{condition.owner}` is {condition.word} nothing tells", condition.span

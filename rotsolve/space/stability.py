@@ -37,7 +37,8 @@ def growth(laws: SpaceLaws, path: Path) -> Meaning:
     """λ² of a free body that turns about one of its principal axes; of one that rolls or is held that of its own steady motion."""
     name, held = path.owner, laws.moment.held
     own = laws.moment.attitude(name)
-    refuse_pushed(laws, name)
+    if not laws.moment.hangs_on_hinge(name):
+        refuse_pushed(laws, name)
     if rolls_round(laws, name):
         return of_rolling(laws, name)
     if held.of_body(name):
@@ -137,6 +138,10 @@ def refuse_rolling_otherwise(dynamics: SpaceLaws, joint: Joint) -> None:
 def limit_of(dynamics: SpaceLaws, name: str) -> Equation:
     """Where the motion of a body at a state is just stable: an upright top, on the point at which it begins to sway; a rolling wheel."""
     moment, held = dynamics.moment, dynamics.moment.held
+    if moment.hangs_on_hinge(name):
+        from rotsolve.space.carried_swings import limit_on_hinge
+
+        return limit_on_hinge(dynamics, name, moment.state.span)
     refuse_pushed(dynamics, name)
     if rolls_round(dynamics, name):
         if moment.axes(name).rows[2][2] != ZERO:

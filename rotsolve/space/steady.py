@@ -33,6 +33,9 @@ SEVERAL = "several motions are possible, and nothing tells which is meant"
 ONLY_UPRIGHT = "no tilt but upright or upside down is steady with these rates"
 TAKES = "at a tilt between a top on a fixed point takes |M g l − I₃ ω₃ φ̇| < I₁ φ̇²: a faster precession, or another spin"
 OF_LETTER = "write `smallest {name}` or `largest {name}`, one of them in a scene"
+STABLE_ALONE = (
+    "and among all with `angular_velocity: 0 rad/s, angular_acceleration: 0 rad/s` in place of `steady: true`"
+)
 OF_QUANTITY = "give it a letter, `x: unknown`, in the state, and ask for `smallest x` or `largest x`"
 
 
@@ -120,12 +123,39 @@ def meant(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbe
     if sought.word not in EXTREMES and sought.steady and sought.tilts and not tilted:
         problem = scene.configuration.problem
         raise Unsolvable(ONLY_UPRIGHT, help=TAKES, lines=problem.lines, file=problem.file)
+    stable = places_that_last(sought, [roots[k] for k in others], scene, numbers)
     if sought.word not in EXTREMES or any(lacks_numbers(roots[k], numbers) for k in others):
-        problem = scene.configuration.problem
-        raise Unsolvable(SEVERAL, help=sought.help, lines=problem.lines, file=problem.file)
+        raise several_motions(sought, [(roots[k], place in stable) for place, k in enumerate(others)], scene, numbers)
+    left = [others[place] for place in stable] or others
     sign = -1 if sought.word == "largest" else 1
-    index = others[numbers.least([sign * roots[k] for k in others])]
-    return PickedRoot(index, (f"the {sought.word} of {len(others)}",))
+    index = left[numbers.least([sign * roots[k] for k in left])]
+    among = f"of {len(stable)} stable ones among {len(others)}" if stable else f"of {len(others)}"
+    only = f"the only stable one of {len(others)}"
+    told = f"{only if len(stable) == 1 else f'the {sought.word} {among}'}: a body displaced from it comes back"
+    return PickedRoot(index, (told if stable else f"the {sought.word} {among}",))
+
+
+def places_that_last(sought: Sought, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> list[int]:
+    """Which of several angles on a hinge are such that a displaced body comes back; none where that is not looked at."""
+    if is_key(sought.name) or not sought.steady or sought.tilts:
+        return []
+    from rotsolve.space.carried_swings import stable_places
+
+    return stable_places(sought.name, roots, scene.dynamics, numbers)  # type: ignore[attr-defined]
+
+
+def several_motions(
+    sought: Sought, roots: Sequence[tuple[Formula, bool]], scene: SceneEquations, numbers: Numbers
+) -> Unsolvable:
+    """That several values fit, with which to choose; what is known of where a displaced body comes back is said."""
+    problem = scene.configuration.problem
+    find = next((find for find in problem.finds if find.formula == Symbol(sought.name) and not find.terms), None)
+    help = sought.help
+    if any(stable for _, stable in roots):
+        help += f"; both look among the stable ones, {STABLE_ALONE}"
+    return Unsolvable(
+        SEVERAL, span=None if find is None else find.span, help=help, lines=problem.lines, file=problem.file
+    )
 
 
 def turns_missing(root: Formula, numbers: Numbers) -> int:

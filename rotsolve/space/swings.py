@@ -27,7 +27,8 @@ from rotsolve.space.stability import growth
 
 SMALL = "small swings"
 SOLVED = (
-    "solved are a symmetric top on a fixed point about a steady precession or the vertical, what hangs on a hinge, "
+    "solved are a symmetric top on a fixed point about a steady precession or the vertical, what hangs on a hinge "
+    "that is at rest or carried round, "
     "a wheel that rolls upright, and a free body about one of its own axes"
 )
 
@@ -168,8 +169,9 @@ def of_hinge(laws: SpaceLaws, path: Path, *, told: bool) -> Meaning:
         raise NotYet(f"about which steady motion `{name}` swings nothing tells", path.span, help)
     dimension = QUANTITIES["stability"].dimension
     if not left_alone(laws, name):
-        message = f"what a small disturbance does to `{name}` is not solved in space: more than its weight and its hinge acts on it"
-        raise NotYet(message, path.span, SOLVED)
+        from rotsolve.space.carried_swings import of_carried
+
+        return of_carried(laws, path)
     if moment.held.wheel(name):
         return Meaning(ZERO, dimension, label="its weight acts at its axle")
     way, arm = moment.direction(name, joint), moment.held.arm(PointRef(name, CM))

@@ -27,7 +27,7 @@ class TellingMoment:
     """One state, as its lines tell it: their values, and letters for what they leave open."""
 
     def __init__(self, held: JointedBodies, registry: Registry, state: State, known: Arrangement) -> None:
-        self.held, self.registry, self.state = held, registry, state
+        self.held, self.registry, self.state, self.arrangement = held, registry, state, known
         self.positive, self.order, self.signs = known.positive, known.order, known.signs
         self.when = state.name
         self.at = state.name  # as the keys of its quantities say it

@@ -62,8 +62,9 @@ def carried_with(laws: SpaceLaws, name: str) -> list[Joint] | None:
     held, found = laws.moment.held, []
     for joint in (joint for joint in held.joints if joint.carrier.owner == name):
         moves = joint.turning or joint.sliding or joint.free or joint.rolls or joint.flat or joint.powered
-        further = [] if keeps_axial_rate(laws, joint) else None if moves else carried_with(laws, joint.body.owner)
-        if further is None or held.of_body(joint.body.owner) != (joint,):
+        rotor = keeps_axial_rate(laws, joint) or rolls_at_rest(laws, joint)
+        further = [] if rotor else None if moves else carried_with(laws, joint.body.owner)
+        if further is None or not (rotor or held.of_body(joint.body.owner) == (joint,)):
             return None
         found += [joint, *further]
     return found
@@ -80,6 +81,15 @@ def keeps_axial_rate(laws: SpaceLaws, joint: Joint) -> bool:
     acted = any(ref.owner == name for action in laws.pushes.actions for ref in action.touches())
     carries = any(other.carrier.owner == name for other in held.joints)
     return held.wheel(name) and not (acted or carries)
+
+
+def rolls_at_rest(laws: SpaceLaws, joint: Joint) -> bool:
+    """Whether a joint is the axle of a wheel that carries nothing and rolls on what is at rest, which gives it no power there."""
+    held, name = laws.moment.held, joint.body.owner
+    others = [other for other in held.of_body(name) if other is not joint]
+    touching = bool(others) and all(other.rolls and other.carrier.owner not in held.bodies for other in others)
+    carries = any(other.carrier.owner == name for other in held.joints)
+    return touching and joint.aligned and not joint.powered and held.wheel(name) and not carries
 
 
 def of_rotor(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:

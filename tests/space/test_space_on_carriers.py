@@ -78,14 +78,14 @@ def confirmed(solution: Solution) -> set[str]:
 
 
 def balanced() -> list[float]:
-    """The angles between −180° and 180° at which weight and centrifugal forces balance about the hinge."""
+    """The angles between −180° and 180° at which weight and centrifugal forces balance about the hinge, and to which it comes back."""
 
     def left(a: float) -> float:
         return 36.0 * math.sin(a) * (0.3 + 1.6 / 3 * math.cos(a)) - 9.8 * math.cos(a)
 
     found, places = [], [-math.pi + 0.001 + k * 2 * math.pi / 999 for k in range(1000)]
     for low, high in pairwise(places):
-        if left(low) * left(high) <= 0:
+        if left(low) < 0 <= left(high):  # beyond it, further down, more drives up
             for _ in range(60):
                 middle = (low + high) / 2
                 low, high = (middle, high) if left(low) * left(middle) > 0 else (low, middle)
@@ -116,8 +116,8 @@ def test_so_does_one_that_is_counted_from_elsewhere(angle: str, shift: float) ->
     ("word", "angle", "meant"),
     [
         ("smallest", "90 deg - alpha", -UPWARDS),
-        ("largest", "90 deg - alpha", 180.0),
-        ("smallest", "200 deg - alpha", 180.0 + 110.0 - 360.0),
+        ("largest", "90 deg - alpha", UPWARDS),
+        ("smallest", "200 deg - alpha", 110.0 - UPWARDS),
         ("smallest", "alpha + 200 deg", -110.0 - UPWARDS),
     ],
 )

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import (
     Arrow,
@@ -33,6 +34,7 @@ from rotsolve.confirm.space.ties import SPEED, SPINS, TURNING, Rates
 from rotsolve.confirm.space.worlds import Manner, Moving, World, natural_rate, with_rates
 from rotsolve.core.symbols import TIME
 from rotsolve.language.bodies import Joint
+from rotsolve.language.elements import Action
 from rotsolve.language.problem import Path, State, Term
 
 GUESSES = (0.7, 1.1, 1.9)  # for angles that no line tells
@@ -141,16 +143,45 @@ def turned_at(world: World, joint: Joint) -> float:
 
 
 def root_alone(rig: Rig) -> Joint | None:
-    """The only joint with the ground, of bodies that are held by one joint each, on which nothing acts but their weights; None of bodies of
-    which one carries all others, and nothing holds that."""
-    joints = list(rig.joints.values())
+    """The only joint with the ground, of bodies that are held by one joint each and may roll on what is at rest, on which nothing acts but
+    their weights, and couples on the first of them; None of bodies of which one carries all others, and nothing holds that."""
+    joints = [joint for joint in rig.joints.values() if not rolls_at_rest(rig, joint)]
     roots = [joint for joint in joints if joint.carrier.owner not in rig.bodies]
     plain = not any(joint.rolls or joint.flat or joint.sliding or joint.pitch is not None for joint in joints)
     each = len({joint.body.owner for joint in joints}) == len(joints) == len(rig.bodies) - (not roots)
     led = any(body.moved for body in rig.bodies.values())
-    if len(roots) > 1 or not (plain and each and joints) or led or rig.problem.actions or (rig.gravity and not roots):
+    if len(roots) > 1 or not (plain and each and joints) or led or (rig.gravity and not roots):
         raise NotConfirmed(NOT_KEPT)
-    return roots[0] if roots else None
+    root = roots[0] if roots else None
+    if rig.problem.actions and not (root is not None and twisted_alone(rig, root)):
+        raise NotConfirmed(NOT_KEPT)
+    return root
+
+
+def rolls_at_rest(rig: Rig, joint: Joint) -> bool:
+    """Whether a body that another joint holds rolls on what is at rest, which gives it no power."""
+    return joint.rolls and joint.carrier.owner not in rig.bodies and rig.main(joint.body.owner) is not None
+
+
+def twisted_alone(rig: Rig, root: Joint) -> bool:
+    """Whether all that acts are couples that stay, on a body that turns about one axis in the ground: they do the work C · n φ."""
+    there = all(ref.owner == root.body.owner for action in rig.problem.actions for ref in action.touches())
+    return bool(root.turning) and not root.powered and there and all(stays(rig, one) for one in rig.problem.actions)
+
+
+def stays(rig: Rig, action: Action) -> bool:
+    """Whether an action is a couple that is the same at all times, wherever the bodies are."""
+    size = action.strength()
+    parts = size if isinstance(size, tuple) else (size,)
+    told = all(isinstance(part, Formula) and part.symbols() <= rig.numbers.keys() - {TIME} for part in parts)
+    return action.twists() and told and not (action.from_ or action.to)
+
+
+def worked(rig: Rig, root: Joint, world: World) -> float:
+    """The work of the couples on the first body, from where it is drawn."""
+    names = {action.name for action in rig.problem.actions}
+    way, turned = world.stance.way(root), turned_at(world, root)
+    return sum(inner_product(way, item.couple) * turned for item in world.efforts.list if item.owner in names)
 
 
 def roots_kept(rig: Rig, root: Joint | None, start: World, stance: Stance) -> Iterator[World]:
@@ -195,18 +226,20 @@ def kept_afloat(rig: Rig, world: World) -> list[float]:
 
 
 def kept_on_ground(rig: Rig, root: Joint, world: World) -> list[float]:
-    """What stays: the angular momentum about the free direction of the root; the energy, less Ω L where the root is driven round at Ω."""
+    """What stays: the angular momentum about the free direction of the root, where only weights act; the energy without the work of
+    couples, less Ω L where the root is driven round at Ω."""
     way, kept = free_way(rig, root, world.stance), list[float]()
     drive, inner = dict(root.drive), [joint for joint in rig.joints.values() if joint is not root]
     momentum = None if way is None else inner_product(way, whole_momentum(rig, world.stance.held_at(root), world))
-    if momentum is not None and not root.powered:
+    pushed = bool(rig.problem.actions) or any(joint.rolls for joint in rig.joints.values())
+    if momentum is not None and not (root.powered or pushed):
         kept.append(momentum)
     if root.motor or any(joint.powered for joint in inner):
         return kept
     rate = drive.get("angular_velocity") if len(drive) == 1 else None
     if drive and (momentum is None or rate is None or TIME in rate.symbols()):
         return kept
-    energy = energy_in(world)
+    energy = energy_in(world) - worked(rig, root, world)
     return [*kept, energy if rate is None else energy - rig.value(rate) * (momentum or 0.0)]
 
 

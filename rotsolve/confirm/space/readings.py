@@ -430,9 +430,9 @@ class Reading:
         return math.atan2(arrow_length((h - f, c - g, d - b)), a + e + i - 1.0)
 
     def stability(self, path: Path, term: Term) -> float:
-        from rotsolve.confirm.space.stability import growth_squared
+        from rotsolve.confirm.space.swings import growth_about
 
-        return growth_squared(self.world, path.owner)
+        return growth_about(self.world, path.owner)
 
     def period(self, path: Path, term: Term) -> float:
         """2π/|ω| of what turns steadily about an axis that stays; a body that turns nearly so may come round in quite another time."""

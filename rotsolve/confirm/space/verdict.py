@@ -38,7 +38,6 @@ from rotsolve.language.problem import EXTREMES, Find, Problem
 SAME = 2e-6  # of the size of what is compared
 FAR = 0.5  # of its size, as far as an approximation may be from what it stands for
 ROUGHLY = "the scene asks for an approximation"
-UNDISTURBED = "whether a body that is displaced from there comes back was not looked at"
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
 SQUARED = 1e-8  # of the square of that size, for the square of a rate at which a motion that is followed turns back
 RATES = ("angular_velocity", "velocity", "speed", "precession", "nutation", "spin")
@@ -286,22 +285,17 @@ def tested(
     holds = abs(found - own) <= SAME * size
     if holds:
         from rotsolve.confirm.space.rivals import against_as_well, fits_as_asked
+        from rotsolve.confirm.space.standing import extreme_that_lasts, standing_by
 
-        meant = fits_as_asked(hearing, find, own, answer.rivals)
+        if find.modifier in EXTREMES and letter is not None and any(standing_by(letter, hearing.problem)):
+            meant: bool | None = extreme_that_lasts(hearing, find, letter, own)
+        else:
+            meant = fits_as_asked(hearing, find, own, answer.rivals)
         if not meant:
             return AnswerConfirmation(answer.name, meant, SEVERAL, (own,), (found,))
-        if find.modifier in EXTREMES and letter is not None and stands_steadily(letter, hearing.problem):
-            return AnswerConfirmation(answer.name, None, UNDISTURBED, (own,), (found,))
         also = against_as_well(hearing, find, own, answer.rivals)
         return replace(verdict_of(answer.name, holds, (own,), (found,), hearing, numbers), also=also)
     return verdict_of(answer.name, holds, (own,), (found,), hearing, numbers)
-
-
-def stands_steadily(letter: str, problem: Problem) -> bool:
-    """Whether a letter tells the angle at which something stands on its hinge, in balance or while that goes round."""
-    lines = (line for state in problem.states if state.steady or state.balance for line in state.conditions)
-    angles = (line.value for line in lines if line.path is not None and line.path.quantity == "angle")
-    return any(value is not None and letter in value.symbols() for value in angles)
 
 
 def compared_in_space(

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.inquiry import Inquiry, only_one
 from rotsolve.confirm.space.stability import is_stable
+from rotsolve.confirm.space.swings import growth_about
+from rotsolve.confirm.space.worlds import World
 from rotsolve.language.problem import Condition, Find
 
 STEP = 1e-5  # by how much a letter is changed, to see what that changes
@@ -69,11 +71,19 @@ def holds_still(inquiry: Inquiry, name: str) -> bool:
     """Whether a small disturbance of a state does not grow, of the one body that nods there."""
     found = inquiry.ways(name)
     world = found[0].worlds[0]
-    nodding = [body for body in inquiry.rig.bodies if world.stance.lines.nods(body)]
+    nodding = [body for body in inquiry.rig.bodies if world.stance.lines.nods(body) or swings_there(world, body)]
     if len(nodding) != 1:
         raise NotConfirmed(
             f"of which of {' and '.join(f'`{body}`' for body in nodding)} the motion at `{name}` is stable"
         )
     if len(found) != 1:
         raise NotConfirmed(f"which of several motions at `{name}` is stable")
-    return is_stable(world, nodding[0])
+    return (
+        is_stable(world, nodding[0]) if world.stance.lines.nods(nodding[0]) else growth_about(world, nodding[0]) <= 0.0
+    )
+
+
+def swings_there(world: World, name: str) -> bool:
+    """Whether a state speaks of a body that turns on a hinge, and that nothing drives."""
+    joint = world.stance.rig.main(name)
+    return joint is not None and bool(joint.turning) and not joint.powered and bool(world.stance.lines.of(name))
