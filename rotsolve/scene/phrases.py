@@ -200,7 +200,7 @@ class PhraseReader:
 
         from rotsolve.scene.conditions import read_condition
 
-        return read_condition(self.scope, part, quantity)
+        return read_condition(self.scope, part, quantity, self.answers)
 
     def swings(self, modifier: str, words: list[Lexeme], outer: bool) -> Formula | None:
         """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
