@@ -171,40 +171,52 @@ class Removes(Event, frozen=True):
 
 class Fixes(Event, frozen=True):
     word = "fixes"
-    about = "a point of a moving body is suddenly held; from then on the body turns about it"
+    about = "a point of a moving body is suddenly held; from then on the body turns about it; in space two points, about the line through them"
     quantities = ("force", "impulse")
     quantities_in_space = ("torque", "angular_impulse")
     spatial = True
-    fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
+    fixes: tuple[PointRef, ...] = key(
+        "points", "the point; in space also two", count=(1, 2), required=True, example="plate.corner1"
+    )
     along: Axis = key(
         "axis in space", "direction of the axis of a hinge, in the body as it is drawn", default=(), space=True
     )
 
     def check(self, scene: Surroundings) -> None:
         """It fixes what moves freely."""
-        if self.fixes is not None and self.fixes.owner in scene.held:
-            message = f"`{self.fixes.owner}` is held by `{scene.held[self.fixes.owner]}` already"
-            raise Unsolvable(message, span=self.fixes.span, help="fix a point of a body that moves freely")
+        for ref in self.fixes:
+            if ref.owner in scene.held:
+                message = f"`{ref.owner}` is held by `{scene.held[ref.owner]}` already"
+                raise Unsolvable(message, span=ref.span, help="fix a point of a body that moves freely")
+        if len(self.fixes) > 1:
+            message = f"`{self.name}` holds two points: in the plane a body is then at rest"
+            raise Unsolvable(message, span=self.fixes[1].span, help="fix one point; in space, with `up: z`, it turns about the line")
 
     def told(self) -> Words:
-        return () if self.fixes is None else (*whereabouts(self.fixes), " is held from then on")
+        if len(self.fixes) > 1:
+            return (*whereabouts(self.fixes[0]), " and ", self.fixes[1].point or "centre", " are held from then on")
+        axis = (", on a hinge along ", *direction_in_words(self.along)) if self.along else ()
+        return (*whereabouts(self.fixes[0]), " is held from then on", *axis) if self.fixes else ()
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
-        return (self.fixes,) if self.fixes is not None else ()
+        return self.fixes
 
     def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
         """The body leaves what it lies on."""
-        return tuple(item.name for item in connections if self.fixes is not None and item.lying() == self.fixes.owner)
+        return tuple(item.name for item in connections if self.fixes and item.lying() == self.fixes[0].owner)
 
     def adds(self) -> tuple[Connection, ...]:
-        return (Hinge(self.name, hinge=(self.fixes,)),) if self.fixes is not None else ()
+        return (Hinge(self.name, hinge=self.fixes),) if self.fixes else ()
 
     def joint_in_space(self) -> Joint | None:
-        """A ball joint of the ground, or a hinge where it tells the direction of its axis."""
-        if self.fixes is None:
+        """A ball joint of the ground, or a hinge where it tells the direction of its axis or a second point on it."""
+        if not self.fixes:
             return None
         turning = ((self.along[0], self.along[1], self.along[2]),) if self.along else ()
-        return Joint(self.name, GROUND, self.fixes, turning=turning, free=not turning)
+        through = self.fixes[1] if len(self.fixes) > 1 else None
+        return Joint(
+            self.name, GROUND, self.fixes[0], turning=turning, free=not turning and through is None, through=through
+        )
 
     def holds(self, ref: PointRef, instant: Moment) -> str:
         return called(ref)

@@ -48,6 +48,7 @@ def joints_at(problem: Problem, state: str) -> tuple[Joint, ...]:
         refuse_no_bodies(event, problem)
         joint = event.joint_in_space() or joint_of_joined(event, found, problem)
         if joint is not None:
+            refuse_pair(joint)
             refuse_held(event, joint, found)
             found = (*found, joint)
     return found
@@ -73,8 +74,22 @@ def refuse_no_bodies(event: Event, problem: Problem) -> None:
         if ref.owner not in names:
             message = f"`{event.word}` is about bodies, and `{ref.owner or 'a place'}` is none"
             raise Unsolvable(message, span=ref.span, help="`fixes: BODY.POINT` holds a point of a body in space")
-    if len(refs) > 1 and refs[0].owner == refs[1].owner:
+    if event.joined() and refs[0].owner == refs[1].owner:
         raise Unsolvable(f"`{event.word}` names `{refs[0].owner}` twice", span=refs[1].span, help="name two bodies")
+
+
+def refuse_pair(joint: Joint) -> None:
+    """Refuse to hold points of two bodies at once, and two points with an axis besides."""
+    last = joint.through
+    if last is None:
+        return
+    if last.owner != joint.body.owner:
+        message, help = f"`{joint.owner}` holds points of two bodies", "give each body an event of its own"
+    elif joint.turning:
+        message, help = f"`{joint.owner}` has two points and an axis", "the line through both points is the axis: leave `along` out"
+    else:
+        return
+    raise Unsolvable(message, span=last.span, help=help)
 
 
 def refuse_held(event: Event, joint: Joint, joints: tuple[Joint, ...]) -> None:

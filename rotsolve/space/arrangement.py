@@ -83,7 +83,17 @@ class JointedBodies(Struct, frozen=True, dict=True):
         joints = joints_at(self.problem, self.state)
         for joint in joints:
             self.refuse_led(joint)
-        return joints
+        return tuple(self.about_line(joint) for joint in joints)
+
+    def about_line(self, joint: Joint) -> Joint:
+        """A joint that holds two points as a hinge along the line through both."""
+        if joint.through is None:
+            return joint
+        line = self.line_between(joint.body, joint.through)
+        if line == NOTHING:
+            message = f"`{joint.owner}` holds the same point of `{joint.body.owner}` twice"
+            raise Unsolvable(message, span=joint.through.span, help="name two points that are apart")
+        return replace(joint, turning=(self.pointed(line),))
 
     def refuse_led(self, joint: Joint) -> None:
         """Refuse a joint by which a body that is led along is carried by one that is not: what is led carries."""
@@ -163,16 +173,16 @@ class JointedBodies(Struct, frozen=True, dict=True):
             message = f"two balls on `{one.carrier.owner}`, a body of its own, are not solved as a hinge in space"
             help = f"write `{one.owner}: {{hinge: [{one.carrier.owner}, …], along: [x, y, z]}}` along the line through both"
             raise Unsolvable(message, span=other.body.span, help=help)
-        line = self.line_of(one, other)
+        line = self.line_between(one.body, other.body)
         if line == NOTHING:
             message = f"`{one.owner}` and `{other.owner}` hold the same point of `{name}`"
             raise Unsolvable(message, span=other.body.span, help="leave one of them out")
         return replace(one, free=False, turning=(self.pointed(line),))
 
-    def line_of(self, one: Joint, other: Joint) -> Triple:
-        """The way from the point that one joint holds to that of another, in the axes of their body; what vanishes by the numbers is left
-        out, so that the laws know what lies along an axis."""
-        line = tidied(way_between(self.spot(one.body), self.spot(other.body)))
+    def line_between(self, one: PointRef, other: PointRef) -> Triple:
+        """The way from one point of a body to another, in the axes of the body; what vanishes by the numbers is left out, so that the laws
+        know what lies along an axis."""
+        line = tidied(way_between(self.spot(one), self.spot(other)))
         return triple([ZERO if self.vanishes(part) else part for part in line])
 
     def pointed(self, way: Triple) -> Triple:

@@ -384,8 +384,10 @@ class Inquiry:
     def of_term(self, term: Term) -> list[float]:
         if term.path.quantity in OSCILLATING:
             return self.swinging(term)
-        event = next((item for item in self.problem.events if item.name == term.during), None)
-        if event is not None and term.path.quantity in ("impulse", "angular_impulse"):
+        blow = term.path.quantity in ("impulse", "angular_impulse")
+        named = term.path.owner if blow and term.during is None else term.during  # an event's own impulse needs no `during`
+        event = next((item for item in self.problem.events if item.name == named), None)
+        if event is not None and blow:
             return self.at(term, event.to)
         if event is not None and term.modifier in (CHANGE, LOST, SIZE_OF_CHANGE):
             term = replace(term, during=None, start=event.from_, end=event.to)
