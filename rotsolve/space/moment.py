@@ -95,6 +95,8 @@ class SpaceMoment(LeaningMoment):
         if not joint.turning:
             self.refuse_otherwise(name)
             found = hinged_on(base, self.seated(name, joint), Z, HingeTurn())
+            if joint.owner not in self.met:
+                return found
             return replace(found, axes=replace(found.axes, rows=self.tidied(found.axes.rows)))
         return self._about_axis(name, joint, base, bool(carrier))
 
