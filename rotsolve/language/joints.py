@@ -55,15 +55,15 @@ def joints_at(problem: Problem, state: str) -> tuple[Joint, ...]:
 
 
 def joint_of_joined(event: Event, joints: tuple[Joint, ...], problem: Problem) -> Joint | None:
-    """The clamp of two bodies that stay together: what is held already, or is no particle, carries the other; else the second of them."""
+    """The clamp of two bodies that stay together: the first carries the second, unless that alone is held already or no particle."""
     pair = event.joined()
     if not pair:
         return None
     held = {joint.body.owner for joint in joints}
     points = {body.name for body in problem.bodies if body.shape is not None and body.shape.pointlike}
     one, other = pair
-    swapped = one.owner in held or (other.owner not in held and other.owner in points and one.owner not in points)
-    return Joint(event.name, one, other) if swapped else Joint(event.name, other, one)
+    firm = (one.owner in held, one.owner not in points) >= (other.owner in held, other.owner not in points)
+    return Joint(event.name, one, other) if firm else Joint(event.name, other, one, named_last=True)
 
 
 def refuse_no_bodies(event: Event, problem: Problem) -> None:

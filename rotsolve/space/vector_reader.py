@@ -329,11 +329,12 @@ class VectorReader:
         self.refuse_along(path, away, (ball.owner, contact.owner))
 
     def joint_impulse(self, path: Path, term: Term) -> Seen:
-        """The impulse of a joint on the body that it holds, or of one of its bearings, in the event that leads to this moment."""
+        """The impulse of a joint on the body that it holds, or joins as the last, or of one of its bearings, in the event that leads here."""
         joint, laws, shocks = self.shocks(path)
         if path.point is not None:
             shocks = [shock for number, shock in enumerate(shocks, 1) if path.point == f"bearing{number}"]
         push = vector_sum(*(shock.push for shock in shocks))
+        push = minus(push) if joint.named_last else push
         return self.told_apart(path, term, laws, push), laws.moment.axes(joint.body.owner)
 
     def joint_angular_impulse(self, path: Path, term: Term) -> Seen:
@@ -341,7 +342,8 @@ class VectorReader:
         joint, laws, shocks = self.shocks(path)
         place = laws.moment.arm(joint.body)
         own = (vector_sum(cross_product(way_between(place, item.arm), item.torque_from), item.twist) for item in shocks)
-        return vector_sum(*own), laws.moment.axes(joint.body.owner)
+        twist = vector_sum(*own)
+        return minus(twist) if joint.named_last else twist, laws.moment.axes(joint.body.owner)
 
     def shocks(self, path: Path) -> tuple[Joint, SpaceLaws, list[Shock]]:
         """A joint, the laws just after the event that leads to this moment, and its impulses in it."""
