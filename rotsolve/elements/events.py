@@ -53,6 +53,10 @@ class Collides(Event, frozen=True):
     bodily = True
     about = "two bodies bounce off each other"
     quantities = ("impulse", "angular_impulse")
+    instead = (
+        "a blow off something fixed: `impulse: J, on: BODY.P, direction: z` with `J: unknown` under `given`, and"
+        " `BODY.P.velocity.z: e*u` in the state after it"
+    )
     collides: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]"
     )
@@ -139,6 +143,7 @@ class Impulse(Event, frozen=True):
 class Cuts(Event, frozen=True):
     word = "cuts"
     about = "a string or other connection is gone from then on"
+    instead = "begin a scene of its own there, without it"
     cuts: tuple[str, ...] = key(
         "names", "the connection", refers=("connection",), required=True, default=(), example="cord"
     )
@@ -153,6 +158,7 @@ class Cuts(Event, frozen=True):
 class Removes(Event, frozen=True):
     word = "removes"
     about = "a support, action or body is taken away"
+    instead = "begin a scene of its own there, without it"
     removes: tuple[str, ...] = key(
         "names",
         "the connection, action or body",
@@ -171,12 +177,12 @@ class Removes(Event, frozen=True):
 
 class Fixes(Event, frozen=True):
     word = "fixes"
-    about = "a point of a moving body is suddenly held; from then on the body turns about it; in space two points, about the line through them"
+    about = "a point of a moving body is suddenly held; from then on the body turns about it"
     quantities = ("force", "impulse")
     quantities_in_space = ("torque", "angular_impulse")
     spatial = True
     fixes: tuple[PointRef, ...] = key(
-        "points", "the point; in space also two", count=(1, 2), required=True, example="plate.corner1"
+        "points", "the point; in space also two, of an axis", count=(1, 2), required=True, example="plate.corner1"
     )
     along: Axis = key(
         "axis in space", "direction of the axis of a hinge, in the body as it is drawn", default=(), space=True
@@ -227,6 +233,10 @@ class Grips(Event, frozen=True):
     about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
     armless = "what acts there has no arm, whatever it is"  # a blow, or friction that lasts until it rolls
     quantities = ("impulse",)
+    instead = (
+        "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
+        " and `BODY.P.velocity: [0, 0, 0]` in the state after it; `fixes: BODY.P` holds it from then on"
+    )
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
 
     def told(self) -> Words:
