@@ -196,7 +196,9 @@ class Fixes(Event, frozen=True):
                 raise Unsolvable(message, span=ref.span, help="fix a point of a body that moves freely")
         if len(self.fixes) > 1:
             message = f"`{self.name}` holds two points: in the plane a body is then at rest"
-            raise Unsolvable(message, span=self.fixes[1].span, help="fix one point; in space, with `up: z`, it turns about the line")
+            raise Unsolvable(
+                message, span=self.fixes[1].span, help="fix one point; in space, with `up: z`, it turns about the line"
+            )
 
     def told(self) -> Words:
         if len(self.fixes) > 1:

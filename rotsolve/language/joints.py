@@ -86,7 +86,10 @@ def refuse_pair(joint: Joint) -> None:
     if last.owner != joint.body.owner:
         message, help = f"`{joint.owner}` holds points of two bodies", "give each body an event of its own"
     elif joint.turning:
-        message, help = f"`{joint.owner}` has two points and an axis", "the line through both points is the axis: leave `along` out"
+        message, help = (
+            f"`{joint.owner}` has two points and an axis",
+            "the line through both points is the axis: leave `along` out",
+        )
     else:
         return
     raise Unsolvable(message, span=last.span, help=help)
@@ -104,7 +107,9 @@ def refuse_held(event: Event, joint: Joint, joints: tuple[Joint, ...]) -> None:
     while at in carriers:
         at = carriers[at].carrier.owner
         if at == name:
-            message = f"`{name}` and `{carrier}` hang together already: another joint between them is not solved in space"
+            message = (
+                f"`{name}` and `{carrier}` hang together already: another joint between them is not solved in space"
+            )
             raise Unsolvable(message, span=span, help=f"leave `{event.name}` out")
     for other in joints:
         if touches(other) and other.body.owner in (name, carrier):

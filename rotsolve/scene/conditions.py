@@ -62,8 +62,8 @@ def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None
 def equality(
     scope: Scope, part: Text, words: list[Lexeme], sign: int, quantity: Quantity, answers: Collection[str]
 ) -> Condition | None:
-    """`path = value [clauses]` or `path [clauses] = path [clauses]`: the clauses at the end belong to both, but for those of which the left has
-    one of its own."""
+    """`path = value [clauses]` or `path [clauses] = path [clauses]`: the clauses at the end belong to both, but for those of
+    which the left has one of its own."""
     left, own = apart(words[:sign])
     right, last = apart(words[sign + 1 :])
     if not left or not right:

@@ -1,8 +1,8 @@
 """Branches: what a blow changes of bodies that hang together on joints: their momentum and their angular momentum, without the impulses of
 the joints within.
 
-All that a joint carries, by whatever joints, takes no angular impulse about the free axis of that joint but from outside; bodies that nothing
-holds take none about their common centre of mass, nor an impulse (Goldstein, Poole & Safko, Classical Mechanics, §1.2).
+All that a joint carries, by whatever joints, takes no angular impulse about the free axis of that joint but from outside; bodies that
+nothing holds take none about their common centre of mass, nor an impulse (Goldstein, Poole & Safko, Classical Mechanics, §1.2).
 """
 
 from __future__ import annotations
@@ -53,8 +53,7 @@ class Branch(Struct, frozen=True):
         changes = cross_product(place, push), *self.momenta(NOTHING)
         way = None if joint.free else after.pushes.direction(joint)
         if way is not None:
-            parts = (dot_product(way, vector) for vector in changes)
-            yield from self.one(TWISTS, f"{where}, along the axis", *parts)
+            yield from self.one(TWISTS, f"{where}, along the axis", *(dot_product(way, vector) for vector in changes))
         for axis, *parts in zip(AXES, *changes, strict=True) if joint.free else ():
             yield from self.one(TWISTS, f"{where}, along {after.along(first, axis)}", *parts)
 
@@ -74,7 +73,11 @@ class Branch(Struct, frozen=True):
 
     def one(self, law: Law, where: str, *changes: Formula) -> Iterator[Equation]:
         """A law of what is taken, and what there is before and after; where nothing from outside has a part in it, that is kept."""
-        tidy, section, whole = self.blow.after.moment.tidy, self.blow.interval.name, and_joined([*map(spoken, self.names)])
+        tidy, section, whole = (
+            self.blow.after.moment.tidy,
+            self.blow.interval.name,
+            and_joined([*map(spoken, self.names)]),
+        )
         taken, old, new = map(tidy, changes)
         if taken == ZERO and old != new:
             kind = "momentum" if law is BLOWS else "angular momentum"
@@ -159,6 +162,7 @@ def struck_together(blow: Blow) -> Iterator[Equation]:
         joint = held.main(first)
         alone = len(names) == 1 and not held.carrier(first)
         firm = joint is not None and (keeps_nothing(joint) or joint.powered or not (joint.free or joint.turning))
-        if not (alone or firm or any(held.bodies[name].moved for name in names)):
-            if all(len(held.of_body(name)) == (name != first or joint is not None) for name in names):
-                yield from Branch(tuple(names), joint, blow).laws()
+        led = any(held.bodies[name].moved for name in names)
+        singly = all(len(held.of_body(name)) == (name != first or joint is not None) for name in names)
+        if singly and not (alone or firm or led):
+            yield from Branch(tuple(names), joint, blow).laws()

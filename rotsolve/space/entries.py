@@ -40,7 +40,9 @@ def refuse_apart(find: Find, scene: SceneEquations) -> None:
     if not find.whole or len(find.terms) < 2:
         return
     problem = scene.configuration.problem
-    bodies = {joint.owner: joint.body.owner for joint in joints_at(problem, problem.states[-1].name if problem.states else "")}
+    bodies = {
+        joint.owner: joint.body.owner for joint in joints_at(problem, problem.states[-1].name if problem.states else "")
+    }
     bodies |= {action.name: action.touches()[0].owner for action in problem.actions}
     along = {
         bodies.get(term.path.owner, term.path.owner) if term.axes in ("body", "node") else term.axes or "space"
@@ -66,8 +68,8 @@ def refuse_products(find: Find) -> None:
 
 
 def size_of_sum(value: Formula, terms: Sequence[Term], first: int) -> tuple[Formula, tuple[Term, ...]] | None:
-    """|Σ c v| = √(Σ (Σ c vₓ)²) of a sum of multiples of several vectors, with their components as terms, which count from `first` on; None of
-    anything else.
+    """|Σ c v| = √(Σ (Σ c vₓ)²) of a sum of multiples of several vectors, with their components as terms, which count from `first` on;
+    None of anything else.
 
     It is the same along all axes: those of space, where they are named otherwise for each.
     """

@@ -1,49 +1,35 @@
-"""Passing from state to state in space: what is conserved on the way, and what a blow changes.
+"""Passing from state to state in space: what is conserved on the way.
 
 A body on which nothing but its weight and an ideal joint acts keeps its energy. Its angular momentum keeps all components about
 the centre of mass of a free body, and about a fixed point without gravity; with gravity that along the vertical, and, of a
 symmetric body, that along its axis: I₃ ω₃ (Goldstein, Poole & Safko, Classical Mechanics, §5.7).
-A blow J at r changes M v by J and L by r × J.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from msgspec import Struct
-from msgspec.structs import replace
-
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Product, Symbol, add, multiply, negate
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.equation import BLOWS, BY_PLACE, CONSERVATION, MOMENTUM, RULE, TWISTS, UNTWISTED, Equation
-from rotsolve.core.symbols import TIME, is_key, key_of
+from rotsolve.core.equation import BY_PLACE, CONSERVATION, MOMENTUM, Equation
+from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
 from rotsolve.core.vectors.triple import (
-    NOTHING,
     Triple,
-    cross_product,
     dot_product,
-    is_axis,
-    minus,
-    scaled_by,
     square,
     square_of,
     triple,
-    unit_along,
-    vector_sum,
-    way_between,
 )
-from rotsolve.core.writing import is_negative, point_in_words, spoken
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.core.writing import is_negative, spoken
+from rotsolve.language.bodies import PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE, NODE
 from rotsolve.space.energies import energy_of
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.sliding import free_of_force
-from rotsolve.space.two_balls import names_along
 from rotsolve.space.working import of_rotor, of_work
 
 Pairing = tuple[Formula, Formula]

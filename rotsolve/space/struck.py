@@ -71,9 +71,7 @@ class Blow(Struct, frozen=True):
         if found is None or found[0].owner != name:
             return None
         ref, size, way = found
-        return Shock(
-            IN_SPACE.to(moment.axes(name), scaled_by(size, unit_along(way, moment.positive))), moment.arm(ref)
-        )
+        return Shock(IN_SPACE.to(moment.axes(name), scaled_by(size, unit_along(way, moment.positive))), moment.arm(ref))
 
     @property
     def brought(self) -> Joint | None:

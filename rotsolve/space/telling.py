@@ -32,7 +32,9 @@ class TellingMoment:
         self.when = state.name
         self.at = state.name  # as the keys of its quantities say it
         self.before: TellingMoment | None = None  # the moment before an event that leads to this one
-        self.met: dict[str, TellingMoment] = {}  # the moments at which bodies met that events up to this one have joined, by these
+        self.met: dict[
+            str, TellingMoment
+        ] = {}  # the moments at which bodies met that events up to this one have joined, by these
         self.onward: Onward | None = None  # what happens from the state before on, where times are told
         self.first = True  # whether the scene begins with it
         self.later = False  # whether time has passed since the first state

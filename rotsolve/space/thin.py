@@ -80,8 +80,8 @@ def unspun(moment: SpaceMoment, name: str) -> Iterator[Equation]:
 
 
 def turns_others(moment: SpaceMoment, name: str, way: Triple) -> bool:
-    """Whether a body that turns about a direction through the point about which it turns takes along what it carries: what is off that line,
-    or is turned with it and has inertia about that."""
+    """Whether a body that turns about a direction through the point about which it turns takes along what it carries: what is off that
+    line, or is turned with it and has inertia about that."""
     held, axes = moment.held, moment.axes(name)
     for joint in (joint for joint in held.joints if joint.carrier.owner == name and not (joint.rolls or joint.flat)):
         other = joint.body.owner
@@ -97,6 +97,8 @@ def turns_others(moment: SpaceMoment, name: str, way: Triple) -> bool:
         tensor, arm = held.whole_tensor(other), way_between(held.centre(other), held.spot(joint.body))
         whole = None if tensor is None else tensor.plus(displaced(held.mass(other), arm))
         turned = axes.to(own, turned)
-        if not all(map(held.vanishes, turned)) and (whole is None or not all(map(held.vanishes, product(whole, turned)))):
+        if not all(map(held.vanishes, turned)) and (
+            whole is None or not all(map(held.vanishes, product(whole, turned)))
+        ):
             return True
     return False

@@ -329,7 +329,7 @@ class VectorReader:
         self.refuse_along(path, away, (ball.owner, contact.owner))
 
     def joint_impulse(self, path: Path, term: Term) -> Seen:
-        """The impulse of a joint on the body that it holds, or joins as the last, or of one of its bearings, in the event that leads here."""
+        """The impulse of a joint on the body that it holds, or joins as the last, or of one bearing, in the event that leads here."""
         joint, laws, shocks = self.shocks(path)
         if path.point is not None:
             shocks = [shock for number, shock in enumerate(shocks, 1) if path.point == f"bearing{number}"]

@@ -385,7 +385,9 @@ class Inquiry:
         if term.path.quantity in OSCILLATING:
             return self.swinging(term)
         blow = term.path.quantity in ("impulse", "angular_impulse")
-        named = term.path.owner if blow and term.during is None else term.during  # an event's own impulse needs no `during`
+        named = (
+            term.path.owner if blow and term.during is None else term.during
+        )  # an event's own impulse needs no `during`
         event = next((item for item in self.problem.events if item.name == named), None)
         if event is not None and blow:
             return self.at(term, event.to)

@@ -40,9 +40,15 @@ def stance_kept(rig: Rig, before: Stance, lines: Lines) -> Stance:
     """All bodies as they stood, with what another state tells; what leans and was spoken of by its tilt has one still."""
     lines.nodding = {name for name in rig.bodies if before.lines.nods(name) and off_upright(before, name)}
     stance = Stance(rig, lines)
-    met = [joint for joint in rig.joints.values() if joint.owner not in before.rig.joints and joint.carrier.owner in rig.bodies]
+    met = [
+        joint
+        for joint in rig.joints.values()
+        if joint.owner not in before.rig.joints and joint.carrier.owner in rig.bodies
+    ]
     for name in rig.bodies:
-        stance.put(name, before.turned(name), None if met else before.place(name))  # where bodies meet one tells where the other is
+        stance.put(
+            name, before.turned(name), None if met else before.place(name)
+        )  # where bodies meet one tells where the other is
         joint = rig.main(name)
         if joint is not None and (joint.turning or rig.line(name) is not None):
             stance.swung[name] = before.swung[name] if name in before.swung else before.angle(joint)

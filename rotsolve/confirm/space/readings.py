@@ -268,7 +268,6 @@ class Reading:
         joint = self.rig.joints.get(path.owner)
         return -1.0 if joint is not None and joint.named_last else 1.0
 
-
     # directions
 
     def own_axis(self, path: Path, term: Term) -> Arrow:

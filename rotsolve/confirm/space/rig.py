@@ -61,7 +61,9 @@ class Rig:
         self.problem = problem
         self.numbers: dict[str, Any] = {TIME: NOW, **numbers}
         self.bodies = {body.name: body for body in problem.bodies}
-        self.seats: dict[str, Turned] = {}  # how bodies that an event has joined to others are turned along the axes of these
+        self.seats: dict[
+            str, Turned
+        ] = {}  # how bodies that an event has joined to others are turned along the axes of these
         self._solids: dict[str, Solid] = {}
         self._idle: dict[str, list[Arrow]] = {}
         self.joints = {joint.owner: self.about_line(joint) for joint in joints_at(problem, state)}
