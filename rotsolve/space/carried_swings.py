@@ -185,7 +185,7 @@ def limit_on_hinge(laws: SpaceLaws, name: str, span: Span | None) -> Equation:
     return STABILITY.equation(ZERO, swing.slope, laws.moment.when, (name,), words)
 
 
-def standing_at(name: str, dynamics: Mapping[str, SpaceLaws]) -> Iterator[CarriedSwing]:
+def swings_told_by(name: str, dynamics: Mapping[str, SpaceLaws]) -> Iterator[CarriedSwing]:
     """The bodies that stand steadily on a hinge at an angle which a state tells by a letter; none of those of which no swing is known."""
     for laws in dynamics.values():
         for line in laws.moment.state.conditions if laws.moment.state.steady else ():
@@ -202,7 +202,7 @@ def stable_places(
     name: str, roots: Sequence[Formula], dynamics: Mapping[str, SpaceLaws], numbers: Numbers
 ) -> list[int]:
     """Which values of a letter for an angle are places to which the body comes back; none where that is not looked at."""
-    swings = list(standing_at(name, dynamics))
+    swings = list(swings_told_by(name, dynamics))
     if len(swings) != 1:
         return []
     growth = swings[0].laws.tensors.spelled(swings[0].growth)

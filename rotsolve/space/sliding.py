@@ -22,18 +22,18 @@ from rotsolve.core.vectors.triple import (
     way_between,
 )
 from rotsolve.language.bodies import Joint, PointRef
-from rotsolve.space.attitude import IN_SPACE, Axes, MovingBodies
+from rotsolve.space.attitude import IN_SPACE, Axes, MovingBodies, TurnedBodies
 
 TWO = 2 * ONE
 
 
-def carrier_axes(joint: Joint, moment: MovingBodies) -> Axes:
+def carrier_axes(joint: Joint, moment: TurnedBodies) -> Axes:
     """The axes of what carries a joint, as it is drawn."""
     carrier = joint.carrier.owner
     return moment.own_axes(carrier) if carrier in moment.held.bodies else IN_SPACE
 
 
-def sliding_way(joint: Joint, moment: MovingBodies) -> Triple:
+def sliding_way(joint: Joint, moment: TurnedBodies) -> Triple:
     """The direction in which a joint lets its body slide, in the axes of the body."""
     way = unit_along(joint.sliding[0], moment.held.signs.positive)
     return carrier_axes(joint, moment).to(moment.axes(joint.body.owner), way)
@@ -57,7 +57,7 @@ def sliding_rate(joint: Joint, moment: MovingBodies, word: str) -> Formula:
     return moment.ask(word, joint.owner, "sliding", letter="u" if word == "velocity" else "udot")
 
 
-def screwed(joint: Joint, moment: MovingBodies, word: str) -> Formula | None:
+def screwed(joint: Joint, moment: TurnedBodies, word: str) -> Formula | None:
     """How fast a screw turns (`velocity`), or how fast that grows (`acceleration`), where the state tells how the point that it holds goes
     along it: s = 2π u/p; None where it tells no such thing, or tells it otherwise than against what carries the screw."""
     name, carrier = joint.body.owner, joint.carrier.owner
@@ -83,7 +83,7 @@ def swung(joint: Joint, moment: MovingBodies, word: str) -> Triple:
 
 
 def part_on_slide(
-    joint: Joint, moment: MovingBodies, word: str, told: tuple[Triple, str, str], turned: Triple
+    joint: Joint, moment: TurnedBodies, word: str, told: tuple[Triple, str, str], turned: Triple
 ) -> Formula:
     """The part along its slide of a motion that a state tells of a body, which has the part `turned` across it; refused where it has
     another one.

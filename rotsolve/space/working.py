@@ -62,7 +62,7 @@ def carried_with(laws: SpaceLaws, name: str) -> list[Joint] | None:
     held, found = laws.moment.held, []
     for joint in (joint for joint in held.joints if joint.carrier.owner == name):
         moves = joint.turning or joint.sliding or joint.free or joint.rolls or joint.flat or joint.powered
-        rotor = keeps_axial_rate(laws, joint) or rolls_at_rest(laws, joint)
+        rotor = keeps_axial_rate(laws, joint) or on_wheel_at_rest(laws, joint)
         further = [] if rotor else None if moves else carried_with(laws, joint.body.owner)
         if further is None or not (rotor or held.of_body(joint.body.owner) == (joint,)):
             return None
@@ -83,7 +83,7 @@ def keeps_axial_rate(laws: SpaceLaws, joint: Joint) -> bool:
     return held.wheel(name) and not (acted or carries)
 
 
-def rolls_at_rest(laws: SpaceLaws, joint: Joint) -> bool:
+def on_wheel_at_rest(laws: SpaceLaws, joint: Joint) -> bool:
     """Whether a joint is the axle of a wheel that carries nothing and rolls on what is at rest, which gives it no power there."""
     held, name = laws.moment.held, joint.body.owner
     others = [other for other in held.of_body(name) if other is not joint]

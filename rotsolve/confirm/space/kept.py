@@ -166,10 +166,15 @@ def rolls_at_rest(rig: Rig, joint: Joint) -> bool:
 def twisted_alone(rig: Rig, root: Joint) -> bool:
     """Whether all that acts are couples that stay, on a body that turns about one axis in the ground: they do the work C · n φ."""
     there = all(ref.owner == root.body.owner for action in rig.problem.actions for ref in action.touches())
-    return bool(root.turning) and not root.powered and there and all(stays(rig, one) for one in rig.problem.actions)
+    return (
+        bool(root.turning)
+        and not root.powered
+        and there
+        and all(is_steady_couple(rig, one) for one in rig.problem.actions)
+    )
 
 
-def stays(rig: Rig, action: Action) -> bool:
+def is_steady_couple(rig: Rig, action: Action) -> bool:
     """Whether an action is a couple that is the same at all times, wherever the bodies are."""
     size = action.strength()
     parts = size if isinstance(size, tuple) else (size,)

@@ -50,7 +50,7 @@ def growth_on_hinge(world: World, joint: Joint, *, told: bool = True) -> float:
     """λ² of what stands on a hinge: how its angular acceleration from rest there changes with its angle, to the fourth order."""
 
     def push(angle: float) -> float:
-        return let_go(world, joint, angle)
+        return faster_from(world, joint, angle)
 
     pushes = [push(2 * math.pi * place / PLACES) for place in range(PLACES + 1)]
     most = max(map(abs, pushes))
@@ -77,13 +77,13 @@ def equilibrium(push: Push, pushes: list[float]) -> float:
 def refuse_other_pushes(world: World, joint: Joint, rest: float, most: float) -> None:
     """Refuse what is pushed otherwise while it moves slowly, or once what is driven has turned on: λ² would not tell how it swings."""
     fast = max(math.sqrt(most), STEP)
-    dragged = let_go(world, joint, rest, rate=STEP * fast) - let_go(world, joint, rest, rate=-STEP * fast)
-    turned = let_go(world, joint, rest + 0.1, further=FURTHER) - let_go(world, joint, rest + 0.1)
+    dragged = faster_from(world, joint, rest, rate=STEP * fast) - faster_from(world, joint, rest, rate=-STEP * fast)
+    turned = faster_from(world, joint, rest + 0.1, further=FURTHER) - faster_from(world, joint, rest + 0.1)
     if abs(dragged) > SAME * most or abs(turned) > SAME * most:
         raise NotConfirmed("swings that change as what carries it goes round, or that are slowed down")
 
 
-def let_go(world: World, joint: Joint, off: float, *, rate: float = 0.0, further: float = 0.0) -> float:
+def faster_from(world: World, joint: Joint, off: float, *, rate: float = 0.0, further: float = 0.0) -> float:
     """The angular acceleration of a body about its hinge, against what carries it, turned `off` from where it stands."""
     stance, rig, name = world.stance, world.stance.rig, joint.body.owner
     if joint.powered or joint.sliding or stance.open:
@@ -92,7 +92,9 @@ def let_go(world: World, joint: Joint, off: float, *, rate: float = 0.0, further
     moved |= {one.body.owner: {"angle": stance.angle(one) + further} for one in driven_below(rig, name) if further}
     lines = stance.lines
     kept = [
-        line for line in lines.lines if line.path is not None and not (line.path.owner == name or told_of(line, moved))
+        line
+        for line in lines.lines
+        if line.path is not None and not (line.path.owner == name or told_anew(line, moved))
     ]
     told = [
         Condition(Path(owner, word), Number(Fraction(value)))
@@ -108,7 +110,7 @@ def let_go(world: World, joint: Joint, off: float, *, rate: float = 0.0, further
     return found[0]
 
 
-def told_of(line: Condition, moved: dict[str, dict[str, float]]) -> bool:
+def told_anew(line: Condition, moved: dict[str, dict[str, float]]) -> bool:
     """Whether a line tells an angle that is told otherwise now."""
     return line.path is not None and line.path.quantity in moved.get(line.path.owner, ())
 
