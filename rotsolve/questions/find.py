@@ -244,10 +244,10 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     """The formula of a `find` line, and the letter that stands for it."""
     refuse_modified_whole(find, scene)
     if scene.configuration.problem.space:
-        from rotsolve.space.entries import refuse_apart, refuse_products
+        from rotsolve.space.entries import refuse_mixed_axes, refuse_products
 
         refuse_products(find)
-        refuse_apart(find, scene)
+        refuse_mixed_axes(find, scene)
     meanings = [meaning_of(term, scene, beside) for term in find.terms]
     if any(term.path.quantity == "kinetic_energy" for term in find.terms):
         from rotsolve.questions.energies import with_named_energies

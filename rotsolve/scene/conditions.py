@@ -64,14 +64,14 @@ def equality(
 ) -> Condition | None:
     """`path = value [clauses]` or `path [clauses] = path [clauses]`: the clauses at the end belong to both, but for those of
     which the left has one of its own."""
-    left, own = apart(words[:sign])
-    right, last = apart(words[sign + 1 :])
+    left, own = side_and_clauses(words[:sign])
+    right, last = side_and_clauses(words[sign + 1 :])
     if not left or not right:
         return scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
     named = {*answers} - scope.givens.keys()  # what lines above answer
     if any(piece.kind == "path" or piece.text in named for piece in right):
-        told = {kind_of(clause) for clause in own}
-        shared = [clause for clause in last if kind_of(clause) not in told]
+        told = {what_it_tells(clause) for clause in own}
+        shared = [clause for clause in last if what_it_tells(clause) not in told]
         read = quantity(chain_of([left], own, shared))
         other = None if read is None else quantity(chain_of([right], last))
         if read is None or other is None or not same_kind(scope, part, read[1], other[1]):
@@ -93,13 +93,13 @@ def equality(
     return None if found is None else Condition(None, found, span=part.span, phrase=find)
 
 
-def apart(words: list[Lexeme]) -> tuple[list[Lexeme], list[list[Lexeme]]]:
+def side_and_clauses(words: list[Lexeme]) -> tuple[list[Lexeme], list[list[Lexeme]]]:
     """One side of an equality: its expression, and the clauses that follow it outside of all brackets."""
     starts = [k for k, piece in at_top(words) if piece.text in CLAUSES and piece.text != "to"]  # `from A to B` is one
     return words[: min(starts, default=len(words))], [words[k:end] for k, end in pairwise([*starts, len(words)])]
 
 
-def kind_of(clause: list[Lexeme]) -> str:
+def what_it_tells(clause: list[Lexeme]) -> str:
     """What a clause tells: when, of whatever form, or what its word says."""
     word = clause[0].text
     return "when" if word in WHEN else word

@@ -29,17 +29,17 @@ from rotsolve.core.writing import and_joined, spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.struck import Blow
+from rotsolve.space.struck import Impact
 from rotsolve.space.together import keeps_nothing
 
 
-class Branch(Struct, frozen=True):
+class Linkage(Struct, frozen=True):
     """A body with all that it carries, and the joint that holds it, if any; vectors are along the axes of that body after the blow, places
     from the point about which it turns."""
 
     names: tuple[str, ...]
     joint: Joint | None
-    blow: Blow
+    blow: Impact
 
     def laws(self) -> Iterator[Equation]:
         """What the blow changes of them."""
@@ -84,7 +84,7 @@ class Branch(Struct, frozen=True):
             yield MOMENTUM.equation(old, new, section, self.names, words=f"{kind} of {whole}{where}")
         elif taken != ZERO:
             found = law.equation(taken, tidy(new - old), section, self.names, about="")
-            yield replace(found, label=f"{law.words.split(',')[0]}, {whole}{where}")
+            yield replace(found, label=law.words.format(body=whole, about="") + where)
 
     # what they have
 
@@ -152,7 +152,7 @@ class Branch(Struct, frozen=True):
         return vector_sum(self.place(name), off), self.seen(name, shock.push)
 
 
-def struck_together(blow: Blow) -> Iterator[Equation]:
+def struck_together(blow: Impact) -> Iterator[Equation]:
     """What a blow changes of all that hang together: whole, and what each inner joint carries."""
     held = blow.after.moment.held
     for first in held.order:
@@ -165,4 +165,4 @@ def struck_together(blow: Blow) -> Iterator[Equation]:
         led = any(held.bodies[name].moved for name in names)
         singly = all(len(held.of_body(name)) == (name != first or joint is not None) for name in names)
         if singly and not (alone or firm or led):
-            yield from Branch(tuple(names), joint, blow).laws()
+            yield from Linkage(tuple(names), joint, blow).laws()

@@ -35,7 +35,7 @@ def entries_in_space(find: Find) -> tuple[Find, ...]:
     return tuple(parts)
 
 
-def refuse_apart(find: Find, scene: SceneEquations) -> None:
+def refuse_mixed_axes(find: Find, scene: SceneEquations) -> None:
     """Refuse a sum of vectors by components along axes that are not the same ones."""
     if not find.whole or len(find.terms) < 2:
         return

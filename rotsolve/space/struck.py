@@ -57,7 +57,7 @@ class Shock(Struct, frozen=True):
         return self.push if self.across is None else self.across
 
 
-class Blow(Struct, frozen=True):
+class Impact(Struct, frozen=True):
     """An event with what the laws speak of just before and just after it; all vectors are along the axes that a body has after it."""
 
     interval: Interval
@@ -109,8 +109,8 @@ def through(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator
     """What an event changes; a body that it does not touch moves on as it did."""
     from rotsolve.space.branches import struck_together
 
-    blow, held = Blow(interval, before, after), after.moment.held
-    refuse_apart(blow)
+    blow, held = Impact(interval, before, after), after.moment.held
+    refuse_distant(blow)
     refuse_still(blow)
     for name in held.order:
         if not held.bodies[name].moved:
@@ -118,20 +118,20 @@ def through(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator
     yield from struck_together(blow)
 
 
-def laws_of_blow(name: str, blow: Blow) -> Iterator[Equation]:
+def laws_of_blow(name: str, blow: Impact) -> Iterator[Equation]:
     """M (v′ − v) = Σ J and L′ − L = Σ r × J of a body, about the point that its joint holds, else its centre of mass."""
     after, outside = blow.after, blow.outside(name)
     shocks = [*joint_shocks(name, after), *([outside] if outside is not None else [])]
     ways = [f", along {after.along(name, axis)}" for axis in AXES]
-    yield from of_travel(name, blow, shocks, ways)
+    yield from changes_of_travel(name, blow, shocks, ways)
     for part in (part for item in shocks for part in item.nothing):
         words = f"{spoken(name)} moves freely along or about its axis"
         yield RULE.equation(part, ZERO, blow.interval.name, (name,), words=words)
     if not after.moment.held.pointlike(name):
-        yield from of_turning(name, blow, shocks, ways)
+        yield from changes_of_turning(name, blow, shocks, ways)
 
 
-def of_travel(name: str, blow: Blow, shocks: Sequence[Shock], ways: list[str]) -> Iterator[Equation]:
+def changes_of_travel(name: str, blow: Impact, shocks: Sequence[Shock], ways: list[str]) -> Iterator[Equation]:
     """M (v′ − v) = Σ J."""
     after = blow.after
     gained = scaled_by(after.moment.held.mass(name), way_between(*blow.speeds(name)))
@@ -148,7 +148,7 @@ def of_travel(name: str, blow: Blow, shocks: Sequence[Shock], ways: list[str]) -
             yield replace(law, label=law.label + way)
 
 
-def of_turning(name: str, blow: Blow, shocks: Sequence[Shock], ways: list[str]) -> Iterator[Equation]:
+def changes_of_turning(name: str, blow: Impact, shocks: Sequence[Shock], ways: list[str]) -> Iterator[Equation]:
     """L′ − L = Σ r × J; L′ = L where no impulse has an arm about what is held from then on."""
     place, point = blow.after.about(name)
     first, last = blow.momentum_before(name), blow.after.momentum(name, point)
@@ -234,7 +234,7 @@ def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:
 # what an event can't mean
 
 
-def refuse_apart(blow: Blow) -> None:
+def refuse_distant(blow: Impact) -> None:
     """Refuse to join points that are known to be apart."""
     event = blow.interval.event
     pair = () if event is None else event.joined()
@@ -248,7 +248,7 @@ def refuse_apart(blow: Blow) -> None:
         raise Unsolvable(message, span=pair[0].span, help="check their places in that state, or leave one of them out")
 
 
-def refuse_still(blow: Blow) -> None:
+def refuse_still(blow: Impact) -> None:
     """Refuse to hold a point that is at rest already: nothing happens to it."""
     joint, event = blow.brought, blow.interval.event
     if joint is None or event is None or event.joined():

@@ -5,29 +5,28 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import cached_property, partial
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
-from rotsolve.confirm.space.arrows import Turned, arrow_length, crossed, inner_product, less, product_of, rows_back
+from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
+from rotsolve.confirm.space.rigs import OPEN, Rigs, time_after
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import SPEED, TURNING
 from rotsolve.confirm.space.worlds import Manner, Moving, World, manners_of
 from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
-from rotsolve.language.bodies import Joint
 from rotsolve.language.elements import Event
 from rotsolve.language.grammar import ANGLE_OF
-from rotsolve.language.joints import events_up_to
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Path, Problem, State, Term
 
 if TYPE_CHECKING:
@@ -58,7 +57,6 @@ READ = (
     "angular_impulse",
 )  # lines held against worlds
 OF_MASS = ("inertia_tensor", "inertia", "principal_moments", "mass")  # what a body has however it moves
-OPEN = "the equations of all bodies leave it open"
 SEVERAL = "several motions fit its state"
 BROKEN = "the lines of its state do not go together"
 NO_WAY = "no steady motion has these numbers"
@@ -70,86 +68,14 @@ class LeftOpen(NotConfirmed):
     """What the lines of a state do not tell, so that only the motion may that leads to it."""
 
 
-class Inquiry:
+class Inquiry(Rigs):
     """Answers questions at one set of numbers; `put` are answers in place of what no line of a state tells."""
 
     def __init__(self, problem: Problem, numbers: Mapping[str, float], put: Told) -> None:
-        self.problem, self.put = problem, put
-        self.rig = Rig(problem, numbers)
+        super().__init__(problem, numbers)
+        self.put = put
         self._ways: dict[str, list[Manner]] = {}
-        self._rigs: dict[str, Rig] = {}
         self._kept: dict[str, Any] = {}  # what comes of following a motion, or why nothing does
-
-    # states
-
-    def state(self, name: str | None) -> State | None:
-        states = self.problem.states
-        if name is None and len(states) > 1:
-            raise NotConfirmed("at which state it is asked")
-        if name is None:
-            return states[0] if states else None
-        return next(state for state in states if state.name == name)
-
-    def rig_at(self, state: State | None) -> Rig:
-        """The rig at the time of a state, where it is told; of a scene that names no state at 0, as at its first one."""
-        clock, since = (0.0, self.rig) if state is None else (self.clock(state), self.rig_since(state.name))
-        if clock is None:
-            return since
-        found = Rig(self.problem, {**self.rig.numbers, TIME: clock}, "" if state is None else state.name)
-        found.seats = since.seats
-        return found
-
-    def rig_since(self, name: str) -> Rig:
-        """The rig with the joints that events up to a state have brought, and bodies as they stood when they met."""
-        if name not in self._rigs:
-            joined = Rig(self.problem, self.rig.numbers, name)
-            self._rigs[name] = self.rig if joined.joints == self.rig.joints else joined
-            for event in events_up_to(self.problem, name):
-                joint = joined.joints.get(event.name)
-                if joint is not None and any(map(any, joined.solid(joint.body.owner).tensor)):
-                    joined.seats |= self.met(event, joint)
-        return self._rigs[name]
-
-    def met(self, event: Event, joint: Joint) -> dict[str, Turned]:
-        """How a body that an event joins to another one is turned along the axes of that."""
-        carrier, name = joint.carrier.owner, joint.body.owner
-        if carrier not in self.rig.bodies:
-            return {}
-        stance = self.ways(event.from_)[0].worlds[0].stance
-        if stance.open:
-            raise NotConfirmed(OPEN)
-        return {name: product_of(rows_back(stance.turned(carrier)), stance.turned(name))}
-
-    def clock(self, state: State) -> float | None:
-        """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as
-        told, else 0."""
-        told, states = time_after(state), self.problem.states
-        event = self.event_to(state.name)
-        if event is not None:
-            return self.clock(next(item for item in states if item.name == event.from_))
-        start = self.clock(states[states.index(state) - 1]) if state is not states[0] else 0.0
-        if told is None or start is None:
-            return 0.0 if state is states[0] else None
-        return start + self.rig.value(told)
-
-    @cached_property
-    def driven(self) -> bool:
-        """Whether all bodies move as they are told to."""
-        driven = {joint.body.owner for joint in self.rig.joints.values() if joint.drive}
-        return all(name in driven or body.moved for name, body in self.rig.bodies.items())
-
-    @property
-    def follows(self) -> bool:
-        """Whether motions from state to state are followed: not where a motor gives what it takes."""
-        return not any(joint.motor for joint in self.rig.joints.values())
-
-    def by_time(self, name: str | None) -> bool:
-        """Whether the time from the state before tells how all moves at a later state, which is not driven."""
-        names = [state.name for state in self.problem.states]
-        place = names.index(name) if name in names else 0
-        if not place or self.event_to(names[place]) is not None or self.driven:
-            return False
-        return time_after(self.problem.states[place]) is not None
 
     def ways(self, name: str | None) -> list[Manner]:
         """The ways in which all moves at a state, in which all its lines hold."""
@@ -157,6 +83,9 @@ class Inquiry:
         if key not in self._ways:
             self._ways[key] = self._found(self.state(name))
         return self._ways[key]
+
+    def stance_at(self, name: str | None) -> Stance:
+        return self.ways(name)[0].worlds[0].stance
 
     def steady_ways(self, name: str | None) -> list[Manner]:
         """All steady motions at a state, whichever it chooses itself: among them a question for the largest or the smallest looks."""
@@ -185,10 +114,6 @@ class Inquiry:
         leaning = [Path(name, "precession") for name in self.rig.bodies if lines.nods(name)]
         rates = [max((abs(told_by(way, Term(path))) for path in leaning), default=0.0) for way in ways]
         return rates.index(min(rates)) if leaning else None
-
-    def event_to(self, name: str) -> Event | None:
-        """The event that leads to a state."""
-        return next((item for item in self.problem.events if item.to == name), None)
 
     def struck(self, event: Event, state: State | None, before: list[Manner]) -> list[Manner]:
         """The ways in which all moves just after a blow."""
@@ -566,12 +491,6 @@ def for_part(term: Term, part: str) -> Term:
         return term
     whole = term.path.component
     return replace(term, path=replace(term.path, component=part if whole is None else f"{whole} {part}"))
-
-
-def time_after(state: State) -> Formula | None:
-    """The time that a state tells: a later one how long after the state before it is."""
-    lines = (line for line in state.conditions if line.path is not None and line.path.quantity == "time")
-    return next((line.value for line in lines), None)
 
 
 def by_velocities(worlds: Sequence[World]) -> list[World]:
