@@ -181,6 +181,7 @@ class Fixes(Event, frozen=True):
     quantities = ("force", "impulse")
     quantities_in_space = ("torque", "angular_impulse")
     spatial = True
+    at_once = "`fixes: [BODY.A, BODY.B]` holds two points of a body at once"
     fixes: tuple[PointRef, ...] = key(
         "points", "the point; in space also two, of an axis", count=(1, 2), required=True, example="plate.corner1"
     )

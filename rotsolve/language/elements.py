@@ -424,6 +424,7 @@ class Event(Element, frozen=True):
     planar: ClassVar[bool] = True
     spatial: ClassVar[bool] = False
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
+    at_once: ClassVar[str] = ""  # how scenes in space say that several happen at once
     bodily: ClassVar[bool] = False
     armless: ClassVar[str] = "the blow there has no arm"  # why it does not turn what it acts on about its place
     name: str = ""

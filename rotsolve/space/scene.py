@@ -105,7 +105,7 @@ class SpaceEquations(SceneEquations, dict=True):
                 moment.later = before.event is None or found[before.start].moment.later
                 moment.before = found[before.start].moment if before.event is not None else None
                 moment.met = dict(found[before.start].moment.met)
-                if before.event is not None and before.event.joined():
+                if before.event is not None:
                     moment.met[before.event.name] = found[before.start].moment
                 self.lead_on(before, found[before.start], moment)
                 if before.event is None:

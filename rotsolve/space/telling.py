@@ -34,7 +34,7 @@ class TellingMoment:
         self.before: TellingMoment | None = None  # the moment before an event that leads to this one
         self.met: dict[
             str, TellingMoment
-        ] = {}  # the moments at which bodies met that events up to this one have joined, by these
+        ] = {}  # the moments before the events up to this one, which may have brought joints
         self.onward: Onward | None = None  # what happens from the state before on, where times are told
         self.first = True  # whether the scene begins with it
         self.later = False  # whether time has passed since the first state

@@ -115,7 +115,11 @@ class TurnedMoment(LeaningMoment):
         return (x, y, z)
 
     def turned(self, name: str) -> Rows:
-        """How a body is turned from how it is drawn, as the scene says."""
+        """How a body is turned from how it is drawn, as the scene says; on a hinge that an event has brought, as it stood then."""
+        joint = self.held.main(name)
+        met = self.met.get(joint.owner) if joint is not None and joint.turning else None
+        if met is not None:
+            return self.tidied(met.own_axes(name).standing)
         return in_turn(((item.about, item.by) for item in self.held.bodies[name].turned), self.positive)
 
     def _led(self, name: str, led: Sequence[tuple[str, str, Formula]]) -> Attitude:

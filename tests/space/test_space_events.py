@@ -141,6 +141,39 @@ find: {w: plate.angular_velocity at stuck, W: bar.angular_velocity at caught, J:
     assert found["J"] == pytest.approx(whole.masses @ (np.tensordot(rates, turns, 1) - stuck), rel=1e-9)
 
 
+LEANING = """up: z
+gravity: none
+bodies: {{plate: {{shape: rectangle, mass: 2 kg, sides: [0.4 m, 0.3 m], axis: z, points: {{A: [0.2 m, 0.15 m, 0 m], B: [-0.2 m, 0.1 m, 0 m]}}}}}}
+states:
+  before:
+    plate.tilt: 40 deg
+    plate.precession_angle: 25 deg
+    plate.spin_angle: 60 deg
+    plate.precession: 2 rad/s
+    plate.nutation: 1 rad/s
+    plate.spin: 5 rad/s
+    plate.velocity: [0 m/s, 0 m/s, 2 m/s]
+  after: {{}}
+events: {{catch: {{fixes: {points}, from: before, to: after}}}}
+find: {{W: plate.angular_velocity at after, J: catch.impulse during catch}}
+"""
+
+
+@pytest.mark.parametrize("points_held", ["plate.A", "[plate.A, plate.B]"])
+def test_what_leans_is_held_as_it_stood(points_held: str) -> None:
+    found = answers(LEANING.format(points=points_held))
+    first = turn(Z, np.radians(25))
+    attitude = first @ turn(X, np.radians(40)) @ turn(Z, np.radians(60))
+    plate = rectangle(2, 0.4, 0.3).turned(attitude)
+    before = 2 * Z + np.cross(2 * Z + first @ X + 5 * attitude @ Z, plate.places)
+    corner, other = attitude @ np.array([0.2, 0.15, 0]), attitude @ np.array([-0.2, 0.1, 0])
+    ways = np.array([X, Y, Z] if points_held == "plate.A" else [other - corner])
+    allowed = [np.cross(way, plate.places - corner) for way in ways]
+    shares = nearest(plate, before, allowed)
+    assert found["W"] == pytest.approx(shares @ ways, rel=1e-9)
+    assert found["J"] == pytest.approx(plate.masses @ (np.tensordot(shares, allowed, 1) - before), rel=1e-9)
+
+
 REFUSED = {
     "fixes: [box.A, box.A]": "holds the same point of `box` twice",
     "fixes: [box.A, dart]": "holds points of two bodies",
