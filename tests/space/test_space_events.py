@@ -143,7 +143,13 @@ find: {w: plate.angular_velocity at stuck, W: bar.angular_velocity at caught, J:
 
 LEANING = """up: z
 gravity: none
-bodies: {{plate: {{shape: rectangle, mass: 2 kg, sides: [0.4 m, 0.3 m], axis: z, points: {{A: [0.2 m, 0.15 m, 0 m], B: [-0.2 m, 0.1 m, 0 m]}}}}}}
+bodies:
+  plate:
+    shape: rectangle
+    mass: 2 kg
+    sides: [0.4 m, 0.3 m]
+    axis: z
+    points: {{A: [0.2 m, 0.15 m, 0 m], B: [-0.2 m, 0.1 m, 0 m]}}
 states:
   before:
     plate.tilt: 40 deg
