@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Sum, Symbol, add, sqrt
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient, Sum, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Words
@@ -298,6 +298,8 @@ def find_formula(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> F
     formula = find.formula.substitute(values)
     if isinstance(formula, Sum) and len(set(formula.terms)) < len(formula.terms):  # of entries that are alike
         formula = simplify(formula)
+    elif isinstance(formula, Call) and len(find.terms) > 1:  # of vectors that are alike in part
+        formula = formula.transform(lambda part: simplify(part) if isinstance(part, Sum) else part, Sum)
     return magnitude(formula) if find.modifier == "size of" else formula
 
 
