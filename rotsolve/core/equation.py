@@ -131,6 +131,7 @@ class Equation(Struct, frozen=True):
 SECOND_LAW = Law("second law", "Newton's second law, {body}{component}", NEWTON, 3)
 CARRIED = Law("carried apart", "Newton's second law, {whole}{component}: what it lies on carries it", NEWTON, 3)
 ROTATION = Law("rotation", "Newton's law for rotation, {body}{about}", NEWTON, 3)
+ABOUT_CONTACT = Law("rotation about a point of contact", "Newton's law for rotation, {body} about {point}", NEWTON, 2)
 TORQUES = Law("torques", "balance of torques, {body} about {point}", NEWTON, 3)
 CUT_TORQUES = Law("balance at a cut", "balance of torques about the cut, {body}", NEWTON, 3)
 SUMMED_OVER_WAY = Law("summed over the way", "Newton's law summed over the {over}, {body}", NEWTON, 5)

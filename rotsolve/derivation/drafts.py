@@ -10,7 +10,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.core.derivation import ForceLine, Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.equation import ABOUT_CONTACT, ANGULAR_MOMENTUM, ENERGY, NEWTON, ROTATION, SECOND_LAW, Equation, Law
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import TURNS
@@ -251,7 +251,7 @@ class Diagrams(Struct, frozen=True):
 
     def _turning(self, item: Force | Couple, body: BodyFacts, draft: Draft, in_use: Set[str]) -> Words:
         """The torque of a force on a body of which a section writes the law for rotation: ": torque M g (L/2) cos θ, clockwise"."""
-        if isinstance(item, Couple) or not self._rotates(body, draft):
+        if isinstance(item, Couple) or not self._rotates(body, draft, (ROTATION,)):
             return ()
         torque = body.torque_of(item)
         size, keys = unsigned(torque), {name for name in torque.symbols() if is_key(name)}
@@ -261,31 +261,30 @@ class Diagrams(Struct, frozen=True):
         told = sense in item.way or (not keys and self.scene.configuration.signs.by_numbers(size) == -1)
         return (": torque ", size, "" if told else f", {sense}")
 
-    def alone(self, draft: Draft) -> Iterator[tuple[BodyFacts, Force]]:
-        """The bodies of which a section writes the law for rotation and that one force alone turns, with that force."""
+    def alone(self, draft: Draft, laws: Sequence[Law] = (ROTATION, ABOUT_CONTACT)) -> Iterator[tuple[BodyFacts, Force]]:
+        """The bodies of which a section writes a law for rotation and that one force alone turns about their centre, with that force."""
         for body in self._drawn(draft):
-            turning = (
-                [item for item in body.acting if body.torque_of(item) != ZERO] if self._rotates(body, draft) else []
-            )
+            rotates = self._rotates(body, draft, laws)
+            turning = [item for item in body.acting if body.torque_of(item) != ZERO] if rotates else []
             if len(turning) == 1 < len(body.acting) and isinstance(turning[0], Force):
                 yield body, turning[0]
 
     def _turned(self, body: BodyFacts, draft: Draft, words: Callable[[Words], Words]) -> tuple[str, Formula] | None:
         """The only force that turns a body, where it is an unknown of the laws."""
-        force = next((force for own, force in self.alone(draft) if own is body), None)
+        force = next((force for own, force in self.alone(draft, (ROTATION,)) if own is body), None)
         if force is None or not isinstance(force.size, Symbol) or not is_key(force.size.name):
             return None
         (letter,) = words((force.size,))
         return (force.role.noun or force.noun, letter) if isinstance(letter, Formula) else None
 
-    def _rotates(self, body: BodyFacts, draft: Draft) -> bool:
-        """Whether a law of a section is that for rotation of a body."""
-        laws = (self.pool[index] for index in draft.laws)
-        return any(law.law == ROTATION and body.name in law.bodies for law in laws)
+    def _rotates(self, body: BodyFacts, draft: Draft, laws: Sequence[Law]) -> bool:
+        """Whether a law of a section is one of those for rotation of a body."""
+        used = (self.pool[index] for index in draft.laws)
+        return any(law.law in laws and body.name in law.bodies for law in used)
 
     def _through_the_centre(self, body: BodyFacts, draft: Draft) -> tuple[Words, ...]:
         """Which forces have no torque about the centre of mass, about which a body turns that nothing holds."""
-        if body.motion.kind == "axis" or not self._rotates(body, draft):
+        if body.motion.kind == "axis" or not self._rotates(body, draft, (ROTATION,)):
             return ()
         acting = [force for force in body.forces if not force.role.unseen and force.size != ZERO]
         central = [force for force in acting if body.torque_of(force) == ZERO]

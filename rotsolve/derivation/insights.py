@@ -17,7 +17,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Product, 
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import RATE, SECOND_LAW, Equation
+from rotsolve.core.equation import ABOUT_CONTACT, RATE, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import system_told
@@ -218,9 +218,11 @@ def energy_lost(search: Search) -> Iterator[Words]:
             (one, two), lost = [digits_in(number, scale) for number in numbers[:2]], digits_in(numbers[2], ONE)
             yield (f"{said}falls from {one} {unit} to {two} {unit}, by {lost} %",)
         elif any(item.found.formula == share for item in search.wholes()):  # it is asked
-            continue
+            pass
         elif search.signs.sign(share) == 1 and length(share) <= SHORT:
             yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")
+        if interval.event.heats and not search.scene.facts(interval.start).given and search.signs.sign(share) == 1:
+            yield (f"what is lost in the {spoken(interval.name)} becomes heat",)
 
 
 def energy_at(state: str, search: Search) -> Formula | None:
@@ -247,6 +249,8 @@ def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """What turns a body about the point at which it rolls or unwinds, which tells at once the way in which it goes."""
     rates, states = (ACCELERATION, ANGULAR_ACCELERATION), search.scene.configuration.timeline.order
     laws = [law for item in told if item.asked.dimension in rates for law in behind(item, search)]
+    if any(law.law == ABOUT_CONTACT for law in laws):  # it is among the laws
+        return
     asked, printed = {law.section for law in laws} & states.keys(), {name for law in laws for name in law.symbols()}
     for law in search.planner.pool:
         left, right = ({name for name in side.symbols() if is_key(name)} for side in (law.left, law.right))

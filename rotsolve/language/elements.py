@@ -426,6 +426,9 @@ class Event(Element, frozen=True):
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     at_once: ClassVar[str] = ""  # how scenes in space say that several happen at once
     bodily: ClassVar[bool] = False
+    heats: ClassVar[bool] = (
+        False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
+    )
     armless: ClassVar[str] = "the blow there has no arm"  # why it does not turn what it acts on about its place
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)

@@ -6,15 +6,19 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Negative, Product, Quotient, Symbol, negate, total
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Negative, Product, Quotient, Sum, Symbol, negate, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import DERIVATIVE, POWER, RATE, Equation
+from rotsolve.core.equation import ABOUT_CONTACT, DERIVATIVE, POWER, RATE, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Rule, signed
 from rotsolve.core.symbols import ACCELERATIONS, key_of, of_kinds
 from rotsolve.core.vectors.heading import Vector
-from rotsolve.core.writing import flat, positive_first, spoken
+from rotsolve.core.writing import and_joined, flat, positive_first, spoken
+from rotsolve.laws.energy import kinetic
 from rotsolve.laws.newton import response
-from rotsolve.laws.table import OfGroup
+from rotsolve.laws.table import AtMoment, OfGroup
+from rotsolve.motion.rigid import tidy
+
+SIMPLE = 2  # terms of I α + m a d: with two components of an acceleration the law about the centre of mass is shorter
 
 
 def rate_of_angular_momentum(at: OfGroup) -> Iterator[Equation]:
@@ -62,18 +66,52 @@ def string_between(body: BodyFacts, wheel: BodyFacts) -> Force | None:
     return None
 
 
+def rotation_about_contacts(at: AtMoment) -> Iterator[Equation]:
+    """Σ τ = I α + r × m a of a body about the one point at which surfaces hold it: the forces there, often unknown, have no arm."""
+    for body in at.facts.bodies:
+        slips = any(force.role.rubs and not force.internal for force in body.forces)
+        point = None if body.motion.kind == "axis" or body.changing or slips else one_contact(body)
+        if point is not None and body.motion.turns:
+            pushes, rates = newton_about(point, body)
+            if pushes and rates and len(flat(rates)) <= SIMPLE:
+                nouns = list(dict.fromkeys(force.noun for force in body.forces if force.arm == point))
+                words: Words = (f"{and_joined(nouns)} {'have' if len(nouns) > 1 else 'has'} no arm there",)
+                where = "its point of contact"
+                sides = positive_first(pushes), positive_first(rates)
+                yield ABOUT_CONTACT.equation(*sides, at.section, (body.name,), words, point=where)
+
+
+def one_contact(body: BodyFacts) -> Vector | None:
+    """The one point, from the reference, at which surfaces press a body; None where there are several, or none."""
+    points = {force.arm for force in body.forces if force.role.presses and force.internal}
+    return points.pop() if len(points) == 1 else None
+
+
+def newton_about(point: Vector, body: BodyFacts) -> tuple[list[Formula], list[Formula]]:
+    """Torques about a point of what acts elsewhere, and I α + r × m a, the rate of the angular momentum about it."""
+    sense = body.motion.sense
+    apart = [force for force in body.forces if force.arm != point]
+    pushes = [force.size * lever_arm(tidy(force.arm - point), force, sense) for force in apart]
+    pushes += [signed(couple.torque, sense) for couple in body.couples]
+    orbital = signed((body.cm - point).cross(body.centre_acceleration.scaled(body.mass)), sense)
+    return flat(pushes), [term for term in (response(body), orbital) if term != ZERO]
+
+
+def lever_arm(arm: Vector, force: Force, sense: int) -> Formula:
+    """The lever of a force that turns in a sense, its positive terms first."""
+    size = signed(arm.cross(force.direction), sense)
+    if isinstance(size, Negative) and isinstance(size.operand, Sum):
+        return positive_first([negate(term) for term in size.operand.terms])
+    return positive_first([size])
+
+
 def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     """Rolling or unwinding: about the point held by the surface or string, whose forces then have no arm."""
     held = {force.arm for force in body.forces if force.internal}
-    if len(held) != 1:
-        return
-    point, sense = held.pop(), body.motion.sense
-    pushes = [signed((force.arm - point).cross(force.vector), sense) for force in body.forces if not force.internal]
-    pushes += [signed(couple.torque, sense) for couple in body.couples]
-    orbital = signed((body.cm - point).cross(body.centre_acceleration.scaled(body.mass)), sense)
-    rates = [term for term in (response(body), orbital) if term != ZERO]
-    where = f"the point of contact of {spoken(body.name)}"
-    yield RATE.equation(positive_first(pushes), positive_first(rates), section, (body.name,), point=where)
+    if len(held) == 1:
+        pushes, rates = newton_about(held.pop(), body)
+        where = f"the point of contact of {spoken(body.name)}"
+        yield RATE.equation(positive_first(pushes), positive_first(rates), section, (body.name,), point=where)
 
 
 def rate_of_energy(at: OfGroup) -> Iterator[Equation]:
@@ -134,7 +172,9 @@ def power_of_forces(at: OfGroup) -> Iterator[Equation]:
     balance = drive(at.virtual, at.group)
     if balance is not None and balance != (ZERO, ZERO):
         words: Words = (
-            "Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",
+            "The kinetic energy is ",
+            total(kinetic(bodies)),
+            "; its rate is the power of all forces. Both are divided by the rate of the motion.",
         )
         yield POWER.equation(positive_first([balance[0]]), balance[1], at.section, tuple(sorted(at.group)), words)
 

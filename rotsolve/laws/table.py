@@ -22,6 +22,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import (
+    ABOUT_CONTACT,
     ANGLES_TURNED,
     BLOWS,
     BY_PLACE,
@@ -189,6 +190,7 @@ LAWS = (
     Principle((SECOND_LAW,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:second_law"),
     Principle((CARRIED,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:carried_apart"),
     Principle((ROTATION,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:law_of_rotation"),
+    Principle((ABOUT_CONTACT,), (STATE, MIDST), "groups:rotation_about_contacts"),
     Principle((TORQUES,), (STATE,), "newton:balance_of_torques"),
     Principle((INERTIA, SECOND_LAW, ROTATION, CUT_TORQUES), (STATE,), "newton:laws_of_pieces"),
     Principle((RULE,), (STATE, MIDST, NEAR, FOLLOWED), "rules:rules_for_accelerations"),

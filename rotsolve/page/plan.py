@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Section
 from rotsolve.core.equation import (
+    ABOUT_CONTACT,
     ANGULAR_MOMENTUM_IN_SPACE,
     BLOWS,
     CONSERVATION,
@@ -51,6 +52,7 @@ TIES = frozenset(law.name for law in (RULE, RULE_OF_WAYS, STRETCH))  # what ties
 SAID = {  # how a plan speaks of a law, with its bodies behind it where it is written for each; of others by their labels
     SECOND_LAW.name: "Newton's second law for {}",
     ROTATION.name: "Newton's law for rotation for {}",
+    ABOUT_CONTACT.name: "Newton's law for rotation about the point of contact for {}",
     CONSERVATION.name: "the conservation of energy",
     WORK_AND_ENERGY.name: "work and energy",
     DERIVATIVE.name: "the derivative of the energy",
