@@ -29,7 +29,6 @@ FOUND = {
     "wheel.kinetic_energy at end = 4*wheel.kinetic_energy at start": 0.225,
     "wheel.rotation from start to end = (6 rad)*wheel.kinetic_energy/(1 J) at start": -0.14625,
     "change of wheel.angular_momentum from start to end = wheel.angular_momentum at start": 0.225,
-    "wheel.angular_momentum at end = change of wheel.angular_momentum from start to end + L": None,
 }
 
 
