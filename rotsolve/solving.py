@@ -370,6 +370,11 @@ def check_consistent(search: Search) -> KnownBalls:
 
         for refusal in not_reached(search):
             raise refusal
+    if any(search.scene.configuration.rides(state.name) for state in problem.states):
+        from rotsolve.search.riding import barred_rides
+
+        for gone in barred_rides(search):
+            raise gone
     if problem.space and problem.states:
         from rotsolve.search.coming import not_come_to
 
@@ -381,7 +386,10 @@ def check_consistent(search: Search) -> KnownBalls:
         for refusal in out_of_bounds(search):
             raise refusal
     for value, (sign, question, span) in configuration.supposed.items():
-        if configuration.signs.sign(settled_aside(value, search)) != sign:
+        settled = settled_aside(value, search)
+        told = configuration.signs.sign(settled)
+        size = balls.size(settled) if told is None else None  # a letter without a closed form has its ball
+        if told != sign and (size is None or not size * sign > 0):
             raise configuration.undecided(value, question, span)
     return balls
 

@@ -115,7 +115,7 @@ class Section(Struct, frozen=True):
     """What belongs to one instant, phase or event: forces, laws, algebra, in the order in which a textbook shows them.
 
     `title` is empty where the scene has one instant only. `remarks` are sentences such as why energy is conserved. What is `supposed` is
-    shown not to be so: the letters have other values there.
+    shown not to be so: the letters have other values there. Of letters it holds in a `case`, under these conditions.
     """
 
     title: str
@@ -124,6 +124,7 @@ class Section(Struct, frozen=True):
     laws: tuple[LawLine, ...] = ()
     moves: tuple[Move, ...] = ()
     supposed: bool = False
+    case: tuple[Equality, ...] = ()
 
 
 class Answer(Struct, frozen=True):

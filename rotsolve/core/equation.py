@@ -9,7 +9,7 @@ from __future__ import annotations
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Integral
+from rotsolve.algebra.formula import ONE, Formula, Integral
 from rotsolve.core.derivation import Words
 from rotsolve.core.writing import spoken
 
@@ -78,12 +78,13 @@ class Law(Struct, frozen=True):
         cost: int | None = None,
         defines: str = "",
         relation: str = "=",
+        common: Formula = ONE,
         **words: str,
     ) -> Equation:
         """left = right by this law, its label filled in with `words`."""
         label = self.words.format(body=spoken(bodies[0]) if bodies else "", **words)
         own = self.cost if cost is None else cost
-        return Equation(left, right, self, section, label, own, remark, defines, bodies, relation)
+        return Equation(left, right, self, section, label, own, remark, defines, bodies, relation, common)
 
 
 class Equation(Struct, frozen=True):
@@ -91,7 +92,7 @@ class Equation(Struct, frozen=True):
 
     `section` is the state, phase or event where it is written, `label` what is printed beside it, `cost` that of its law or its own.
     `defines` names the symbol that a definition introduces, which the solver puts in first. `relation` is ≈ where small quantities have
-    been left out.
+    been left out. `common` is what both sides are multiples of, known and not 0, by which a step divides them.
     """
 
     left: Formula
@@ -104,6 +105,7 @@ class Equation(Struct, frozen=True):
     defines: str = ""
     bodies: tuple[str, ...] = ()
     relation: str = "="
+    common: Formula = ONE
 
     @property
     def family(self) -> str:
@@ -123,7 +125,8 @@ class Equation(Struct, frozen=True):
 
     def renamed(self, names: dict[str, Formula]) -> Equation:
         remark = tuple(part.substitute(names) if isinstance(part, Formula) else part for part in self.remark)
-        return replace(self, left=self.left.substitute(names), right=self.right.substitute(names), remark=remark)
+        left, right, common = (part.substitute(names) for part in (self.left, self.right, self.common))
+        return replace(self, left=left, right=right, remark=remark, common=common)
 
 
 # Newton's laws
@@ -140,10 +143,8 @@ POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μ�
 ANGULAR_MOMENTUM_IN_SPACE = Law("angular momentum in space", "angular momentum, {body}{about}, along {axis}", cost=1)
 COUPLE_OF_BEARINGS = Law("couple of bearings", "couple of the bearings of {owner}, along {axis}", NEWTON, 2)
 SIZE_OF_MOMENTUM = Law("size of the angular momentum", "size of the angular momentum, {body}", cost=1)
-RATE_IN_AXES = Law("rate of angular momentum in axes", "τ = {rate}, {body}{about}, along {axis}", NEWTON, 3)
-RATE_IN_STILL_AXES = Law(
-    "rate of angular momentum in axes that stay", "τ = dL/dt, {body}{about}, along {axis}", NEWTON, 3
-)
+RATE_IN_AXES = Law("rate of angular momentum in axes", "τ = {rate}, {body}{about}{along}", NEWTON, 3)
+RATE_IN_STILL_AXES = Law("rate of angular momentum in axes that stay", "τ = dL/dt, {body}{about}{along}", NEWTON, 3)
 RATES_OF_MOMENTUM = (RATE_IN_AXES, RATE_IN_STILL_AXES)
 
 # energy
@@ -234,6 +235,7 @@ STEADY_LIMIT = Law(
 STATED = Law("stated")
 CONDITION = Law("condition", "the condition{words}")
 DEFINITION = Law("definition", cost=1)
+VANISHING = Law("vector that vanishes", "{words}", cost=1)  # whose components are told all the same
 COMPONENTS = Law("components", "{words}", cost=1)  # of a size and an angle that are both sought
 KINETIC_ENERGY = Law("kinetic energy", cost=1, kinetic=True)
 KINETIC_ENERGY_AT = Law("kinetic energy at a moment", "kinetic energy, {moment}", cost=1, kinetic=True, apart=True)

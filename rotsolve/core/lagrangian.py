@@ -140,6 +140,10 @@ class Lagrangian(Struct, frozen=True, dict=True):
         """The generalized force by the coordinate's rate, force by force: −∂V/∂q too."""
         return [differentiate(power, q.rate) for power in (*self.weights, *self.sprung, *self.given)]
 
+    def efforts_without_potential(self, q: GeneralizedCoordinate) -> list[Formula]:
+        """The same of forces that have no potential."""
+        return [differentiate(power, q.rate) for power in self.given]
+
     def pace(self, q: GeneralizedCoordinate) -> Formula:
         """The coordinate's rate per q̇, which is constant."""
         return pace_of_coordinate(q, self.growth)

@@ -314,10 +314,11 @@ def headed(key: tuple[Equality, ...], case: Solved, known: Sequence[Words]) -> t
     """The sections of a case below its conditions, and the states on its way that are not known."""
     assert case.found is not None
     own = tuple(words for words in states_of(case) if words not in known)
-    return (
-        Section(f"If {in_a_line(key)}", remarks=own),
-        *(replace(one, title=one.title or "So") for one in case.found.sections),
-    )
+    title, sections = f"If {in_a_line(key)}", case.found.sections
+    if len(sections) == 1 and not sections[0].title:
+        return (replace(sections[0], title=title, remarks=(*own, *sections[0].remarks), case=key),)
+    inner = (replace(one, title=one.title or "So", case=key) for one in sections)
+    return Section(title, remarks=own, case=key), *inner
 
 
 def in_a_line(conditions: Sequence[Equality]) -> str:

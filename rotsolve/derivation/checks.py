@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Formula, Quotient, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Quotient, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, MASS, NONE, TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
@@ -79,6 +79,12 @@ def limit(formula: Formula, name: str, search: Search) -> Formula | None:
     try:
         if any(is_zero(node.denominator) for node in put.walk() if isinstance(node, Quotient)):
             return None
+        if any(
+            all(map(is_zero, node.arguments))
+            for node in put.walk("atan2")
+            if isinstance(node, Call) and node.function == "atan2"
+        ):
+            return None  # what is nothing has no direction
         return search.solver.simplify(put)
     except (ZeroDivisionError, ValueError):
         return None
@@ -101,6 +107,21 @@ def nudged(search: Search) -> Iterator[Check]:
                 words = f"nothing moves {spoken(travel.body)} from rest at {state}: the least push decides which way it goes"
                 yield Check((words,), None)
                 break
+
+
+FEW_PERCENT = 0.1  # up to which share of something a quantity is small beside it
+
+
+def beside_each_other(search: Search, letters: Letters) -> Iterator[Check]:
+    """What an approximation takes to be small beside what, in numbers: "ω = 3.1 rad/s is small beside s = 126 rad/s"."""
+    for pair in dict.fromkeys(search.scene.small_beside()):
+        small, large = (search.apart().certified(value) for value in pair)
+        if small is None or large is None or not large.float or not all(isinstance(value, Symbol) for value in pair):
+            continue
+        words = " is small beside " if abs(small.float) <= FEW_PERCENT * abs(large.float) else " is not small beside "
+        less, more = (letters.printed(value) for value in pair)
+        told = (less, f" = {small.text(4)} rad/s", words, more, f" = {large.text(4)} rad/s")
+        yield Check(told, None, "approximation:")
 
 
 def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> bool:
@@ -126,6 +147,7 @@ def checks(search: Search, letters: Letters, balls: KnownBalls, at: TimeValue | 
         *limit_checks(search),
         *requirements(search, letters, at),
         *nudged(search),
+        *beside_each_other(search, letters),
     )
 
 

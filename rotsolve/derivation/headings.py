@@ -27,6 +27,7 @@ MOMENTS = (
     )
 )
 ALONE = frozenset(("now", "later", "before", "after", "first", "then", "steadily", "outside", "inside"))
+SHORT = 2  # letters of a name that is no word: "just after b2", "just after the hit"
 
 
 def section_title(key: str, scene: SceneEquations) -> str:
@@ -50,7 +51,8 @@ def moment_title(state: str, timeline: Timeline) -> str:
     name = spoken(state)
     beside = {"before": timeline.after(state), "after": timeline.before(state)}.get(state)
     if beside is not None and beside.event is not None:
-        return f"Just {name} the {spoken(beside.name)}"
+        event = spoken(beside.name)
+        return f"Just {name} {event if len(event) <= SHORT or event[-1:].isdigit() else f'the {event}'}"
     if name in ALONE:
         return name.capitalize()
     return f"At the {name}" if name in MOMENTS else f"When {name}"

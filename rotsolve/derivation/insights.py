@@ -72,16 +72,17 @@ def cancelled(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "M cancels: α and ω do not depend on it", of givens that the laws of answers hold and their formulas do not; masses first."""
     lost: dict[tuple[Formula, ...], list[str]] = {}
     for given in sorted(search.givens.values(), key=lambda given: given.dimension != MASS):
-        without = [called(item) for item in told if not given.asked and cancels(given.name, item, search)]
-        if without:
-            lost.setdefault(tuple(without), []).append(given.name)
-    for letters, names in list(lost.items())[:MOST]:
+        without = [item for item in told if not given.asked and cancels(given.name, item, search)]
+        letters = dict.fromkeys(Symbol(item.asked.find.group) for item in without if free_of(given.name, item, search))
+        if letters:
+            lost.setdefault(tuple(letters), []).append(given.name)
+    for answers, names in list(lost.items())[:MOST]:
         verb, it = ("cancels", "it") if len(names) == 1 else ("cancel", "them")
-        do = "does" if len(letters) == 1 else "do"
+        do = "does" if len(answers) == 1 else "do"
         yield (
             *listed_with_and(map(Symbol, names)),
             f" {verb}: ",
-            *listed_with_and(letters),
+            *listed_with_and(answers),
             f" {do} not depend on {it}",
         )
 
@@ -91,6 +92,13 @@ def cancels(name: str, item: Answered, search: Search) -> bool:
     formula = in_givens(item)
     laws = (search.planner.pool[index] for index in item.used)
     return formula is not None and name not in formula.symbols() and any(name in law.symbols() for law in laws)
+
+
+def free_of(name: str, item: Answered, search: Search) -> bool:
+    """Whether a given stands in no component of the answer to which one belongs."""
+    own = (other for other in search.wholes() if other.asked.find.group == item.asked.find.group)
+    formulas = [other.found.formula for other in own]
+    return all(one is not None and not has_quantities(one) and name not in one.symbols() for one in formulas)
 
 
 def listed_with_and(letters: Iterable[Formula]) -> Words:

@@ -12,10 +12,11 @@ from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Product, Quotient, Symbol
-from rotsolve.algebra.units.dimension import word_of
+from rotsolve.algebra.units.dimension import ANGLE, word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Words
+from rotsolve.core.equation import COMPONENTS
 from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
@@ -79,6 +80,7 @@ def every_body(bodies: Iterable[Body]) -> Iterator[Body]:
 
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
+DIGITS = 4  # of an angle that is told in a remark
 FEW, MANY, SHORTER = 40, 120, 3  # nodes of one with elliptic functions; of one that is so many times shorter in letters
 
 
@@ -142,7 +144,7 @@ class Results(Struct, frozen=True):
             direction,
             components=parts if asked.resolves else (),
             angle=self._slope(parts) if asked.points else None,
-            remark=self._when(answered),
+            remark=self._when(answered) or self._counted_round(answered),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
             closed=found.formula,
             positive=ways.positive,
@@ -175,6 +177,17 @@ class Results(Struct, frozen=True):
         if TIME in found.formula.symbols():
             return (f"{part}, at " if part else "at ", *moment)
         return (part,) if part else ()
+
+    def _counted_round(self, answered: Answered) -> Words:
+        """A direction below 0 that a size and an angle tell, as it is counted from 0 to 360°."""
+        pool, angle = self.search.planner.pool, answered.found.formula
+        by_parts = any(pool[index].law == COMPONENTS for index in answered.used)
+        if angle is None or answered.asked.dimension != ANGLE or not by_parts:
+            return ()
+        value, round_on = (self.value(turned * 180 / PI) for turned in (angle, angle + 2 * PI))
+        if value is None or round_on is None or value.sign != -1:
+            return ()
+        return (f"{round_on.figures(DIGITS)[0]}° counted to 360°",)
 
     def _until(self, answered: Answered) -> str:
         """The state up to which a function of time holds: one on the way, or any that letters do not tell to be after the moment at which

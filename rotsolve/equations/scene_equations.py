@@ -97,6 +97,10 @@ class SceneEquations(Struct, dict=True):
         """What acts on each body of a scene in space, in words; nothing in the plane, whose facts say it."""
         return iter(())
 
+    def small_beside(self) -> Iterator[tuple[Formula, Formula]]:
+        """What its approximations take to be small, each beside what it is small."""
+        return iter(())
+
     def idle_assumptions(self, used: Collection[Equation]) -> Iterator[str]:
         """The assumptions of a scene that leave nothing out of the equations that are used: none in the plane, where there are none."""
         return iter(())

@@ -33,7 +33,7 @@ from rotsolve.page.blocks import (
 )
 from rotsolve.page.depth import BRIEF, FEWEST_TERMS, NONE, NORMAL, STEPS
 from rotsolve.page.inserted import CoherentUnits, InsertedNumbers, coherent_units
-from rotsolve.page.plan import plan_of
+from rotsolve.page.plan import plan_of, planned_once
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
 from rotsolve.page.wording import said_of_step
 
@@ -169,7 +169,7 @@ def opening_rows(derivation: Derivation, digits: int | None) -> Iterator[Labelle
     yield Labelled("Find", derivation.finds, ", " if only_letters(derivation.finds) else "; ")
     yield Labelled("States", derivation.states, wide=True)
     yield Labelled("Events", derivation.events)
-    yield Labelled(PLAN, plan_of(derivation), " ", wide=len(derivation.sections) > 1)
+    yield Labelled(PLAN, plan_of(derivation), " ", wide=len(planned_once(derivation.sections)) > 1)
 
 
 def without_value(answer: Answer) -> Answer:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Section
+from rotsolve.core.derivation import Answer, Derivation, Equality, ForceLine, LawLine, Section
 from rotsolve.core.equation import (
     ABOUT_CONTACT,
     ANGULAR_MOMENTUM_IN_SPACE,
@@ -74,13 +74,22 @@ SAID = {  # how a plan speaks of a law, with its bodies behind it where it is wr
 
 def plan_of(derivation: Derivation) -> tuple[Phrase, ...]:
     """The plan, sentence by sentence; nothing where there is little to plan."""
-    sections = [section for section in derivation.sections if section.laws]
+    sections = planned_once([section for section in derivation.sections if section.laws])
     if sum(len(section.laws) for section in sections) < FEWEST:
         return tuple(map(limit_planned, (law for section in sections for law in section.laws if law.name in LIMITS)))
     if len(sections) == 1:
         return tuple(plan_sentences(sections[0], derivation))
     found = found_in(sections, derivation)
     return tuple(plan_stage(*stage) for stage in zip(range(1, len(sections) + 1), sections, found, strict=True))
+
+
+def planned_once(sections: Sequence[Section]) -> Sequence[Section]:
+    """The sections to plan: of cases of letters that are planned alike the first."""
+    cases: dict[tuple[Equality, ...], list[Section]] = {}
+    for section in sections:
+        cases.setdefault(section.case, []).append(section)
+    planned = {tuple(tuple(principles(section.laws)) for section in own) for own in cases.values()}
+    return next(iter(cases.values())) if len(planned) == 1 else sections
 
 
 def limit_planned(law: LawLine) -> Phrase:
@@ -158,7 +167,7 @@ def principles(laws: Sequence[LawLine]) -> list[str]:
     bodies: dict[str, list[str]] = {}
     for law in laws:
         if is_principle(law):
-            own = bodies.setdefault(SAID.get(law.name) or law.law.split(", ")[0], [])
+            own = bodies.setdefault(SAID.get(law.name) or head_of(law), [])
             own += [body for body in law.bodies[:1] if body not in own]
     alike: dict[tuple[str, ...], list[str]] = {}
     for said, own in bodies.items():
@@ -178,13 +187,23 @@ def is_principle(law: LawLine) -> bool:
 
 def ties_of(laws: Sequence[LawLine]) -> list[str]:
     """What ties motions together, each once: "the string does not slip"."""
-    return list(dict.fromkeys(law.law.split(", ")[0] for law in laws if law.name in TIES))
+    return list(dict.fromkeys(head_of(law) for law in laws if law.name in TIES))
+
+
+def head_of(law: LawLine) -> str:
+    """The label of a law up to its first comma that is not within brackets: "torque of ball about (0, 0, 0)"."""
+    depth = 0
+    for place, letter in enumerate(law.law):
+        depth += {"(": 1, ")": -1}.get(letter, 0)
+        if not depth and law.law.startswith(", ", place):
+            return law.law[:place]
+    return law.law
 
 
 def plain_labels(laws: Sequence[LawLine]) -> list[str]:
     """What remains: what quantities are by their definitions."""
     own = [law for law in laws if law.name not in APART] or laws
-    return list(dict.fromkeys(law.law.split(", ")[0] for law in own))
+    return list(dict.fromkeys(head_of(law) for law in own))
 
 
 def capital(words: str) -> str:

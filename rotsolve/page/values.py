@@ -100,7 +100,8 @@ def _matrices(answer: Answer, digits: int) -> tuple[Matrix, ...]:
     boxes: list[tuple[tuple[Formula | Amount, ...], ...]] = []
     if symbolic and sum(map(len, exact)) == len(parts):
         boxes.append(tuple(map(tuple, exact)))
-    if any(part.value is not None for part in parts) or not boxes:
+    # nothing but a 0 has a number where all else stays in letters
+    if any(part.value is not None and part.formula != ZERO for part in parts) or not boxes:
         boxes.append(tuple(tuple(_entry(part, digits) for part in row) for row in answer.rows))
     return tuple(Matrix(rows, answer.unit if rows is boxes[-1] else None) for rows in boxes)
 

@@ -286,10 +286,17 @@ class Sections:
         scope, node = self.scope, self.node("gravity")
         if isinstance(node, Text) and node.value.strip() == "none":
             return None
-        if node is not None:
-            return read_scalar(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
         given = scope.givens.get("g")
-        if given is not None and (given.dimension is None or given.dimension.matches(ACCELERATION)):
+        own = given is not None and (given.dimension is None or given.dimension.matches(ACCELERATION))
+        if node is not None:
+            value = read_scalar(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
+            if own and value is not None and "g" not in value.symbols():
+                return scope.fault(
+                    node, "the given `g` is gravity already", "leave out one of them, or write `gravity: g`"
+                )
+            return value
+        if own:
+            assert given is not None
             if given.dimension is None:
                 scope.dimensions["g"] = ACCELERATION
             return scope.made.get("g", Symbol("g"))

@@ -39,21 +39,32 @@ def not_come_to(search: Search) -> Iterator[Unsolvable]:
             yield from without_rates(interval.end, COMING, search)
             yield from below_summit(interval, search)
             yield from in_equilibrium(interval, search)
+            yield from off_its_way(interval, search)
 
 
 def in_equilibrium(interval: Interval, search: Search) -> Iterator[Unsolvable]:
-    """The bodies on hinges that are at rest where nothing turns them, and never come to another angle."""
-    from rotsolve.space.summit import stays_put
+    """The bodies on hinges, or at a fixed point, that are at rest where nothing turns them, and never come to another angle, or tilt."""
+    from rotsolve.space.summit import stays_put, stays_upright
 
     configuration, dynamics = search.scene.configuration, dynamics_of(search)
     for body in configuration.problem.bodies:
-        first, last = (dynamics[state].moment.stood(body.name, "angle") for state in (interval.start, interval.end))
-        if first is None or last is None or search.numbers.side(last - first) in (0, None):
-            continue
-        if stays_put(body.name, dynamics[interval.start], search.numbers.side):
-            span = configuration.timeline.state(interval.end).span
-            why = f"`{body.name}` is at rest there in equilibrium, and stays so"
-            yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+        for word, stays in (("angle", stays_put), ("tilt", stays_upright)):
+            first, last = (dynamics[state].moment.stood(body.name, word) for state in (interval.start, interval.end))
+            if first is None or last is None or search.numbers.side(last - first) in (0, None):
+                continue
+            if stays(body.name, dynamics[interval.start], search.numbers.side):
+                span = configuration.timeline.state(interval.end).span
+                why = f"`{body.name}` is at rest there in equilibrium, and stays so"
+                yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+
+
+def off_its_way(interval: Interval, search: Search) -> Iterator[Unsolvable]:
+    """What sets out away from a place for ever, turns back before it, or rests in balance, on a joint of whatever carries it."""
+    lines = search.scene.configuration.timeline.state(interval.end).conditions
+    if any(line.path is not None and line.path.quantity in ("angle", "position") for line in lines):
+        from rotsolve.search.ways_on_joints import barred_ways
+
+        yield from barred_ways(interval, search)
 
 
 def dynamics_of(search: Search) -> Mapping[str, SpaceLaws]:

@@ -8,10 +8,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
-from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, call
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words
@@ -290,6 +291,26 @@ class RootChoice(Struct, frozen=True):
         """Whether a root holds a given without a number."""
         signs = self.numbers.signs
         return not signs.trials.keys() >= set(signs.lacking(root))
+
+
+def among(fitting: Sequence[int], picked: PickedRoot) -> PickedRoot:
+    """A root that is picked of those that fit, as one of all roots."""
+    return replace(picked, root=fitting[picked.root], alike=tuple(fitting[index] for index in picked.alike))
+
+
+def nearest_turn(
+    name: str, picked: PickedRoot, roots: Sequence[Formula], period: Formula | None, search: Search
+) -> PickedRoot:
+    """The root of an angle that is sought from −180° to 180°, to which no motion comes, if it holds a whole turn on."""
+    given = search.givens.get(name)
+    if given is None or not given.asked or picked.reached or period is None or not search.may_be_angle(name):
+        return picked
+    parts, root = simplify(2 * PI / period), picked.of(roots)
+    whole = isinstance(parts, Number) and parts.value.denominator == 1 and is_zero(picked.period - 2 * PI)
+    if not whole or search.numbers.of(root) is None:
+        return picked
+    more = 1 if search.numbers.side(root + PI) == -1 else -1 if search.numbers.side(root - PI) == 1 else 0
+    return replace(picked, turns=picked.turns + more) if more else picked
 
 
 def nearest_to_zero(entries: Sequence[tuple[int, float]]) -> int:

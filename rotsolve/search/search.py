@@ -16,7 +16,7 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.equation import NEWTON, VANISHING, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
@@ -207,7 +207,7 @@ class Search(Struct, dict=True):
 
     def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
-        from rotsolve.search.roots import RootChoice
+        from rotsolve.search.roots import RootChoice, among, nearest_turn
 
         if self.ground is not None:
             self.ground.chose = True
@@ -223,8 +223,7 @@ class Search(Struct, dict=True):
         if passed and len(fitting) == 1:
             return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
         picked = choice.choose(name, [roots[number] for number in fitting], period)
-        alike = () if picked is None else tuple(fitting[index] for index in picked.alike)
-        return None if picked is None else replace(picked, root=fitting[picked.root], alike=alike)
+        return picked and nearest_turn(name, among(fitting, picked), roots, period, self)
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""
@@ -274,7 +273,7 @@ class Search(Struct, dict=True):
         parts = tuple(self._part(part) for part in asked.parts)
         self._enter(asked)
         first = len(self.solver.steps)
-        if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
+        if asked.find.whole and asked.formula == ZERO and asked.law != VANISHING:  # by symmetry: it takes no step
             self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
         if asked.letter in self.solver.solved:
             answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts, aside=aside)

@@ -13,7 +13,7 @@ from msgspec import field
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import REMEMBERED, is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ELLIPTIC, ZERO, Formula, Integral, Symbol
+from rotsolve.algebra.formula import ELLIPTIC, ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
 from rotsolve.core.symbols import ACCELERATIONS, key_of
@@ -149,6 +149,7 @@ class Solver(Isolation, kw_only=True):
         items = [Item(self.refs.get(k, ("law", k)), k, law.left, law.right, law.section) for k, law in laws]
         for item in items:
             self._put_in_functions(item)
+            self._divide(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
             found = self._next(items, unknowns, plan.asked) or self._within_function(items, unknowns, plan.asked)
@@ -175,6 +176,15 @@ class Solver(Isolation, kw_only=True):
         }
         if used:
             self._substitute(item, used, [("known", name) for name in used])
+
+    def _divide(self, item: Item) -> None:
+        """Both sides divided by what they have in common, in a step of its own."""
+        common = self.pool[item.index].common
+        if common == ONE or item.sources:
+            return
+        item.left, item.right = (self.simplify(side / common) for side in (item.left, item.right))
+        step = self._keep(item, [Equality(item.left, item.right)], "", ("both sides divided by ", common, " ≠ 0"))
+        item.ref = ("step", step.number)
 
     def _next(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination | None:
         """What to eliminate next, the most trivial first; None where that is a square, or none can be told from the others."""

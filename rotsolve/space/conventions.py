@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ONE, ZERO, Symbol
 from rotsolve.core.derivation import Words, direction_in_words, in_a_row
 from rotsolve.core.equation import BLOWS, RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, Equation, Law
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.triple import AS_DRAWN, NOTHING, cross_product, triple, way_between
+from rotsolve.core.vectors.heading import heading
+from rotsolve.core.vectors.triple import AS_DRAWN, NOTHING, Z, cross_product, triple, way_between
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import references
@@ -46,7 +47,7 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
 def axes_of_body(scene: SpaceEquations, name: str, used: Collection[Equation]) -> Iterator[Words]:
     """The axes in which the laws of a body are written."""
     if any(kind_of_axes(laws, name) == NODE for laws in scene.dynamics.values()):
-        if fast := carried_round_by_precession(scene, name):
+        if fast := carried_round_by_precession(scene, name, used):
             yield fast
             return
         told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
@@ -60,18 +61,31 @@ def axes_of_body(scene: SpaceEquations, name: str, used: Collection[Equation]) -
         yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
 
 
-def carried_round_by_precession(scene: SpaceEquations, name: str) -> Words:
+def carried_round_by_precession(scene: SpaceEquations, name: str, used: Collection[Equation]) -> Words:
     """The argument for a top that spins fast and precesses steadily, in place of its axes; nothing of all others."""
-    nodding = [laws.moment.nodding(name) for laws in scene.dynamics.values() if laws.fast and laws.moment.state.steady]
-    if len(nodding) != len(scene.dynamics) or len(set(nodding)) != 1:
+    if not all(laws.goes_round_fast(name) for laws in scene.dynamics.values()):
         return ()
-    rate = nodding[0].rates[0]
+    turning = {laws.moment.nodding(name) for laws in scene.dynamics.values()}
+    if len(turning) != 1:
+        return ()
+    (one,) = turning
+    rate, sine = one.rates[0], heading(one.angles[1]).sin()
+    told = (item for item in used if item.law in RATES_OF_MOMENTUM and item.bodies == (name,))
+    sizes = {} if is_zero(sine) else {simplify(item.right / (rate * sine)): item.left for item in told}
+    # the law along e₁ is the one that says Ω times a level part in which Ω is not
+    size = next((size for size in sizes if size != ZERO and not size.symbols() & rate.symbols()), None)
+    level = Symbol("L") * sine
     return (
-        f"{spoken(name)} spins fast: its angular momentum L lies nearly along its axis e₃, which goes round the vertical at ",
+        "the spin is fast, so L",
+        *(() if size is None else (" = ", scene.in_order(size))),
+        f" lies along the axis of {spoken(name)}; ",
+        *(("it",) if sine == ONE else ("its level part ", level)),
+        " goes round with the axis at ",
         rate,
-        "; the level part of L goes round with it and so changes by ",
-        rate,
-        " times itself per second, along e₁, level and square to the axis, as the torque acts",
+        " and so changes by ",
+        rate * level,
+        " per second",
+        *(() if size is None else (": that is the torque ", sizes[size])),
     )
 
 
@@ -123,16 +137,16 @@ def turning_axes(scene: SpaceEquations, name: str) -> Words:
 
 
 def standing_axes(scene: SpaceEquations, name: str) -> Words:
-    """Along which directions in space the axes of a body lie, where these are others than those of space and the same at all states."""
+    """Along which directions in space the axes of a body lie, where these are others than those of space; where they are too long to be
+    written out or not the same at all states, that these are its own."""
     if not all(kind_of_axes(laws, name) for laws in scene.dynamics.values()):
         return ()
     axes = [laws.moment.axes(name) for laws in scene.dynamics.values()]
-    if any(one.lost for one in axes) or len(stands := {one.rows for one in axes}) != 1 or stands == {AS_DRAWN}:
+    if any(one.lost for one in axes) or (stands := {one.rows for one in axes}) == {AS_DRAWN}:
         return ()
-    (rows,) = stands
-    ways = [triple(column) for column in zip(*rows, strict=True)]  # of its own x, y and z
-    if sum(length(part) for way in ways for part in way) > LONG:
-        return ()
+    ways = [triple(column) for column in zip(*axes[0].rows, strict=True)]  # of its own x, y and z
+    if len(stands) > 1 or sum(length(part) for way in ways for part in way) > LONG:
+        return ("its own, not those of space",)
     told = [direction_in_words(way) for way in ways]
     return ("along ", *told[0], ", ", *told[1], " and ", *told[2], " in space")
 
@@ -144,6 +158,12 @@ def placed_points(scene: SpaceEquations) -> Iterator[Words]:
         if not spots or sum(length(part) for place in spots.values() for part in place) > LONG:
             continue
         told: list[str | Formula] = []
+        along = name in scene.held.nodding and scene.held.axis(name) == Z
+        if along and all(place[:2] == (ZERO, ZERO) for place in spots.values()):
+            for point, place in spots.items():
+                told += [f"{', ' if told else ''}{point} at ", scene.in_order(place[2])]
+            yield (f"on {spoken(name)}, from its centre of mass along its axis: ", *told)
+            continue
         for point, place in spots.items():
             told += [f"{', ' if told else ''}{point} (", *in_a_row(map(scene.in_order, place)), ")"]
         yield (f"on {spoken(name)}, from its centre of mass along its own axes: ", *told)

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import degree, is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
     ANGULAR_MOMENTUM_IN_SPACE,
@@ -276,26 +276,30 @@ class SpaceLaws:
         torque = self.torque_about(name, pushes, place)
         felt = scaled_by(negate(self.moment.held.mass(name)), led)
         torque = vector_sum(torque, cross_product(self.moment.arm(PointRef(name, CM)), felt))
+        plain = own.axes.name == NODE and self.goes_round_fast(name)
         where = f" about {point_in_words(point)}{'' if led == NOTHING else ', which is led along'}"
         for axis, left, change, across in zip(AXES, torque, changes, turning, strict=True):
             if (left, change, across) == (ZERO, ZERO, ZERO) or self.goes_on(name):
                 continue
             if axis == "y" and own.axes.name == NODE and self.leans_upright(name, left):
                 continue
-            right, relation = add(change, across), "="
             # what does not change in its axes turns with them
             rate = "Ω × L" if change == ZERO else "(dL/dt in the axes) + Ω × L"
-            law = RATE_IN_STILL_AXES if own.axes.rate == NOTHING else RATE_IN_AXES
-            remark: Words = ()
-            if axis == "x" and own.axes.name == NODE:
-                left, right, remark = self.without_sine(name, left, right)
-            if self.fast and own.axes.name == NODE:
-                right, small = self.of_fast_spin(name, right)
-                remark = (*small, "; ", *remark) if small and remark else small or remark
-                relation = "≈" if small else relation
-            along = self.along(name, axis)
+            law = RATE_IN_STILL_AXES if plain or own.axes.rate == NOTHING else RATE_IN_AXES
+            left, right, remark, common = self.divided(name, axis, left, add(change, across), own)
+            right, small = self.of_fast_spin(name, right) if self.fast and own.axes.name == NODE else (right, ())
             yield law.equation(
-                left, right, self.moment.when, (name,), remark, relation=relation, rate=rate, about=where, axis=along
+                left,
+                right,
+                self.moment.when,
+                (name,),
+                (*small, *(("; ",) if small and remark else ()), *remark),
+                relation="≈" if small else "=",
+                common=common,
+                rate=rate,
+                about=where,
+                # e₁ of a fast top is not spoken of
+                along="" if plain and axis == "x" else f", along {self.along(name, axis)}",
             )
 
     def leans_upright(self, name: str, torque: Formula) -> bool:
@@ -356,7 +360,7 @@ class SpaceLaws:
         left, right = (moment.tidy(dot_product(way, vector)) for vector in (torque, changed))
         where = f" about {point_in_words(point)}"
         yield RATE_IN_STILL_AXES.equation(
-            left, right, moment.when, (name,), about=where, axis="the line through both balls"
+            left, right, moment.when, (name,), about=where, along=", along the line through both balls"
         )
 
     def goes_on(self, name: str) -> bool:
@@ -381,6 +385,25 @@ class SpaceLaws:
         rate = self.moment.ask("precession", name) if self.fast and own.axes.name == NODE else ZERO
         return bool(rate.symbols() & value.symbols())
 
+    def goes_round_fast(self, name: str) -> bool:
+        """Whether the laws of a top are told as those of L along its axis, the level part of which goes round: M g r sin θ = L Ω sin θ,
+        of a fast spin and steady precession. A step divides by sin θ: where θ is sought, the law without it is."""
+        if not self.fast or not self.moment.state.steady:
+            return False
+        tilt = self.moment.nodding(name).angles[1]
+        return not has_quantities(tilt) and not tilt.symbols() & self.moment.held.problem.sought
+
+    def divided(
+        self, name: str, axis: str, left: Formula, right: Formula, own: Attitude
+    ) -> tuple[Formula, Formula, Words, Formula]:
+        """A law along e₁ without sin θ, with its remark; of a fast top as it is, with sin θ for a step to divide by."""
+        if axis != "x" or own.axes.name != NODE:
+            return left, right, (), ONE
+        without = self.without_sine(name, left, right)
+        if without[2] and self.goes_round_fast(name):
+            return left, right, (), heading(self.moment.nodding(name).angles[1]).sin()
+        return *without, ONE
+
     def without_sine(self, name: str, left: Formula, right: Formula) -> tuple[Formula, Formula, Words]:
         """Both sides divided by sin θ, where each is a multiple of it and θ is not 0."""
         tilt = self.moment.nodding(name).angles[1]
@@ -397,8 +420,9 @@ class SpaceLaws:
         """The components of L as letters with what defines them; one that is a mere multiple of a given stays as it is."""
         found, defined = [], []
         where = f" about {point_in_words(point)}"
+        moved = self.moment.held.bodies[name].moved  # of what is led no law is written
+        plain = moved or (own.axes.name == NODE and self.goes_round_fast(name))
         for axis, value in zip(AXES, product(tensor, own.omega), strict=True):
-            plain = self.moment.held.bodies[name].moved  # of what is led no law is written
             if value == ZERO or plain or self.sought(value) or self.small_in(name, value, own):
                 found.append(value)
                 continue

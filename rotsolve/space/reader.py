@@ -11,7 +11,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, negate, sqrt, total
 from rotsolve.algebra.units.dimension import ANGLE, Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import KINETIC_ENERGY, PART_OF_ROOTS, Equation
+from rotsolve.core.equation import KINETIC_ENERGY, PART_OF_ROOTS, VANISHING, Equation
 from rotsolve.core.quantity import DIRECTED, EITHER_WAY, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import key_of
@@ -77,7 +77,7 @@ class SpaceReader(VectorReader):
         meaning = self.whatever_angle(path, found if isinstance(found, Meaning) else Meaning(found, kind.dimension))
         self.refuse_untold_turn(path, meaning.formula)
         told = meaning.label or inertial_label(path)
-        known_by = PRINCIPAL_AXIS if path.quantity == "principal_axis" else ""
+        known_by = PRINCIPAL_AXIS if path.quantity == "principal_axis" else self.by_arm(path, term)
         laws = dict.fromkeys((*meaning.laws, *self.dynamics.tensors.behind(meaning.formula)))
         return replace(
             meaning,
@@ -85,8 +85,14 @@ class SpaceReader(VectorReader):
             label=told or f"{label_of(plainly_named(path), term)}{known_by}",
             plain=not (told or known_by),
             laws=tuple(laws),
-            said=meaning.said or (self.axis_ground(path, term) if known_by else ()),
+            said=meaning.said or (self.axis_ground(path, term) if known_by == PRINCIPAL_AXIS else ()),
         )
+
+    def by_arm(self, path: Path, term: Term) -> str:
+        """What the angular momentum of a particle about a point is, or the torque on it."""
+        if term.about is None or path.owner not in self.bodies or not self.held.pointlike(path.owner):
+            return ""
+        return {"angular_momentum": ", r × m v", "torque": ", r × F"}.get(path.quantity, "")
 
     def concerned(self, owner: str) -> tuple[str, ...]:
         """The bodies whose laws tell of a body, a connection or an action."""
@@ -111,6 +117,8 @@ class SpaceReader(VectorReader):
         if axes.lost and asked == IN_SPACE and vector != NOTHING:
             raise NotYet(axes.lost, path.span, f"ask for it `in body axes`, or {STANDING_HELP}")
         found = axes.to(asked, vector)
+        if self.by_arm(path, term) and all(tidied_part(part) == ZERO for part in found):
+            return Meaning(ZERO, QUANTITIES[path.quantity].dimension, law=VANISHING)
         return tidied_part(found[AXES.index(component[0])])
 
     def shared_size(self, path: Path, term: Term) -> Meaning | None:

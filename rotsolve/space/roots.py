@@ -161,8 +161,10 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
     line = moments[0].line(owner, word)
     from_end = 0 if line is None else COMES_BACK.get(line.word or "", 0)
     if last is None or (first is None and not from_end):
-        refuse_either_sense(name, roots, scene, numbers)
-        return None
+        beside = told_beside(name, roots, scene, numbers)
+        if beside is None:
+            refuse_either_sense(name, roots, scene, numbers)
+        return beside
     problem, span = scene.configuration.problem, scene.configuration.timeline.state(state).span
     side = from_end or (numbers.side(add(last, negate(first))) if first is not None else None)
     if not side:
@@ -184,6 +186,19 @@ def first_there(name: str, roots: Sequence[Formula], scene: SceneEquations, numb
         if len(fitting) == 1
         else None
     )
+
+
+def told_beside(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:
+    """The root with which another body, whose rate hangs on it, comes the first time to where its state has it."""
+    for other, quantity in list(scene.registry.quantities.items()):
+        key = key_of(other)
+        if other == name or quantity.when != key_of(name).when or not turned_through(key, scene):
+            continue
+        by_root = numbers.with_answers(Symbol(other))
+        moment = scene.dynamics[quantity.when].moment  # type: ignore[attr-defined]
+        if name in by_root.symbols() and moment.told(key.owner, turned_through(key, scene)) is not None:
+            return first_there(other, [by_root.substitute({name: root}) for root in roots], scene, numbers)
+    return None
 
 
 def stood_at(owner: str, word: str, moments: Sequence[SpaceMoment]) -> tuple[Formula | None, Formula | None]:
@@ -236,19 +251,31 @@ def rate_told_by(name: str, scene: SceneEquations) -> str | None:
 
 
 def way_on_hinge(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[Formula, int] | None:
-    """Where a letter by which a later state tells the angle of a body on a hinge sets out, and which way it goes; None of all else."""
+    """From where a letter by which a state tells the angle of a body on a hinge is come to, and which way; None of all else.
+
+    To a later state that is from the one before; to one before, backwards in time, from that which follows.
+    """
     timeline = scene.configuration.timeline
-    for interval in timeline.intervals:
-        for line in () if interval.event is not None else timeline.state(interval.end).conditions:
+    phases = [interval for interval in timeline.intervals if interval.event is None]
+    ways = [(phase.start, phase.end, setting_out) for phase in phases]
+    for origin, end, going in ways + [(phase.end, phase.start, going_back) for phase in phases]:
+        for line in timeline.state(end).conditions:
             path, told = line.path, line.value
             if path is None or told is None or path.quantity != "angle" or name not in told.symbols():
                 continue
-            before, after = (scene.dynamics[end].moment for end in (interval.start, interval.end))  # type: ignore[attr-defined]
-            slope, start = differentiate(told, name), before.stood(path.owner, "angle")
-            way = 0 if start is None else setting_out(path.owner, before, after, numbers)
+            first, last = (scene.dynamics[state].moment for state in (origin, end))  # type: ignore[attr-defined]
+            slope, start = differentiate(told, name), first.stood(path.owner, "angle")
+            way = 0 if start is None or name in start.symbols() else going(path.owner, first, last, numbers)
             if way and start is not None and numbers.side(slope**2 - 1) == 0:
                 return (start - told.substitute({name: ZERO})) / slope, way * (numbers.side(slope) or 0)
     return None
+
+
+def going_back(owner: str, last: SpaceMoment, before: SpaceMoment, numbers: Numbers) -> int:
+    """Which way a body on a hinge goes backwards in time from a state in which its rate is told; 0 where it may have turned back before."""
+    rates = [moment.told(owner, "angular_velocity") for moment in (before, last)]
+    begun, ended = (None if rate is None else numbers.side(rate) for rate in rates)
+    return -ended if ended and begun in (0, ended) else 0
 
 
 def setting_out(owner: str, before: SpaceMoment, after: SpaceMoment, numbers: Numbers) -> int:

@@ -223,6 +223,14 @@ class SpaceEquations(SceneEquations, dict=True):
                     ]
                 yield tuple(words)
 
+    def small_beside(self) -> Iterator[tuple[Formula, Formula]]:
+        """The precession of a fast top beside its spin, as it is told, else beside ω₃."""
+        for laws in self.dynamics.values() if "fast spin" in self.configuration.problem.assume else ():
+            for name in (name for name in self.held.order if laws.moment.nods(name) and laws.goes_round_fast(name)):
+                spins = (laws.moment.told(name, word) for word in ("spin", "axial_rate"))
+                spin = next((spin for spin in spins if spin is not None), None)
+                yield laws.moment.nodding(name).rates[0], spin or laws.moment.ask("axial_rate", name)
+
     def idle_assumptions(self, used: Collection[Equation]) -> Iterator[str]:
         """The assumptions that leave nothing out: `fast spin` where no law of a body that precesses is used, nor its nutation."""
         if "fast spin" not in self.configuration.problem.assume:
@@ -448,7 +456,7 @@ class SpaceEquations(SceneEquations, dict=True):
             path = replace(term.path, component=" ".join(filter(None, (term.path.component, axis))))
             parts.append(self.between(replace(term, path=path, modifier=CHANGES[0])))
         meaning, state = parts[0]
-        whole = tuple(part.formula for part, _ in parts)
+        whole = tuple(self.dynamics[state].moment.tidy(part.formula) for part, _ in parts)
         return replace(meaning, formula=length_of(triple(whole)), label="size of the change", plain=True), state
 
     def _restating(self) -> Iterator[Equation]:

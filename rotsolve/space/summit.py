@@ -88,6 +88,16 @@ def stays_put(name: str, before: SpaceLaws, side: Side) -> bool:
     return all(part == ZERO or side(part) == 0 for part in (rate, push))
 
 
+def stays_upright(name: str, before: SpaceLaws, side: Side) -> bool:
+    """Whether a body held at a fixed point is upright, with its axis at rest, and nothing but its weight acts on it, above or below."""
+    moment = before.moment
+    tilt, rate = moment.told(name, "tilt"), moment.told(name, "nutation")
+    if tilt is None or rate is None or not (before.fixed(name) and left_alone(before, name)):
+        return False
+    across = cross_product(moment.up(name), moment.arm(PointRef(name, CM)))
+    return all(part == ZERO or side(part) == 0 for part in (call("sin", tilt), rate, *map(simplify, across)))
+
+
 def turns_from_top(height: Formula, rise: Formula, side: Side) -> Formula:
     """δ in turns, as plainly as the signs of R cos δ and h′ allow."""
     across, along = (0 if value == ZERO else side(value) for value in (height, rise))

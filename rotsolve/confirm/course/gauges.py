@@ -9,10 +9,12 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.node import Node
+from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.instant import gathered, slip_speed
 from rotsolve.confirm.lines import from_axis, once_round, placed_value, rate_of
 from rotsolve.confirm.model import Model
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import Ride
 from rotsolve.language.problem import EXTREMES, Condition, Path, State
 
 HOLDS = 1e-6  # how well all lines of a state have to hold at once
@@ -77,10 +79,55 @@ def riding_gauge(line: Condition, model: Model) -> Gauge:
     owner, far = path.owner, model.value(line.value)
 
     def gap(at: Node) -> float:
-        away = from_axis(owner, at.pose, at.model)
-        return (away.value if away is not None else 0.0) - far
+        out = out_on_rod(owner, at)
+        away = from_axis(owner, at.pose, at.model) if out is None else None
+        return (out or 0.0) - far if away is None else away.value - far
 
     return Gauge(gap, far, f"{owner}.radius")
+
+
+def out_on_rod(owner: str, at: Node) -> float | None:
+    """How far out from the axis a body is on a rod that begins there, less than nothing beyond it; None on all else."""
+    ride = next(ride for item in at.model.acting.connections if (ride := item.ride()) and ride.rider.owner == owner)
+    found, axis = along_rod(ride, at), at.model.axis(ride.carrier.owner)[0]
+    if found is None or abs(abs(axis) - found[1]) > HOLDS * found[1]:
+        return None
+    return found[1] - found[0] * axis / found[1]
+
+
+def along_rod(ride: Ride, at: Node) -> tuple[float, float] | None:
+    """How far a body is from the middle of the rod on which it rides, along that, and half the rod's length; None on all else."""
+    model, rider, carrier = at.model, ride.rider.owner, ride.carrier.owner
+    whole = shape_of(model.body(carrier)).reach()
+    if whole is None:
+        return None
+    half = model.value(whole) / 2
+    (x, y), (u, w), (a, b) = (
+        at.pose.place(name, spot)
+        for name, spot in ((rider, model.seats[rider].rigid.centre), (carrier, (0.0, 0.0)), (carrier, (half, 0.0)))
+    )
+    return ((x.value - u.value) * (a.value - u.value) + (y.value - w.value) * (b.value - w.value)) / half, half
+
+
+def check_on_carriers(at: Node) -> None:
+    """Astray where a body has slid off an end of the rod on which it rides, or off the rim of what is round."""
+    for item in at.model.acting.connections:
+        ride = item.ride()
+        if ride is not None and ride.free and share_of_way(ride, at) > 1 + HOLDS:
+            raise Astray(f"`{ride.rider.owner}` slides off `{ride.carrier.owner}`")
+
+
+def share_of_way(ride: Ride, at: Node) -> float:
+    """How far a body is from the middle of that on which it rides, as a share of the way to where that ends."""
+    found, shape = along_rod(ride, at), shape_of(at.model.body(ride.carrier.owner))
+    if found is not None:
+        return abs(found[0]) / found[1]
+    away = from_axis(ride.rider.owner, at.pose, at.model)
+    return (
+        away.value / at.model.value(shape.outer)
+        if away is not None and shape.round and shape.outer is not None
+        else 0.0
+    )
 
 
 def word_gauge(line: Condition, model: Model) -> Gauge:

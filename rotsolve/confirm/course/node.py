@@ -187,7 +187,7 @@ class Node:
         return (0.0, 0.0) if bent(name, self.model) is not None else None
 
     def reference(self, name: str, term: Term | None) -> Way:
-        """The place about which a torque or an angular momentum counts: as named, else the axis, else the centre of mass."""
+        """The place about which a torque or an angular momentum counts: as named, else an axis, its or its carrier's, else its cm."""
         if term is not None and term.about is not None:
             about = term.about
             if about.owner in self.model.held and about.owner not in self.model.seats:
@@ -200,7 +200,8 @@ class Node:
                 raise NotConfirmed(f"about `{about.owner}`")
             x, y = self.model.place(about, self.pose)
             return x.value, y.value
-        held = self.axis(name)
+        rides = (ride for item in self.model.acting.connections if (ride := item.ride()) and ride.rider.owner == name)
+        held = self.axis(next((ride.carrier.owner for ride in rides), name))
         x, y = held if held is not None else self.pose.place(name, self.model.seats[name].rigid.centre)
         return x.value, y.value
 

@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import TOUCHING, LetsGo, MeetAgain, spaces
 from rotsolve.confirm.course.crossings import FAR, crossings, dips, first_zero, sign_change, touched
-from rotsolve.confirm.course.gauges import HOLDS, Gauge, gauges
+from rotsolve.confirm.course.gauges import HOLDS, Gauge, check_on_carriers, gauges
 from rotsolve.confirm.course.laps import FollowedPhase, Lap
 from rotsolve.confirm.course.node import Astray, Node, unpushed
 from rotsolve.confirm.course.steps import PLACES, Law, TimeStep, adapted, is_constant
@@ -119,6 +119,8 @@ class NextState:
                 self.most = max(self.most, *(abs(rate) for part in (0.5, 1.0) for rate in lap.step.at(part)[1]))
                 if self.recurs(lap):
                     raise Astray(f"`{self.state.name}` is not reached: what moves comes back before it as it began")
+                check_on_carriers(lap.at(0.5))
+                check_on_carriers(self.node)
                 self.check_coming()
             if way is not None:
                 held = modes.get(way[1]) == STICKS

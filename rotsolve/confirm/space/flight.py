@@ -27,6 +27,7 @@ from rotsolve.confirm.space.arrows import (
     rotation_about,
     rows_back,
     scaled,
+    sum_of,
     times_arrow,
 )
 from rotsolve.confirm.space.masses import about_point, total_rows, turned_together
@@ -34,7 +35,7 @@ from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
+from rotsolve.confirm.space.ties import ROUND, SLIDES, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
 from rotsolve.confirm.space.worlds import Moving, World
 from rotsolve.core.symbols import TIME
 from rotsolve.language.bodies import Joint, PointRef
@@ -77,9 +78,9 @@ class Flight:
         spoken = {path.owner for path in lines if path is not None and path.quantity in NODAL}
         self.nodding = spoken - rig.about_momentum
         self.free = [name for name in rig.bodies if all(joint.body.owner != name for joint in rig.joints.values())]
-        self.free += [
-            joint.body.owner for joint in rig.joints.values() if joint.sliding
-        ]  # their places are followed too
+        self.free += [joint.body.owner for joint in rig.joints.values() if joint.flat]  # their places are followed too
+        self.guided = {joint.body.owner: joint for joint in rig.joints.values() if joint.sliding and not joint.flat}
+        self.drawn = {name: self.drawn_on_slide(joint) for name, joint in self.guided.items()}
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
         self.origins = {name: self.start_angle(name) for name in rig.bodies}
         self.turns = 0  # how often the motion went the other way
@@ -88,7 +89,22 @@ class Flight:
         self.clock = 0.0  # the time up to the arrival
         self.counted = ""  # a body whose axis is counted on its way round the vertical
         self.gone = 0.0  # how far that has gone
+        self.missed = ""  # what did not hold where its state was looked for
         self.looks, self.most, self.exact = 0, self.limit, EXACT
+
+    def drawn_on_slide(self, joint: Joint) -> Arrow:
+        """Where the point that slides is at the start, from where it is held, in the axes of what carries it: its ways count from there."""
+        stance = self.start.stance
+        return times_arrow(rows_back(stance.base(joint)), less(stance.point(joint.body), stance.held_at(joint)))
+
+    def on_slide(self, name: str, own: Numbers, stance: Stance) -> Iterator[Tie]:
+        """Put a body where it has slid, and tell how fast it slides."""
+        joint = self.guided[name]
+        ways = [normed(self.rig.arrow(way)) for way in joint.sliding]
+        gone = [scaled(part, way) for part, way in zip(own[5:8], ways, strict=False)]
+        stance.slid[name] = sum_of(self.drawn[name], *gone)
+        for number, rate in zip(range(len(ways)), own[11:14], strict=False):
+            yield Tie(((1.0, (SLIDES, joint.owner, number)),), rate, None)
 
     def axis_of(self, name: str) -> Arrow:
         """The own direction of a body about which its spin is kept as an angle: that of its hinge, else its axis."""
@@ -117,16 +133,17 @@ class Flight:
         found: Numbers = []
         for name in self.rig.bodies:
             found += quaternion_of(self.start.stance.turned(name))
-            found += (0.0, *self.start.stance.place(name))
-            found += self.start.now.arrow(TURNING, name)
-            found += self.start.now.arrow(SPEED, name)
+            place, speed = self.start.stance.place(name), self.start.now.arrow(SPEED, name)
+            if name in self.guided:
+                place, speed = STILL, self.start.now.arrow(SLIDES, self.guided[name].owner)
+            found += (0.0, *place, *self.start.now.arrow(TURNING, name), *speed)
         return found
 
     def look(self) -> None:
         """One more look at the equations; no more than a limit."""
         self.looks += 1
         if self.looks > self.most:
-            raise NotConfirmed(TOO_FAR)
+            raise NotConfirmed(self.missed or TOO_FAR)
 
     def rows(self, number: int, name: str, numbers: Numbers) -> Turned:
         """How a body is turned."""
@@ -143,6 +160,10 @@ class Flight:
         for number, name in enumerate(self.rig.bodies):
             own = numbers[EACH * number : EACH * number + EACH]
             stance.swung[name] = self.origins[name] + own[4]
+            if name in self.guided:
+                ties += self.on_slide(name, own, stance)
+                if not self.guided[name].turning:
+                    continue  # it stands as what carries it
             stance.put(name, self.rows(number, name, numbers), as_arrow(own[5:8]) if name in self.free else None)
             ties += three_ties(of_turning(name), as_arrow(own[8:11]), None)
             if name in self.free:
@@ -181,6 +202,8 @@ class Flight:
         for name in self.rig.bodies:
             omega, speed = now.arrow(TURNING, name), now.arrow(SPEED, name)
             alpha, gain = found.arrow(TURNING, name), found.arrow(SPEED, name)
+            if name in self.guided:
+                speed, gain = (rates.arrow(SLIDES, self.guided[name].owner) for rates in (now, found))
             yield name, (moving.stance.turned(name), omega, speed, alpha, gain)
 
     def world(self, numbers: Numbers) -> World:
@@ -247,9 +270,16 @@ class Flight:
                 there_numbers, gone = self.crossing(numbers, through[0], before, through[1], gap)
                 world, self.clock = self.world(there_numbers), clock + gone
                 about = self.gone + self.round_vertical(numbers, there_numbers)
-                if all(abs(self.gap_of(line)(world)) <= HOLDS * self.size_of(line, world) for line in lines[1:]):
+                others = (
+                    line for line in lines[1:] if abs(self.gap_of(line)(world)) > HOLDS * self.size_of(line, world)
+                )
+                off = next(others, None)
+                if off is None:
                     self.gone = about
                     return world
+                self.missed = (
+                    self.missed or f"{line_in_words(off)} does not hold where {line_in_words(lines[0])} first does"
+                )
             self.gone += self.round_vertical(numbers, later)
             numbers, before, clock = later, there, clock + size
 
@@ -455,6 +485,11 @@ class Flight:
 def ways_through(line: Condition) -> tuple[bool, ...]:
     """Whether a gap closes upwards or downwards at a line: at a largest tilt its rate falls to nothing."""
     return {"largest": (False,), "smallest": (True,)}.get(line.word or "", (False, True))
+
+
+def line_in_words(line: Condition) -> str:
+    """What a line of a state is of, in words."""
+    return f"`{line.path.owner}.{line.path.quantity}`" if line.path is not None else f"`{line.owner}`"
 
 
 def near_enough(one: Numbers, other: Numbers, exact: float) -> bool:

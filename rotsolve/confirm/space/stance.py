@@ -59,6 +59,7 @@ class Stance:
         self.swung: dict[
             str, float
         ] = {}  # how far bodies are turned about their hinges, where a way is followed or a blow keeps it
+        self.slid: dict[str, Arrow] = {}  # where the points of bodies on slides are, from where they are held, likewise
         self._turned: dict[str, Turned] = {}
         self._places: dict[str, Arrow] = {}
 
@@ -193,6 +194,9 @@ class Stance:
 
     def _place(self, name: str) -> Arrow:
         joint, told = self.rig.main(name), self.lines.arrow_told(name, "position")
+        if joint is not None and name in self.slid:
+            off = less(times_arrow(self.base(joint), self.slid[name]), self.arm(joint.body))
+            return sum_of(self.held_at(joint), off)
         if joint is not None and (told is None or not joint.sliding):
             held = less(self.held_at(joint), self.arm(joint.body))
             if not joint.sliding or not self.lines.later:

@@ -388,7 +388,7 @@ def verdict_of(
         )
     also = f"{near} without it, by an assembly of all bodies' equations" if near else ""
     return AnswerConfirmation(
-        name, None, ROUGHLY, answered, own, also=also + (f", with {letters}" if also and letters else "")
+        name, None, ROUGHLY, answered, own, also=also + (f", with {letters}, say" if also and letters else "")
     )
 
 

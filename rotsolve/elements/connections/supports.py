@@ -28,7 +28,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import TIME, combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
-from rotsolve.elements.shapes import rims, shape_of
+from rotsolve.elements.shapes import ends_at, rims, room_from, shape_of
 from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import amount, key
@@ -372,51 +372,36 @@ class Rides(Connection, frozen=True):
             raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)
         untold = scene.mentions.untold(rider.owner, "radius") if self.ride().free else None
         if untold is not None:
-            help = f"give `{rider.owner}.radius`"
+            help = f"give `{rider.owner}.radius`, if only as a letter that is sought, `given: {{r: unknown}}`"
             raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{untold[0]}`", span=untold[1], help=help)
         if self.ride().free and scene.problem.events:
             raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
-        self.check_outwards(scene)
+        self.check_on_axis(scene)
 
     def rooms(self, scene: Surroundings) -> Iterator[Limit]:
         """On a rod the rider lies between the axis and the rod's end, on a round body within its rim."""
         rider, carrier = self.rides
-        shape = shape_of(scene.bodies[carrier.owner])
-        whole, far = shape.reach(), shape.outer if shape.round else None
         held = (ref for item in scene.problem.connections for ref in item.fixed_points() if ref.owner == carrier.owner)
         axis = next(held, None)
-        if whole is not None and axis is not None:
-            far = whole / 2 - shape.locate(axis.point or "center", axis.argument)[0]
+        far = None if axis is None else room_from(scene.bodies[carrier.owner], axis)
         for place in scene.mentions.values(rider.owner, "radius"):
+            yield Limit(place, f"`{rider.owner}` is on the other side of its axis")
             if far is None:
-                return
+                continue
             yield Limit(simplify(far - place), f"`{rider.owner}` is beyond the end of `{carrier.owner}`")
 
-    def check_outwards(self, scene: Surroundings) -> None:
-        """On a rod that begins at its axis the rider goes outwards: inwards it may run off there; at rest on the axis it stays."""
+    def check_on_axis(self, scene: Surroundings) -> None:
+        """On a rod that begins at its axis the rider stays where it is at rest on that."""
         rider, carrier = self.rides
-        shape = shape_of(scene.bodies[carrier.owner])
         held = (ref for item in scene.problem.connections for ref in item.fixed_points() if ref.owner == carrier.owner)
-        axis, whole = next(held, None), shape.reach()
-        if not self.ride().free or axis is None or whole is None:
-            return
-        place = shape.locate(axis.point or "center", axis.argument)[0]
-        if ZERO not in (simplify(whole / 2 - place), simplify(whole / 2 + place)):
+        axis = next(held, None)
+        if not self.ride().free or axis is None or not ends_at(scene.bodies[carrier.owner], axis):
             return
         for state in scene.problem.states:
             lines = [line for line in state.conditions if line.path is not None and line.path.owner == rider.owner]
             told = {(line.path.quantity, line.path.component): line.value for line in lines if line.value is not None}
             speed = told.get(("velocity", "radial"))
-            way = None if speed is None else scene.signs.sign(speed)
-            way = scene.signs.as_meant(speed) if speed is not None and way is None else way
-            here, later = told.get(("radius", None)), scene.mentions.values(rider.owner, "radius")
-            out = here is None or any(scene.signs.sign(simplify(place - here)) == 1 for place in later)
-            if way == -1 and out:
-                message = (
-                    f"whether `{rider.owner}`, which goes inwards, runs off `{carrier.owner}` at its axis is not solved"
-                )
-                raise Unsolvable(message, span=rider.span, help="ask from a state at which it goes outwards")
-            if way == 0 and told.get(("radius", None)) == ZERO:
+            if told.get(("radius", None)) == ZERO and speed is not None and scene.signs.sign(speed) == 0:
                 message = f"`{rider.owner}` rests on the axis of `{carrier.owner}`, and stays there"
                 raise Unsolvable(message, span=rider.span, help="give it a `radius` or a `velocity.radial` there")
 

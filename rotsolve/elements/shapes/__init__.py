@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
 from rotsolve.elements.shapes.integrated import Graded as Graded
 from rotsolve.elements.shapes.integrated import Lamina, Revolution
@@ -11,7 +12,7 @@ from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
 from rotsolve.elements.shapes.thin import Arc, Rope
 from rotsolve.elements.shapes.thin import Particle as Particle
 from rotsolve.elements.shapes.thin import Rod as Rod
-from rotsolve.language.bodies import Body, Part
+from rotsolve.language.bodies import Body, Part, PointRef
 from rotsolve.language.shape import WHEEL as WHEEL
 from rotsolve.language.shape import Place as Place
 from rotsolve.language.shape import Shape as Shape
@@ -43,6 +44,28 @@ PARTICLE = Particle()
 def shape_of(body: Body) -> Shape:
     """The shape of a body; one without a shape is a particle."""
     return body.shape or PARTICLE
+
+
+def ends_at(body: Body, ref: PointRef) -> bool:
+    """Whether a point of a slender body is one of its ends."""
+    whole = shape_of(body).reach()
+    return whole is not None and ZERO in (
+        simplify(whole / 2 - abscissa_of(body, ref)),
+        simplify(whole / 2 + abscissa_of(body, ref)),
+    )
+
+
+def room_from(body: Body, ref: PointRef) -> Formula | None:
+    """How far a body goes on from an axis through one of its points: to the end of what is slender, to the rim of what is round."""
+    shape = shape_of(body)
+    whole = shape.reach()
+    return simplify(whole / 2 - abscissa_of(body, ref)) if whole is not None else shape.outer if shape.round else None
+
+
+def abscissa_of(body: Body, ref: PointRef) -> Formula:
+    """The x of a point in the body's axes."""
+    named = dict(body.points).get(ref.point or "")
+    return (named or shape_of(body).locate(ref.point or "center", ref.argument))[0]
 
 
 def rims(body: Body) -> dict[str, Formula]:

@@ -144,4 +144,6 @@ def read_language(code: str) -> Language:
 def is_mathematics(text: str) -> bool:
     """Whether nothing in a text is a word: letters of one or two signs, or with something below them, functions and units."""
     words = (word for word in WORD.findall(text) if "_" not in word)
-    return all(len(word) == 1 or word in MATHEMATICS or (len(word) == LETTERS and word not in SHORT) for word in words)
+    return all(
+        len(word) == 1 or word in MATHEMATICS or (len(word) == LETTERS and word.lower() not in SHORT) for word in words
+    )
