@@ -73,6 +73,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
         nothing = number is not None and number.sign == 0
         return nothing and (self.signs.side_at_trial(value) if lacking else self.signs.decide(value)) == 0
 
+    def since(self, state: str) -> JointedBodies:
+        """The bodies with the joints that they have from a state on."""
+        later = JointedBodies(self.problem, self.signs, state)
+        return later if later.joints != self.joints else self
+
     @cached_property
     def bodies(self) -> dict[str, Body]:
         return {body.name: body for body in self.problem.bodies}

@@ -79,11 +79,6 @@ class SpaceEquations(SceneEquations, dict=True):
     def held(self) -> JointedBodies:
         return JointedBodies(self.configuration.problem, self.configuration.signs)
 
-    def held_at(self, state: str) -> JointedBodies:
-        """The bodies with the joints that they have at a state."""
-        later = JointedBodies(self.configuration.problem, self.configuration.signs, state)
-        return later if later.joints != self.held.joints else self.held
-
     @cached_property
     def tensors(self) -> Tensors:
         """The inertia tensors of all bodies, which do not change."""
@@ -102,11 +97,7 @@ class SpaceEquations(SceneEquations, dict=True):
             moment, before = found[state.name].moment, timeline.before(state.name)
             moment.first = state is timeline.states[0]
             if before is not None:
-                moment.later = before.event is None or found[before.start].moment.later
-                moment.before = found[before.start].moment if before.event is not None else None
-                moment.met = dict(found[before.start].moment.met)
-                if before.event is not None:
-                    moment.met[before.event.name] = found[before.start].moment
+                moment.come_after(found[before.start].moment, "" if before.event is None else before.event.name)
                 self.lead_on(before, found[before.start], moment)
                 if before.event is None:
                     moment.lines = self.lines_after(found[before.start])
@@ -141,7 +132,7 @@ class SpaceEquations(SceneEquations, dict=True):
     def laws_at(self, state: State, since: str) -> SpaceLaws:
         """What the laws speak of at one moment, with the joints that there are since a state."""
         problem = self.configuration.problem
-        moment = SpaceMoment(self.held_at(since), self.registry, state, self.configuration)
+        moment = SpaceMoment(self.held.since(since), self.registry, state, self.configuration)
         pushes = Pushes(moment, problem.gravity, problem.actions)
         altered = self.configuration.alteration
         written = SpaceLaws if altered is None or altered.in_space is None else altered.in_space

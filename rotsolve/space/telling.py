@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Self
+
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, add
 from rotsolve.core.faults import Unsolvable
@@ -42,6 +44,12 @@ class TellingMoment:
             str, Triple
         ] = {}  # own directions about which bodies that nothing holds have turned up to it, whatever happened
         self.used: set[int] = set()  # the lines of the state that something has read, by their places
+
+    def come_after(self, before: Self, event: str) -> None:
+        """Tell that another moment lies before this one: just before an event, or a time before it."""
+        self.later, self.met = before.later or not event, dict(before.met)
+        if event:
+            self.before = self.met[event] = before
 
     def tidy(self, value: Formula) -> Formula:
         """A formula in textbook form."""
