@@ -11,9 +11,9 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, Heading, Vector, unit
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
-from rotsolve.elements.connections.supports import Hinge
+from rotsolve.elements.connections.supports import GROUND, Axis, Hinge
 from rotsolve.elements.shapes import rim_radius
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
@@ -26,6 +26,7 @@ class Joins(Event, frozen=True):
     about = "two bodies meet and stay together (inelastic)"
     heats = True
     quantities = ("impulse", "angular_impulse")
+    spatial = True
     joins: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]"
     )
@@ -54,9 +55,12 @@ class Collides(Event, frozen=True):
     word = "collides"
     bodily = True
     about = "two bodies bounce off each other"
-    instead = "collisions are not solved in space; a blow is: `impulse: J, on: BODY.P, direction: [x, y, z]`"
     heats = True
     quantities = ("impulse", "angular_impulse")
+    instead = (
+        "a blow off something fixed: `impulse: J, on: BODY.P, direction: z` with `J: unknown` under `given`, and"
+        " `BODY.P.velocity.z: e*u` in the state after it"
+    )
     collides: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]"
     )
@@ -115,7 +119,7 @@ class Impulse(Event, frozen=True):
             return ()
         return ("impulse ", self.impulse, " on ", *whereabouts(self.on), *aimed_in_words(self.direction))
 
-    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]]:
+    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]] | None:
         assert self.on is not None
         if not isinstance(self.direction, tuple) or len(self.direction) != 3:
             help = "give it `direction: [x, y, z]`"
@@ -180,30 +184,53 @@ class Fixes(Event, frozen=True):
     about = "a point of a moving body is suddenly held; from then on the body turns about it"
     heats = True
     quantities = ("force", "impulse")
-    instead = (
-        "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
-        " and `BODY.P.velocity: [0, 0, 0]` in the state after it; `direction: y` and `BODY.P.velocity.y: 0` stop it one way"
+    quantities_in_space = ("torque", "angular_impulse")
+    spatial = True
+    at_once = "`fixes: [BODY.A, BODY.B]` holds two points of a body at once"
+    fixes: tuple[PointRef, ...] = key(
+        "points", "the point; in space also two, of an axis", count=(1, 2), required=True, example="plate.corner1"
     )
-    fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
+    along: Axis = key(
+        "axis in space", "direction of the axis of a hinge, in the body as it is drawn", default=(), space=True
+    )
 
     def check(self, scene: Surroundings) -> None:
         """It fixes what moves freely."""
-        if self.fixes is not None and self.fixes.owner in scene.held:
-            message = f"`{self.fixes.owner}` is held by `{scene.held[self.fixes.owner]}` already"
-            raise Unsolvable(message, span=self.fixes.span, help="fix a point of a body that moves freely")
+        for ref in self.fixes:
+            if ref.owner in scene.held:
+                message = f"`{ref.owner}` is held by `{scene.held[ref.owner]}` already"
+                raise Unsolvable(message, span=ref.span, help="fix a point of a body that moves freely")
+        if len(self.fixes) > 1:
+            message = f"`{self.name}` holds two points: in the plane a body is then at rest"
+            raise Unsolvable(
+                message, span=self.fixes[1].span, help="fix one point; in space, with `up: z`, it turns about the line"
+            )
 
     def told(self) -> Words:
-        return () if self.fixes is None else (*whereabouts(self.fixes), " is held from then on")
+        if len(self.fixes) > 1:
+            return (*whereabouts(self.fixes[0]), " and ", self.fixes[1].point or "centre", " are held from then on")
+        axis = (", on a hinge along ", *direction_in_words(self.along)) if self.along else ()
+        return (*whereabouts(self.fixes[0]), " is held from then on", *axis) if self.fixes else ()
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
-        return (self.fixes,) if self.fixes is not None else ()
+        return self.fixes
 
     def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
         """The body leaves what it lies on."""
-        return tuple(item.name for item in connections if self.fixes is not None and item.lying() == self.fixes.owner)
+        return tuple(item.name for item in connections if self.fixes and item.lying() == self.fixes[0].owner)
 
     def adds(self) -> tuple[Connection, ...]:
-        return (Hinge(self.name, hinge=(self.fixes,)),) if self.fixes is not None else ()
+        return (Hinge(self.name, hinge=self.fixes),) if self.fixes else ()
+
+    def joint_in_space(self) -> Joint | None:
+        """A ball joint of the ground, or a hinge where it tells the direction of its axis or a second point on it."""
+        if not self.fixes:
+            return None
+        turning = ((self.along[0], self.along[1], self.along[2]),) if self.along else ()
+        through = self.fixes[1] if len(self.fixes) > 1 else None
+        return Joint(
+            self.name, GROUND, self.fixes[0], turning=turning, free=not turning and through is None, through=through
+        )
 
     def holds(self, ref: PointRef, instant: Moment) -> str:
         return called(ref)
@@ -215,6 +242,10 @@ class Grips(Event, frozen=True):
     heats = True
     armless = "what acts there has no arm, whatever it is"  # a blow, or friction that lasts until it rolls
     quantities = ("impulse",)
+    instead = (
+        "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
+        " and `BODY.P.velocity: [0, 0, 0]` in the state after it; `fixes: BODY.P` holds it from then on"
+    )
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
 
     def told(self) -> Words:

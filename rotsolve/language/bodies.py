@@ -89,7 +89,8 @@ class Joint(Struct, frozen=True):
     `aligned` puts its symmetry axis along the axle, instead of leaving it as it is drawn. A screw goes `pitch` along its axis in one turn.
     `bearings` are the places of two bearings along the axis. `rolls` has the body touch a surface at its lowest point, without slip;
     `flat` has it lie on one with a face, so that it slides in two directions and turns about the third. A `motor` turns the body on what
-    carries it, as hard as it takes.
+    carries it, as hard as it takes. `through` is a second point of the body that is held: it turns about the line to that.
+    What is asked of a joint acts on its body; on its carrier where that is `named_last`.
     """
 
     owner: str
@@ -105,6 +106,8 @@ class Joint(Struct, frozen=True):
     rolls: bool = False
     flat: bool = False
     motor: bool = False
+    through: PointRef | None = None
+    named_last: bool = False
 
     @property
     def powered(self) -> bool:

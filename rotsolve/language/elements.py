@@ -429,10 +429,12 @@ class Event(Element, frozen=True):
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
+    quantities_in_space: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
     planar: ClassVar[bool] = True
     spatial: ClassVar[bool] = False
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
+    at_once: ClassVar[str] = ""  # how scenes in space say that several happen at once
     bodily: ClassVar[bool] = False
     heats: ClassVar[bool] = (
         False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
@@ -469,9 +471,13 @@ class Event(Element, frozen=True):
         """The two points, if any, that stay together from it on, so that their bodies are one."""
         return ()
 
-    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]]:
-        """The point that it strikes in a scene in space, how hard and in which direction."""
-        raise Unsolvable(f"`{self.name}` is not solved in space yet")
+    def blow_in_space(self) -> tuple[PointRef, Formula, tuple[Formula, Formula, Formula]] | None:
+        """The point that it strikes in a scene in space, how hard and in which direction; None of what strikes from within."""
+        return None
+
+    def joint_in_space(self) -> Joint | None:
+        """How it holds a body of a scene in space from then on; None of what holds none, and of bodies that it joins."""
+        return None
 
     def spot(self, ref: PointRef, instant: Moment) -> Vector:
         """Where it acts on the body of a point that takes part, from the body's reference."""

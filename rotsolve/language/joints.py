@@ -1,14 +1,16 @@
-"""Joints: all by which connections of a scene in space hold bodies, with the motors that turn some on their axes as hard as it takes."""
+"""Joints: all by which connections of a scene in space hold bodies, with the motors that turn some on their axes as hard as it takes,
+and those that events bring."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.bodies import Joint
-from rotsolve.language.elements import Connection
+from rotsolve.language.elements import Connection, Event
+from rotsolve.language.problem import Problem
 
 
 def joints_in_space(connections: Iterable[Connection]) -> tuple[Joint, ...]:
@@ -30,3 +32,91 @@ def joints_in_space(connections: Iterable[Connection]) -> tuple[Joint, ...]:
             raise Unsolvable(message, span=pair[1].span, help=help)
         found[found.index(driven)] = replace(driven, motor=True)
     return tuple(found)
+
+
+def events_up_to(problem: Problem, state: str) -> Iterator[Event]:
+    """The events that lead to a state or to one before it, in the order of time; none of what is no state."""
+    names = [item.name for item in problem.states]
+    for name in names[: names.index(state) + 1] if state in names else ():
+        yield from (event for event in problem.events if event.to == name)
+
+
+def joints_at(problem: Problem, state: str) -> tuple[Joint, ...]:
+    """The joints of a scene in space at a state: those of its connections, then those that events up to it have brought."""
+    found = joints_in_space(problem.connections)
+    for event in events_up_to(problem, state):
+        refuse_no_bodies(event, problem)
+        joint = event.joint_in_space() or joint_of_joined(event, found, problem)
+        if joint is not None:
+            refuse_pair(joint)
+            refuse_held(event, joint, found)
+            found = (*found, joint)
+    return found
+
+
+def joint_of_joined(event: Event, joints: tuple[Joint, ...], problem: Problem) -> Joint | None:
+    """The clamp of two bodies that stay together: the first carries the second, unless that alone is held already or no particle."""
+    pair = event.joined()
+    if not pair:
+        return None
+    held = {joint.body.owner for joint in joints}
+    points = {body.name for body in problem.bodies if body.shape is not None and body.shape.pointlike}
+    one, other = pair
+    firm = (one.owner in held, one.owner not in points) >= (other.owner in held, other.owner not in points)
+    return Joint(event.name, one, other) if firm else Joint(event.name, other, one, named_last=True)
+
+
+def refuse_no_bodies(event: Event, problem: Problem) -> None:
+    """Refuse an event that holds or joins what is no body of the scene, or a body with itself."""
+    refs = event.points(()) if event.joined() or event.joint_in_space() is not None else ()
+    names = {body.name for body in problem.bodies}
+    for ref in refs:
+        if ref.owner not in names:
+            message = f"`{event.word}` is about bodies, and `{ref.owner or 'a place'}` is none"
+            raise Unsolvable(message, span=ref.span, help="`fixes: BODY.POINT` holds a point of a body in space")
+    if event.joined() and refs[0].owner == refs[1].owner:
+        raise Unsolvable(f"`{event.word}` names `{refs[0].owner}` twice", span=refs[1].span, help="name two bodies")
+
+
+def refuse_pair(joint: Joint) -> None:
+    """Refuse to hold points of two bodies at once, and two points with an axis besides."""
+    last = joint.through
+    if last is None:
+        return
+    if last.owner != joint.body.owner:
+        message, help = f"`{joint.owner}` holds points of two bodies", "give each body an event of its own"
+    elif joint.turning:
+        message, help = (
+            f"`{joint.owner}` has two points and an axis",
+            "the line through both points is the axis: leave `along` out",
+        )
+    else:
+        return
+    raise Unsolvable(message, span=last.span, help=help)
+
+
+def refuse_held(event: Event, joint: Joint, joints: tuple[Joint, ...]) -> None:
+    """Refuse an event that holds what is held already, or what touches a surface, of which it would have to tell how that goes on."""
+    name, carrier, span = joint.body.owner, joint.carrier.owner, event.points(())[-1].span
+    carriers = {item.body.owner: item for item in joints if not touches(item)}
+    if name in carriers:
+        also = f", and `{carrier}` by `{carriers[carrier].owner}`" if carrier in carriers else ""
+        message = f"`{name}` is held by `{carriers[name].owner}` already{also}"
+        raise Unsolvable(message, span=span, help=f"`{event.word}` takes a body that moves freely")
+    at = carrier
+    while at in carriers:
+        at = carriers[at].carrier.owner
+        if at == name:
+            message = (
+                f"`{name}` and `{carrier}` hang together already: another joint between them is not solved in space"
+            )
+            raise Unsolvable(message, span=span, help=f"leave `{event.name}` out")
+    for other in joints:
+        if touches(other) and other.body.owner in (name, carrier):
+            message = f"`{other.body.owner}` touches a surface by `{other.owner}`: `{event.word}` of that is not solved in space"
+            raise Unsolvable(message, span=span, help=f"leave `{other.owner}` out")
+
+
+def touches(joint: Joint) -> bool:
+    """Whether a joint lets its body touch a surface without holding a point of it."""
+    return joint.rolls or joint.flat

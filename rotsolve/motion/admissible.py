@@ -80,7 +80,9 @@ def check_sequence(problem: Problem) -> None:
         other = taken.setdefault((start, end), name)
         if other != name:
             message = f"`{other}` and `{name}` happen between the same states: that is not solved yet"
+            ways = {event.at_once for event in problem.events if event.name in (other, name)} if problem.space else {""}
             help = "give each a state of its own to lead to, and let the second start where the first ends"
+            help = (len(ways) == 1 and ways.pop()) or help
             raise Unsolvable(message, span=states[end].span, help=help)
     for action in problem.actions:
         begins = order.get(action.from_ or "", 0)

@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Sum, Symbol, add, sqrt
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Quotient, Sum, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Words
@@ -244,9 +244,10 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     """The formula of a `find` line, and the letter that stands for it."""
     refuse_modified_whole(find, scene)
     if scene.configuration.problem.space:
-        from rotsolve.space.entries import refuse_sizes
+        from rotsolve.space.entries import refuse_mixed_axes, refuse_products
 
-        refuse_sizes(find)
+        refuse_products(find)
+        refuse_mixed_axes(find, scene)
     meanings = [meaning_of(term, scene, beside) for term in find.terms]
     if any(term.path.quantity == "kinetic_energy" for term in find.terms):
         from rotsolve.questions.energies import with_named_energies
@@ -297,6 +298,8 @@ def find_formula(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> F
     formula = find.formula.substitute(values)
     if isinstance(formula, Sum) and len(set(formula.terms)) < len(formula.terms):  # of entries that are alike
         formula = simplify(formula)
+    elif isinstance(formula, Call) and len(find.terms) > 1:  # of vectors that are alike in part
+        formula = formula.transform(lambda part: simplify(part) if isinstance(part, Sum) else part, Sum)
     return magnitude(formula) if find.modifier == "size of" else formula
 
 

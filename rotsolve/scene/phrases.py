@@ -200,7 +200,7 @@ class PhraseReader:
 
         from rotsolve.scene.conditions import read_condition
 
-        return read_condition(self.scope, part, quantity)
+        return read_condition(self.scope, part, quantity, self.answers)
 
     def swings(self, modifier: str, words: list[Lexeme], outer: bool) -> Formula | None:
         """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
@@ -268,6 +268,13 @@ class PhraseReader:
         """The modifier goes to the only term, or to the whole."""
         if not modifier:
             return formula
+        if modifier == "size of" and self.scope.space and len(self.phrase.terms) > first + 1:
+            from rotsolve.space.entries import size_of_sum
+
+            found = size_of_sum(formula, self.phrase.terms[first:], first)
+            if found is not None:
+                whole, self.phrase.terms[first:] = found
+                return whole
         if formula == Symbol(f"#{first}") and len(self.phrase.terms) == first + 1:
             inner = self.phrase.terms[first].modifier
             if inner:  # one of a quantity that has one already: none is dropped

@@ -32,7 +32,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.elements.shapes import rims, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
-from rotsolve.language.joints import joints_in_space
+from rotsolve.language.joints import joints_at
 from rotsolve.language.problem import Problem
 from rotsolve.language.shape import WHEEL
 from rotsolve.motion.rigid import RigidPiece, part_spot, pieces
@@ -51,10 +51,11 @@ ON_RIM = tuple(point for point in WHEEL if point != "center")  # places by the p
 
 
 class JointedBodies(Struct, frozen=True, dict=True):
-    """The bodies of a scene in space with their joints; refuses by name what it can't follow."""
+    """The bodies of a scene in space with their joints at a state, where events bring some; refuses by name what it can't follow."""
 
     problem: Problem
     signs: SignOracle
+    state: str = ""
 
     def vanishes(self, value: Formula) -> bool:
         """Whether a formula is nothing: whatever its letters are, or with the numbers that they have, which is noted.
@@ -72,17 +73,32 @@ class JointedBodies(Struct, frozen=True, dict=True):
         nothing = number is not None and number.sign == 0
         return nothing and (self.signs.side_at_trial(value) if lacking else self.signs.decide(value)) == 0
 
+    def since(self, state: str) -> JointedBodies:
+        """The bodies with the joints that they have from a state on."""
+        later = JointedBodies(self.problem, self.signs, state)
+        return later if later.joints != self.joints else self
+
     @cached_property
     def bodies(self) -> dict[str, Body]:
         return {body.name: body for body in self.problem.bodies}
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
-        """All joints of the scene, in the order of the file."""
-        joints = joints_in_space(self.problem.connections)
+        """All joints, in the order of the file; those that events have brought at last."""
+        joints = joints_at(self.problem, self.state)
         for joint in joints:
             self.refuse_led(joint)
-        return joints
+        return tuple(self.about_line(joint) for joint in joints)
+
+    def about_line(self, joint: Joint) -> Joint:
+        """A joint that holds two points as a hinge along the line through both."""
+        if joint.through is None:
+            return joint
+        line = self.line_between(joint.body, joint.through)
+        if line == NOTHING:
+            message = f"`{joint.owner}` holds the same point of `{joint.body.owner}` twice"
+            raise Unsolvable(message, span=joint.through.span, help="name two points that are apart")
+        return replace(joint, turning=(self.pointed(line),))
 
     def refuse_led(self, joint: Joint) -> None:
         """Refuse a joint by which a body that is led along is carried by one that is not: what is led carries."""
@@ -134,7 +150,8 @@ class JointedBodies(Struct, frozen=True, dict=True):
 
     def held_on(self, name: str) -> str:
         """What a body is on, in words: a `screw`, an `axle`, the joints `l` and `r`."""
-        words = {item.name: item.spatial_word or item.word for item in self.problem.connections}
+        words = {item.name: item.word for item in self.problem.events}
+        words |= {item.name: item.spatial_word or item.word for item in self.problem.connections}
         own = [joint.owner for joint in self.supports(name)]
         if len(own) > 1:
             return f"the joints {' and '.join(f'`{owner}`' for owner in own)}"
@@ -161,16 +178,16 @@ class JointedBodies(Struct, frozen=True, dict=True):
             message = f"two balls on `{one.carrier.owner}`, a body of its own, are not solved as a hinge in space"
             help = f"write `{one.owner}: {{hinge: [{one.carrier.owner}, …], along: [x, y, z]}}` along the line through both"
             raise Unsolvable(message, span=other.body.span, help=help)
-        line = self.line_of(one, other)
+        line = self.line_between(one.body, other.body)
         if line == NOTHING:
             message = f"`{one.owner}` and `{other.owner}` hold the same point of `{name}`"
             raise Unsolvable(message, span=other.body.span, help="leave one of them out")
         return replace(one, free=False, turning=(self.pointed(line),))
 
-    def line_of(self, one: Joint, other: Joint) -> Triple:
-        """The way from the point that one joint holds to that of another, in the axes of their body; what vanishes by the numbers is left
-        out, so that the laws know what lies along an axis."""
-        line = tidied(way_between(self.spot(one.body), self.spot(other.body)))
+    def line_between(self, one: PointRef, other: PointRef) -> Triple:
+        """The way from one point of a body to another, in the axes of the body; what vanishes by the numbers is left out, so that the laws
+        know what lies along an axis."""
+        line = tidied(way_between(self.spot(one), self.spot(other)))
         return triple([ZERO if self.vanishes(part) else part for part in line])
 
     def pointed(self, way: Triple) -> Triple:

@@ -12,19 +12,19 @@ from rotsolve.core.derivation import Words, direction_in_words, in_a_row
 from rotsolve.core.equation import BLOWS, RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, Equation, Law
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import heading
-from rotsolve.core.vectors.triple import AS_DRAWN, NOTHING, Z, triple, way_between
+from rotsolve.core.vectors.triple import AS_DRAWN, NOTHING, Z, cross_product, triple, way_between
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import references
 from rotsolve.space.attitude import IN_SPACE, NODE
 from rotsolve.space.coincidences import coincidences
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.two_balls import words_of_line
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.core.vectors.triple import Triple
+    from rotsolve.space.moment import SpaceMoment
     from rotsolve.space.scene import SpaceEquations
 
 IN_COMPONENTS = (*RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, BLOWS)  # laws along the axes of a body
@@ -34,24 +34,9 @@ LONG = 40  # nodes of three directions in space beyond which they are not writte
 def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[Words]:
     """What the page says of signs: of each body the axes in which its laws are written."""
     for name in scene.held.order:
-        if any(kind_of_axes(laws, name) == NODE for laws in scene.dynamics.values()):
-            if fast := carried_round_by_precession(scene, name, used):
-                yield fast
-                continue
-            told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
-            turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
-            yield (
-                f"axes of {spoken(name)}: {told}, {turning}",
-                *nodal_rates(scene, name, used),
-                "; x lies along e₁ where φ is not told",
-            )
-            continue
-        if any(turned_untold(scene, laws.moment, name) for laws in scene.dynamics.values()):
+        yield from axes_of_body(scene, name, used)
+        if turned_untold(scene, name):
             yield (f"ψ = 0 of {spoken(name)}, as nothing tells its spin angle",)
-        lies = standing_axes(scene, name) if law_is_used(IN_COMPONENTS, name, used) else ()
-        turns = turning_axes(scene, name) if law_is_used(RATES_OF_MOMENTUM, name, used) else ()
-        if lies or turns:
-            yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
     for (name, _), gaps in scene.held.askew.items():
         yield (f"{spoken(name)} is not symmetric: ", *in_a_row([simplify(gap) for gap in gaps]), " ≠ 0")
     if scene.held.problem.gravity is None and any(one.law == SECOND_LAW for one in used):
@@ -86,6 +71,23 @@ def upright_axis(moment: SpaceMoment, name: str, joint: Joint) -> bool:
     """Whether the axis of a hinge is vertical, or nothing tells how it stands."""
     way = moment.axes(name).to(IN_SPACE, moment.direction(name, joint))
     return bool(moment.axes(name).lost) or all(map(moment.held.vanishes, way[:2]))
+
+
+def axes_of_body(scene: SpaceEquations, name: str, used: Collection[Equation]) -> Iterator[Words]:
+    """The axes in which the laws of a body are written."""
+    if any(kind_of_axes(laws, name) == NODE for laws in scene.dynamics.values()):
+        if fast := carried_round_by_precession(scene, name, used):
+            yield fast
+            return
+        told = "e₃ along its axis, e₁ level along the line of nodes, e₂ = e₃ × e₁"
+        turning = "turning at Ω = θ̇ e₁ + φ̇ sin θ e₂ + φ̇ cos θ e₃"
+        rates = nodal_rates(scene, name, used)
+        yield (f"axes of {spoken(name)}: {told}, {turning}", *rates, "; x lies along e₁ where φ is not told")
+        return
+    lies = standing_axes(scene, name) if law_is_used(IN_COMPONENTS, name, used) else ()
+    turns = turning_axes(scene, name) if law_is_used(RATES_OF_MOMENTUM, name, used) else ()
+    if lies or turns:
+        yield (f"axes of {spoken(name)}: ", *lies, *((", ",) if lies and turns else ()), *turns)
 
 
 def carried_round_by_precession(scene: SpaceEquations, name: str, used: Collection[Equation]) -> Words:
@@ -136,12 +138,17 @@ def kind_of_axes(laws: SpaceLaws, name: str) -> str:
         return ""
 
 
-def turned_untold(scene: SpaceEquations, moment: SpaceMoment, name: str) -> bool:
-    """Whether a body that is not the same all round stands by its Euler angles, of which nothing tells the one about its axis."""
-    if not moment.nods(name) or moment.told(name, "spin_angle") is not None:
+def turned_untold(scene: SpaceEquations, name: str) -> bool:
+    """Whether nothing tells how far a body that stands by its Euler angles has turned about its axis at first, and that is seen: it is not
+    the same all round, or a point beside its axis is spoken of."""
+    moment = next((laws.moment for laws in scene.dynamics.values() if laws.moment.nods(name)), None)
+    if moment is None or moment.told(name, "spin_angle") is not None:
         return False
     axis = scene.held.axis(name)
-    return axis is not None and not scene.held.turns_round(name, axis)
+    if axis is None:
+        return False
+    beside = (part for _, place in spots_of(name, scene) for part in cross_product(axis, place))
+    return not scene.held.turns_round(name, axis) or any(part != ZERO and simplify(part) != ZERO for part in beside)
 
 
 def law_is_used(laws: tuple[Law, ...], name: str, used: Collection[Equation]) -> bool:

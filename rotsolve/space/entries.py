@@ -2,48 +2,91 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Power, Product, Sum, Symbol, formula, negate, total
-from rotsolve.core.quantity import DIRECTED
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Power, Product, Sum, Symbol, formula, negate, sqrt, total
+from rotsolve.core.quantity import DIRECTED, EITHER_WAY
 from rotsolve.core.vectors.tensor import ENTRIES
 from rotsolve.core.vectors.triple import AXES, square
 from rotsolve.core.writing import flat
+from rotsolve.language.joints import joints_at
 from rotsolve.language.problem import Find, Term
 from rotsolve.paths.meaning import NotYet
 
 if TYPE_CHECKING:
+    from rotsolve.equations.scene_equations import SceneEquations
     from rotsolve.questions.find import Asked
 
 
 def entries_in_space(find: Find) -> tuple[Find, ...]:
     """A question for a vector or a tensor, or for a sum of some, as questions for its entries; any other question alone."""
-    names = {entries_of(term) for term in find.terms}
-    if len(names) != 1 or not is_linear(find):
+    names = {entries for term in find.terms if (entries := entries_of(term))}
+    if len(names) != 1 or find.modifier or not is_linear(find):
         return (find,)
     parts = []
-    for name in names.pop() if not find.modifier else ():
-        terms = tuple(of_entry(term, name) for term in find.terms)
+    for name in names.pop():
+        terms = tuple(of_entry(term, name) if entries_of(term) else term for term in find.terms)
         parts.append(replace(find, name=f"{find.name}_{name}", terms=terms, whole=find.name))
-    return tuple(parts) or (find,)
+    return tuple(parts)
 
 
-def refuse_sizes(find: Find) -> None:
-    """Refuse the size of a sum of vectors, and a product of two: in arithmetic with their sizes both would be something else."""
+def refuse_mixed_axes(find: Find, scene: SceneEquations) -> None:
+    """Refuse a sum of vectors by components along axes that are not the same ones."""
+    if not find.whole or len(find.terms) < 2:
+        return
+    problem = scene.configuration.problem
+    bodies = {
+        joint.owner: joint.body.owner for joint in joints_at(problem, problem.states[-1].name if problem.states else "")
+    }
+    bodies |= {action.name: action.touches()[0].owner for action in problem.actions}
+    along = {
+        bodies.get(term.path.owner, term.path.owner) if term.axes in ("body", "node") else term.axes or "space"
+        for term in find.terms
+        if term.path.quantity in DIRECTED
+    }
+    if len(along) > 1:
+        message = f"`{find.text.strip()}` is a sum of components along different axes"
+        raise NotYet(message, find.span, "ask for all of them along the axes of one body, `in NAME axes`, or of space")
+
+
+def refuse_products(find: Find) -> None:
+    """Refuse a product of two vectors, which in arithmetic with their sizes would be something else, and a sum with what has no sense."""
     vectors = [number for number, term in enumerate(find.terms) if entries_of(term)]
-    if find.modifier == "size of" and len(vectors) == len(find.terms) > 1 and is_linear(find):
-        help = "ask for the sum, which is told by its components"
-        raise NotYet("the size of a sum of vectors is not solved", find.span, help)
+    if len(find.terms) > 1 and any(term.path.quantity in EITHER_WAY for term in find.terms):
+        help = "ask for it alone, or for `angle of A from B`"
+        raise NotYet("a principal axis has no sense, so that it has no sum with anything", find.span, help)
     with suppress(ZeroDivisionError):
         factors = [number for number in vectors if is_zero(find.formula.substitute({f"#{number}": ZERO}))]
         if len(factors) > 1:
             help = "multiply components, as `body.velocity.x`, one by one"
             raise NotYet("the product of two vectors is not solved", find.span, help)
+
+
+def size_of_sum(value: Formula, terms: Sequence[Term], first: int) -> tuple[Formula, tuple[Term, ...]] | None:
+    """|Σ c v| = √(Σ (Σ c vₓ)²) of a sum of multiples of several vectors, with their components as terms, which count from `first` on;
+    None of anything else.
+
+    It is the same along all axes: those of space, where they are named otherwise for each.
+    """
+    vectors = [number for number, term in enumerate(terms) if entries_of(term)]
+    if len(vectors) < 2 or {entries_of(terms[number]) for number in vectors} != {AXES}:
+        return None
+    if not is_sum(value, [f"#{first + number}" for number in vectors]):
+        return None
+    named = {(term.axes, term.path.owner if term.axes in ("body", "node") else "") for term in terms}
+    parts, squares = list[Term](), list[Formula]()
+    for axis in AXES:
+        marks = {f"#{first + number}": Symbol(f"#{first + len(parts) + number}") for number in range(len(terms))}
+        squares.append(square(value.substitute(marks)))
+        for number, term in enumerate(terms):
+            plain = term if len(named) == 1 else replace(term, axes=None)
+            parts.append(of_entry(plain, axis) if number in vectors else term)
+    return sqrt(total(squares)), tuple(parts)
 
 
 def by_answers(question: Asked, earlier: Iterable[Asked]) -> Asked:
@@ -83,13 +126,17 @@ def of_entry(term: Term, name: str) -> Term:
 
 def is_linear(find: Find) -> bool:
     """Whether a question is a sum of multiples of its quantities by givens, so that it may be a vector."""
-    marks = [f"#{number}" for number in range(len(find.terms))]
-    if find.formula == Symbol("#0"):
-        return True
+    vectors = [f"#{number}" for number, term in enumerate(find.terms) if entries_of(term)]
+    several = len(vectors) > 1 or len(find.terms) == 1
+    return find.formula == Symbol("#0") or (several and is_sum(find.formula, vectors))
+
+
+def is_sum(value: Formula, marks: Sequence[str]) -> bool:
+    """Whether a formula is a sum of multiples of what it marks."""
     none = dict.fromkeys(marks, ZERO)
     try:
-        told = total([find.formula.substitute({**none, mark: ONE}) * Symbol(mark) for mark in marks])
-        return bool(set(marks) & find.formula.symbols()) and is_zero(find.formula - told)
+        told = total([value.substitute({**none, mark: ONE}) * Symbol(mark) for mark in marks])
+        return bool(set(marks) & value.symbols()) and is_zero(value - told)
     except ZeroDivisionError:  # one of them is a divisor
         return False
 

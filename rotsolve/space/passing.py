@@ -1,49 +1,35 @@
-"""Passing from state to state in space: what is conserved on the way, and what a blow changes.
+"""Passing from state to state in space: what is conserved on the way.
 
 A body on which nothing but its weight and an ideal joint acts keeps its energy. Its angular momentum keeps all components about
 the centre of mass of a free body, and about a fixed point without gravity; with gravity that along the vertical, and, of a
 symmetric body, that along its axis: I₃ ω₃ (Goldstein, Poole & Safko, Classical Mechanics, §5.7).
-A blow J at r changes M v by J and L by r × J.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from msgspec import Struct
-from msgspec.structs import replace
-
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Product, Symbol, add, multiply, negate
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.equation import BLOWS, BY_PLACE, CONSERVATION, MOMENTUM, RULE, TWISTS, UNTWISTED, Equation
-from rotsolve.core.symbols import TIME, is_key, key_of
+from rotsolve.core.equation import BY_PLACE, CONSERVATION, MOMENTUM, Equation
+from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
 from rotsolve.core.vectors.triple import (
-    NOTHING,
     Triple,
-    cross_product,
     dot_product,
-    is_axis,
-    minus,
-    scaled_by,
     square,
     square_of,
     triple,
-    unit_along,
-    vector_sum,
-    way_between,
 )
-from rotsolve.core.writing import is_negative, point_in_words, spoken
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.core.writing import is_negative, spoken
+from rotsolve.language.bodies import PointRef
 from rotsolve.motion.timeline import Interval
 from rotsolve.space.attitude import IN_SPACE, NODE
 from rotsolve.space.energies import energy_of
 from rotsolve.space.inertia import CM
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.sliding import free_of_force
-from rotsolve.space.two_balls import names_along
 from rotsolve.space.working import of_rotor, of_work
 
 Pairing = tuple[Formula, Formula]
@@ -213,134 +199,3 @@ def momenta(name: str, before: SpaceLaws, after: SpaceLaws) -> Iterator[tuple[st
 def own_momentum(laws: SpaceLaws, name: str) -> Triple:
     """L about the point of the law of rotation, in the axes of the body."""
     return laws.momentum(name, laws.about(name)[1])
-
-
-class Shock(Struct, frozen=True):
-    """An impulse on a body at an arm from its reference, and an angular impulse; `nothing` are sums of their parts that vanish, `across` is
-    the part of the impulse that has a torque, where it is not the whole of it."""
-
-    push: Triple
-    arm: Triple
-    twist: Triple = NOTHING
-    nothing: tuple[Formula, ...] = ()
-    across: Triple | None = None
-
-    @property
-    def torque_from(self) -> Triple:
-        """The part of the impulse that has a torque."""
-        return self.push if self.across is None else self.across
-
-
-def through(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
-    """What a blow changes; a body that it does not touch moves on as it did."""
-    event = interval.event
-    assert event is not None
-    ref, size, way = event.blow_in_space()
-    blow = scaled_by(size, unit_along(way, before.moment.positive))
-    for name in before.moment.held.order:
-        if before.moment.held.bodies[name].moved:
-            continue
-        shocks = list(joint_shocks(name, before))
-        if ref.owner == name:
-            shocks.append(Shock(IN_SPACE.to(before.moment.axes(name), blow), before.moment.arm(ref)))
-        yield from laws_of_blow(name, interval, shocks, before, after)
-
-
-def laws_of_blow(
-    name: str, interval: Interval, shocks: Sequence[Shock], before: SpaceLaws, after: SpaceLaws
-) -> Iterator[Equation]:
-    """M (v′ − v) = Σ J and L′ − L = Σ r × J of a body, about the point that its joint holds, else its centre of mass."""
-    held, (place, point) = before.moment.held, before.about(name)
-    centres = [laws.moment.velocity(PointRef(name, CM)) for laws in (before, after)]
-    gained = scaled_by(held.mass(name), way_between(centres[0], centres[1]))
-    ways = [f", along {before.along(name, axis)}" for axis in AXES]
-    pushed, line = vector_sum(*(item.push for item in shocks)), before.pushes.line_axes(name)
-    along = ways
-    if line is not None:
-        along = [f", along {axis}" for axis in before.names_of(line)]
-        pushed, gained = (
-            triple([before.moment.tidy(part) for part in before.moment.axes(name).to(line, vector)])
-            for vector in (pushed, gained)
-        )
-    for way, left, right in zip(along, pushed, gained, strict=True):
-        if left != right:
-            blow = BLOWS.equation(left, right, interval.name, (name,))
-            yield replace(blow, label=blow.label + way)
-    for part in (part for item in shocks for part in item.nothing):
-        words = f"{spoken(name)} moves freely along or about its axis"
-        yield RULE.equation(part, ZERO, interval.name, (name,), words=words)
-    if held.pointlike(name):
-        return
-    momenta_ = [laws.momentum(name, point) for laws in (before, after)]
-    turning = vector_sum(
-        *(vector_sum(cross_product(way_between(place, item.arm), item.torque_from), item.twist) for item in shocks)
-    )
-    where = f" about {point_in_words(point)}"
-    for way, left, right in zip(ways, turning, vector_sum(momenta_[1], minus(momenta_[0])), strict=True):
-        rate = lone_rate(right) if left == ZERO else None
-        if rate is not None:
-            yield UNTWISTED.equation(rate, ZERO, interval.name, (name,), about=where + way)
-        elif left != right:
-            yield TWISTS.equation(left, right, interval.name, (name,), about=where + way)
-
-
-def lone_rate(gained: Formula) -> Formula | None:
-    """ω of what is a moment of inertia times ω: where no angular impulse acts, that is nothing, whatever the moment is."""
-    if not isinstance(gained, Product) or len(gained.factors) != 2:
-        return None
-    kinds = {key_of(part.name).kind: part for part in gained.factors if isinstance(part, Symbol) and is_key(part.name)}
-    return kinds.get("angular_velocity") if "inertia" in kinds else None
-
-
-def joint_shocks(name: str, laws: SpaceLaws) -> Iterator[Shock]:
-    """The impulse of the joint that holds a body, and those of what it carries, which push back."""
-    moment, held = laws.moment, laws.moment.held
-    for joint in (joint for other in held.order for joint in held.supports(other)):
-        if joint.body.owner == name:
-            yield from shocks_of_joint(joint, laws)
-        elif joint.carrier.owner == name:
-            axes, own, held_at = moment.axes(joint.body.owner), moment.axes(name), moment.arm(joint.body)
-            for shock in shocks_of_joint(joint, laws):
-                push, twist = (axes.to(own, minus(vector)) for vector in (shock.push, shock.twist))
-                shift = axes.to(own, way_between(held_at, shock.arm))
-                yield Shock(push, vector_sum(moment.carried_at(joint), shift), twist)
-
-
-def shocks_of_joint(joint: Joint, laws: SpaceLaws) -> Iterator[Shock]:
-    """The impulse of a joint on the body that it holds, or those of its two bearings: the first alone pushes along the axis too."""
-    axis = laws.pushes.direction(joint)
-    if not joint.bearings or axis is None:
-        yield joint_shock(joint, laws)
-        return
-    held_at = laws.moment.arm(joint.body)
-    for number, place in enumerate(joint.bearings, 1):
-        push, nothing = laws.pushes.letters("impulse", joint, f"_{number}"), tuple[Formula, ...]()
-        if number > 1 and is_axis(axis):
-            push = triple([ZERO if way != ZERO else part for part, way in zip(push, axis, strict=True)])
-        elif number > 1:
-            nothing = (dot_product(axis, push),)
-        driven = number == 1 and joint.powered
-        twist = scaled_by(laws.moment.ask("angular_impulse", joint.owner, "drive"), axis) if driven else NOTHING
-        yield Shock(push, vector_sum(held_at, scaled_by(place, axis)), twist, nothing)
-
-
-def joint_shock(joint: Joint, laws: SpaceLaws) -> Shock:
-    """The impulse of a joint on the body that it holds, at the point held, and its angular impulse across the axis."""
-    moment = laws.moment
-    line = laws.pushes.line_axes(joint.body.owner)
-    push = laws.pushes.letters("impulse", joint, names=AXES if line is None else names_along(line))
-    arm = laws.pushes.place(joint)
-    if line is not None:
-        own = moment.axes(joint.body.owner)
-        return Shock(line.to(own, push), arm, across=line.to(own, (ZERO, *push[1:])))
-    if joint.free or moment.held.pointlike(joint.body.owner):
-        push, nothing = free_of_force(joint, moment, push, NOTHING)
-        return Shock(push, arm, nothing=nothing)
-    letters = triple([moment.ask("angular_impulse", joint.owner, axis) for axis in AXES])
-    push, nothing = free_of_force(joint, moment, push, letters)
-    way = laws.pushes.direction(joint) if joint.pitch is None else None
-    if way is not None and not is_axis(way) and not joint.powered:
-        nothing = (*nothing, dot_product(way, letters))
-    elif way is not None and not joint.powered:
-        letters = triple([ZERO if part != ZERO else letter for part, letter in zip(way, letters, strict=True)])
-    return Shock(push, arm, letters, nothing)

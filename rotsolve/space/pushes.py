@@ -155,9 +155,8 @@ class Pushes:
         """What a joint does to the body that it holds."""
         name, axes = joint.body.owner, self.reaction_axes(joint)
         if joint.flat:
-            raise Unsolvable(
-                f"the forces of `{joint.owner}` on a face are not solved in space yet", span=joint.body.span
-            )
+            message = f"the forces of `{joint.owner}` on a face are not solved in space yet"
+            raise Unsolvable(message, span=joint.body.span, help=force_of_floor(joint))
         own = self.moment.axes(name)
         if joint.bearings:
             yield from self._by_bearings(joint)
@@ -324,3 +323,12 @@ class Pushes:
                 help="give it `direction: [x, y, z]`",
             )
         return ForceInSpace(action.name, ref.owner, vector, IN_SPACE, self.moment.arm(ref), own)
+
+
+def force_of_floor(joint: Joint) -> str:
+    """What says the push of a smooth floor at a point: on what keeps its height it is as large as the weight."""
+    ref = joint.body
+    if ref.point is None:
+        return ""
+    push = f"`{{force: M*g, on: {ref.owner}.{ref.point}, direction: z}}`"
+    return f"leave it out, and let a force push: {push}, as much as all weighs that keeps its height"

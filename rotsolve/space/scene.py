@@ -46,10 +46,11 @@ from rotsolve.space.euler_rules import axial_rules, turning_rules
 from rotsolve.space.inertia import Tensors
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.passing import conserved, through
+from rotsolve.space.passing import conserved
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.reader import SpaceReader, plainly_named
 from rotsolve.space.stability import limit_of, steady_limit
+from rotsolve.space.struck import through
 from rotsolve.space.understood import refuse_dropped_told
 from rotsolve.space.untold import ANGLE_HELP, law_whatever_the_angle, untold_in
 
@@ -92,12 +93,11 @@ class SpaceEquations(SceneEquations, dict=True):
         for state in timeline.states:
             if state.name == OPEN:
                 continue
-            found[state.name] = self.laws_at(state)
+            found[state.name] = self.laws_at(state, state.name)
             moment, before = found[state.name].moment, timeline.before(state.name)
             moment.first = state is timeline.states[0]
             if before is not None:
-                moment.later = before.event is None or found[before.start].moment.later
-                moment.before = found[before.start].moment if before.event is not None else None
+                moment.come_after(found[before.start].moment, "" if before.event is None else before.event.name)
                 self.lead_on(before, found[before.start], moment)
                 if before.event is None:
                     moment.lines = self.lines_after(found[before.start])
@@ -109,8 +109,9 @@ class SpaceEquations(SceneEquations, dict=True):
         found: dict[str, SpaceLaws] = {}
         phases = (item for item in self.configuration.timeline.intervals if item.event is None)
         for interval in phases if self.configuration.mentions.functions else ():
-            laws = found[interval.name] = self.laws_at(State(interval.name))
+            laws = found[interval.name] = self.laws_at(State(interval.name), interval.start)
             laws.moment.at, laws.moment.first, laws.moment.later = f"{GENERIC}{interval.start}", False, True
+            laws.moment.met = self.dynamics[interval.start].moment.met
             self.lead_on(interval, self.dynamics[interval.start], laws.moment)
         return found
 
@@ -121,17 +122,17 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def lines_after(self, laws: SpaceLaws) -> dict[str, Triple]:
         """About which own directions bodies turn on that nothing holds and that carry others."""
-        held = self.held
+        held = laws.moment.held
         if all(joint.carrier.owner not in held.bodies for joint in held.joints):
             return {}
         from rotsolve.space.together import lines_of_turning
 
         return lines_of_turning(laws)
 
-    def laws_at(self, state: State) -> SpaceLaws:
-        """What the laws speak of at one moment."""
+    def laws_at(self, state: State, since: str) -> SpaceLaws:
+        """What the laws speak of at one moment, with the joints that there are since a state."""
         problem = self.configuration.problem
-        moment = SpaceMoment(self.held, self.registry, state, self.configuration)
+        moment = SpaceMoment(self.held.since(since), self.registry, state, self.configuration)
         pushes = Pushes(moment, problem.gravity, problem.actions)
         altered = self.configuration.alteration
         written = SpaceLaws if altered is None or altered.in_space is None else altered.in_space

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Self
+
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, add
 from rotsolve.core.faults import Unsolvable
@@ -32,6 +34,9 @@ class TellingMoment:
         self.when = state.name
         self.at = state.name  # as the keys of its quantities say it
         self.before: TellingMoment | None = None  # the moment before an event that leads to this one
+        self.met: dict[
+            str, TellingMoment
+        ] = {}  # the moments before the events up to this one, which may have brought joints
         self.onward: Onward | None = None  # what happens from the state before on, where times are told
         self.first = True  # whether the scene begins with it
         self.later = False  # whether time has passed since the first state
@@ -39,6 +44,12 @@ class TellingMoment:
             str, Triple
         ] = {}  # own directions about which bodies that nothing holds have turned up to it, whatever happened
         self.used: set[int] = set()  # the lines of the state that something has read, by their places
+
+    def come_after(self, before: Self, event: str) -> None:
+        """Tell that another moment lies before this one: just before an event, or a time before it."""
+        self.later, self.met = before.later or not event, dict(before.met)
+        if event:
+            self.before = self.met[event] = before
 
     def tidy(self, value: Formula) -> Formula:
         """A formula in textbook form."""

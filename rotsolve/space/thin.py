@@ -20,13 +20,17 @@ from rotsolve.core.vectors.triple import (
     Z,
     cross_product,
     dot_product,
+    minus,
     rotated,
+    scaled_by,
     tidied,
     unit_along,
+    vector_sum,
     way_between,
 )
 from rotsolve.core.writing import spoken
 from rotsolve.space.arrangement import JointedBodies
+from rotsolve.space.inertia import product
 from rotsolve.space.moment import SpaceMoment
 
 WORDS = "{} is thin: it does not spin about its own axis"
@@ -67,7 +71,34 @@ def unspun(moment: SpaceMoment, name: str) -> Iterator[Equation]:
         return
     own = moment.attitude(name)
     along = rotated(own.own, way)
+    if turns_others(moment, name, along):
+        return
     for rates, is_open in zip((own.omega, own.rates), open_rates, strict=True):
         part = dot_product(along, rates)
         if is_open and part.symbols():
             yield RULE.equation(part, ZERO, moment.when, (name,), words=WORDS.format(spoken(name)))
+
+
+def turns_others(moment: SpaceMoment, name: str, way: Triple) -> bool:
+    """Whether a body that turns about a direction through the point about which it turns takes along what it carries: what is off that
+    line, or is turned with it and has inertia about that."""
+    held, axes = moment.held, moment.axes(name)
+    for joint in (joint for joint in held.joints if joint.carrier.owner == name and not (joint.rolls or joint.flat)):
+        other = joint.body.owner
+        if not all(map(held.vanishes, cross_product(way, moment.carried_at(joint)))):
+            return True
+        if joint.free or held.pointlike(other):
+            continue
+        own, turned = moment.own_axes(other), way
+        if joint.turning:
+            axis = moment.direction(other, joint)
+            axis = moment.own_axes(name).to(axes, axis) if joint.aligned and held.wheel(other) else own.to(axes, axis)
+            turned = vector_sum(way, minus(scaled_by(dot_product(way, axis), axis)))
+        tensor, arm = held.whole_tensor(other), way_between(held.centre(other), held.spot(joint.body))
+        whole = None if tensor is None else tensor.plus(displaced(held.mass(other), arm))
+        turned = axes.to(own, turned)
+        if not all(map(held.vanishes, turned)) and (
+            whole is None or not all(map(held.vanishes, product(whole, turned)))
+        ):
+            return True
+    return False

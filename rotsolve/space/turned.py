@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import ONE, ZERO, Formula
 from rotsolve.core.drive import TURNING
@@ -57,6 +59,7 @@ class TurnedMoment(LeaningMoment):
     """One state, with how each body stands and turns."""
 
     before: TurnedMoment | None
+    met: dict[str, TurnedMoment]  # type: ignore[assignment]
 
     @remembered
     def attitude(self, name: str) -> Attitude:
@@ -80,7 +83,10 @@ class TurnedMoment(LeaningMoment):
                 base = in_own_axes(base, spun)
         if not joint.turning:
             self.refuse_otherwise(name)
-            return hinged_on(base, self.turned(name), Z, HingeTurn())
+            found = hinged_on(base, self.seated(name, joint), Z, HingeTurn())
+            if joint.owner not in self.met:
+                return found
+            return replace(found, axes=replace(found.axes, rows=self.tidied(found.axes.rows)))
         return self._about_axis(name, joint, base, bool(carrier))
 
     def freely(self, name: str) -> Attitude:
@@ -95,8 +101,25 @@ class TurnedMoment(LeaningMoment):
             return Attitude(IN_SPACE, AS_DRAWN, NOTHING, NOTHING)  # a point has no axes that turn away
         return self._led(name, ()) if self.held.bodies[name].moved else self._anyhow(name)
 
+    def seated(self, name: str, joint: Joint) -> Rows:
+        """How a body that is clamped to another one is turned in the axes of that: as it is drawn, or as both stood when they met."""
+        met = self.met.get(joint.owner)
+        if met is None or self.held.pointlike(name):
+            return self.turned(name)
+        seen = after(transposed(met.own_axes(joint.carrier.owner).standing), met.own_axes(name).standing)
+        return self.tidied(seen)
+
+    def tidied(self, rows: Rows) -> Rows:
+        """The rows of a rotation in textbook form."""
+        x, y, z = (triple([self.tidy(part) for part in row]) for row in rows)
+        return (x, y, z)
+
     def turned(self, name: str) -> Rows:
-        """How a body is turned from how it is drawn, as the scene says."""
+        """How a body is turned from how it is drawn, as the scene says; on a hinge that an event has brought, as it stood then."""
+        joint = self.held.main(name)
+        met = self.met.get(joint.owner) if joint is not None and joint.turning else None
+        if met is not None:
+            return self.tidied(met.own_axes(name).standing)
         return in_turn(((item.about, item.by) for item in self.held.bodies[name].turned), self.positive)
 
     def _led(self, name: str, led: Sequence[tuple[str, str, Formula]]) -> Attitude:
@@ -128,10 +151,11 @@ class TurnedMoment(LeaningMoment):
                     span=line.span,
                     help=help,
                 )
-        rows, told = self.turned(name), self.vector_told(name, "angular_velocity")
+        stood = self.stood_before(name)
+        rows, told = stood or self.turned(name), self.vector_told(name, "angular_velocity")
         if name in self.lines and told is None and not (self.rests(name) or self.state.steady):
             return self._on_line(name, rows, self.lines[name])
-        askew = self.askew(name, rows) or ("" if self.seen_from_space(name) else self.lost(name))
+        askew = self.askew(name, rows) or ("" if stood or self.seen_from_space(name) else self.lost(name))
         for vector, word in (
             (told, "angular_velocity"),
             (self.vector_told(name, "angular_acceleration"), "angular_acceleration"),
@@ -156,6 +180,13 @@ class TurnedMoment(LeaningMoment):
         if self.seen_from_space(name):
             return Attitude(IN_SPACE, rows, rotated(rows, omega), rotated(rows, alpha))
         return as_drawn(rows, omega, alpha, lost=askew)
+
+    def stood_before(self, name: str) -> Rows | None:
+        """How a body stood before the event that leads to this moment, where time had passed and that is told; None of others."""
+        if self.before is None or not self.later or self.vector_kept(name, "vertical") is not None:
+            return None
+        axes = self.before.own_axes(name)
+        return None if axes.lost else axes.rows
 
     def _on_line(self, name: str, rows: Rows, way: Triple) -> Attitude:
         """A body that has turned about one of its own directions alone, by as much as nothing tells."""

@@ -54,7 +54,7 @@ def place_on_line(held: JointedBodies, joint: Joint) -> Triple | None:
     balls = held.supports(joint.body.owner)
     if len(balls) < 2:
         return None
-    return NOTHING if joint.owner == balls[0].owner else held.line_of(*balls[:2])
+    return NOTHING if joint.owner == balls[0].owner else held.line_between(balls[0].body, balls[1].body)
 
 
 def axes_on_line(held: JointedBodies, name: str, own: Axes, way: Triple) -> Axes | None:

@@ -29,7 +29,7 @@ from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.passing import Shock, shocks_of_joint
+from rotsolve.space.struck import Shock, shocks_of_joint
 from rotsolve.space.two_balls import letter_along
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
@@ -329,11 +329,12 @@ class VectorReader:
         self.refuse_along(path, away, (ball.owner, contact.owner))
 
     def joint_impulse(self, path: Path, term: Term) -> Seen:
-        """The impulse of a joint on the body that it holds, or of one of its bearings, in the event that leads to this moment."""
+        """The impulse of a joint on the body that it holds, or joins as the last, or of one bearing, in the event that leads here."""
         joint, laws, shocks = self.shocks(path)
         if path.point is not None:
             shocks = [shock for number, shock in enumerate(shocks, 1) if path.point == f"bearing{number}"]
         push = vector_sum(*(shock.push for shock in shocks))
+        push = minus(push) if joint.named_last else push
         return self.told_apart(path, term, laws, push), laws.moment.axes(joint.body.owner)
 
     def joint_angular_impulse(self, path: Path, term: Term) -> Seen:
@@ -341,17 +342,17 @@ class VectorReader:
         joint, laws, shocks = self.shocks(path)
         place = laws.moment.arm(joint.body)
         own = (vector_sum(cross_product(way_between(place, item.arm), item.torque_from), item.twist) for item in shocks)
-        return vector_sum(*own), laws.moment.axes(joint.body.owner)
+        twist = vector_sum(*own)
+        return minus(twist) if joint.named_last else twist, laws.moment.axes(joint.body.owner)
 
     def shocks(self, path: Path) -> tuple[Joint, SpaceLaws, list[Shock]]:
-        """A joint, the laws just before the event that leads to this moment, and its impulses in it."""
-        before, joint = self.moment.before, self.held.joint(path.owner)
-        if before is None:
+        """A joint, the laws just after the event that leads to this moment, and its impulses in it."""
+        joint = self.held.joint(path.owner)
+        if self.moment.before is None:
             raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
         if joint is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
-        laws = self.moments[before.when]
-        return joint, laws, list(shocks_of_joint(joint, laws))
+        return joint, self.dynamics, list(shocks_of_joint(joint, self.dynamics))
 
     def forces_of(self, name: str, owner: str) -> Triple:
         """What one connection, action or gravity pushes a body with, in the axes of the body."""

@@ -285,10 +285,6 @@ REFUSED = {
         "find: {N: guide.force}\n",
         "where `bead` is on `arm` is told by `guide`",
     ),
-    "the size of a sum of vectors": (
-        box(RATE, "{d: size of (box.P.velocity - box.velocity)}"),
-        "the size of a sum of vectors",
-    ),
     "a product of vectors": (box(RATE, "{d: box.angular_momentum*box.angular_velocity}"), "the product of two vectors"),
     "an answer that a swing never comes to": (
         f"{HEAD}{ROD}{HINGE}states: {{a: {{rod.angle: -90 deg, rod.angular_velocity: 0.5 rad/s}}, e: {{rod.angle: -120 deg}}}}\n"

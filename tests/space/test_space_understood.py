@@ -105,8 +105,15 @@ def test_what_the_help_writes_for_a_point_that_is_held_is_the_same(
     found = solve(spatial).complete().derivation.answers[0].value
     assert plane is not None and found is not None
     assert found.float == pytest.approx(plane.float) and found.float == pytest.approx(5)
+    in_space = flat.replace("[1 m/s, 3 m/s]", "[1 m/s, 3 m/s, 0]").replace(": 2 rad/s", ": [0, 0, 2 rad/s]")
+    held = (
+        solve("up: z\n" + in_space.replace("rod.angular_velocity at", "rod.angular_velocity.z at"))
+        .derivation.answers[0]
+        .value
+    )
+    assert held is not None and held.float == pytest.approx(5)
     with pytest.raises(SceneError, match=r"an unknown impulse stops a point"):
-        solve(flat.replace("[1 m/s, 3 m/s]", "[1 m/s, 3 m/s, 0]").replace("gravity", "up: z\ngravity", 1))
+        solve("up: z\n" + in_space.replace("fixes: rod.start", "grips: rod"))
 
 
 def test_a_couple_against_the_motion_is_the_friction_of_a_hinge() -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from functools import cached_property, partial
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
@@ -19,6 +19,7 @@ from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, 
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
+from rotsolve.confirm.space.rigs import OPEN, Rigs, time_after
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import SPEED, TURNING
 from rotsolve.confirm.space.worlds import Manner, Moving, World, manners_of
@@ -56,7 +57,6 @@ READ = (
     "angular_impulse",
 )  # lines held against worlds
 OF_MASS = ("inertia_tensor", "inertia", "principal_moments", "mass")  # what a body has however it moves
-OPEN = "the equations of all bodies leave it open"
 HANGING = "rates that nothing tells, beside what is asked"
 SEVERAL = "several motions fit its state"
 BROKEN = "the lines of its state do not go together"
@@ -69,60 +69,14 @@ class LeftOpen(NotConfirmed):
     """What the lines of a state do not tell, so that only the motion may that leads to it."""
 
 
-class Inquiry:
+class Inquiry(Rigs):
     """Answers questions at one set of numbers; `put` are answers in place of what no line of a state tells."""
 
     def __init__(self, problem: Problem, numbers: Mapping[str, float], put: Told) -> None:
-        self.problem, self.put = problem, put
-        self.rig = Rig(problem, numbers)
+        super().__init__(problem, numbers)
+        self.put = put
         self._ways: dict[str, list[Manner]] = {}
         self._kept: dict[str, Any] = {}  # what comes of following a motion, or why nothing does
-
-    # states
-
-    def state(self, name: str | None) -> State | None:
-        states = self.problem.states
-        if name is None and len(states) > 1:
-            raise NotConfirmed("at which state it is asked")
-        if name is None:
-            return states[0] if states else None
-        return next(state for state in states if state.name == name)
-
-    def rig_at(self, state: State | None) -> Rig:
-        """The rig at the time of a state, where it is told; of a scene that names no state at 0, as at its first one."""
-        clock = 0.0 if state is None else self.clock(state)
-        return self.rig if clock is None else Rig(self.problem, {**self.rig.numbers, TIME: clock})
-
-    def clock(self, state: State) -> float | None:
-        """The running time at a state: through a blow as before, else so long after the state before as it tells; at the first one as
-        told, else 0."""
-        told, states = time_after(state), self.problem.states
-        event = self.event_to(state.name)
-        if event is not None:
-            return self.clock(next(item for item in states if item.name == event.from_))
-        start = self.clock(states[states.index(state) - 1]) if state is not states[0] else 0.0
-        if told is None or start is None:
-            return 0.0 if state is states[0] else None
-        return start + self.rig.value(told)
-
-    @cached_property
-    def driven(self) -> bool:
-        """Whether all bodies move as they are told to."""
-        driven = {joint.body.owner for joint in self.rig.joints.values() if joint.drive}
-        return all(name in driven or body.moved for name, body in self.rig.bodies.items())
-
-    @property
-    def follows(self) -> bool:
-        """Whether motions from state to state are followed: not where a motor gives what it takes."""
-        return not any(joint.motor for joint in self.rig.joints.values())
-
-    def by_time(self, name: str | None) -> bool:
-        """Whether the time from the state before tells how all moves at a later state, which is not driven."""
-        names = [state.name for state in self.problem.states]
-        place = names.index(name) if name in names else 0
-        if not place or self.event_to(names[place]) is not None or self.driven:
-            return False
-        return time_after(self.problem.states[place]) is not None
 
     def ways(self, name: str | None) -> list[Manner]:
         """The ways in which all moves at a state, in which all its lines hold."""
@@ -130,6 +84,9 @@ class Inquiry:
         if key not in self._ways:
             self._ways[key] = self._found(self.state(name))
         return self._ways[key]
+
+    def stance_at(self, name: str | None) -> Stance:
+        return self.ways(name)[0].worlds[0].stance
 
     def steady_ways(self, name: str | None) -> list[Manner]:
         """All steady motions at a state, whichever it chooses itself: among them a question for the largest or the smallest looks."""
@@ -159,15 +116,12 @@ class Inquiry:
         rates = [max((abs(told_by(way, Term(path))) for path in leaning), default=0.0) for way in ways]
         return rates.index(min(rates)) if leaning else None
 
-    def event_to(self, name: str) -> Event | None:
-        """The event that leads to a state."""
-        return next((item for item in self.problem.events if item.to == name), None)
-
     def struck(self, event: Event, state: State | None, before: list[Manner]) -> list[Manner]:
         """The ways in which all moves just after a blow."""
         from rotsolve.confirm.space.passing import after_blow
 
-        return [after_blow(self.rig, event, way, state, self.put) for way in before]
+        rig = self.rig_since(event.to or "")
+        return [after_blow(rig, event, way, state, self.put) for way in before]
 
     def followed(self, name: str | None) -> list[Manner]:
         """The way in which all moves at a state to which the motion leads from the one before."""
@@ -198,7 +152,7 @@ class Inquiry:
         from rotsolve.confirm.space.kept import sets_out_away
 
         if letters_open(self.problem) and any(
-            sets_out_away(self.rig, world, state) for way in self.ways(before) for world in way.worlds
+            sets_out_away(self.rig_since(before), world, state) for way in self.ways(before) for world in way.worlds
         ):
             raise NotConfirmed("it sets out away from its state, and whether it turns back hangs on letters")
 
@@ -209,7 +163,7 @@ class Inquiry:
         starts = [by_velocities(way.worlds) for way in self.ways(before)]
         if len(starts) != 1 or len(starts[0]) != 1 or starts[0][0].stance.open:
             raise NotConfirmed(SEVERAL)
-        return kept_manners(self.rig, starts[0][0], state, self.put)
+        return kept_manners(self.rig_since(before), starts[0][0], state, self.put)
 
     def kept(self, key: str, follow: Callable[[], Any]) -> Any:
         """What comes of following a motion, which is done once."""
@@ -256,7 +210,7 @@ class Inquiry:
             raise NotConfirmed(SEVERAL)
         several = passed is not None or len(by_velocities(before[0].worlds)) > 1
         starts = by_velocities(before[0].worlds)[: 2 if several else 1]
-        return [Flight(self.rig, world, state, passed) for world in starts]
+        return [Flight(self.rig_since(name), world, state, passed) for world in starts]
 
     def lasting(self, start: str, end: str) -> float:
         """The time from one state to a later one, by the motion from each to the next."""
@@ -356,9 +310,15 @@ class Inquiry:
     def of_term(self, term: Term) -> list[float]:
         if term.path.quantity in OSCILLATING:
             return self.swinging(term)
-        event = next((item for item in self.problem.events if item.name == term.during), None)
-        if event is not None and term.path.quantity in ("impulse", "angular_impulse"):
+        blow = term.path.quantity in ("impulse", "angular_impulse")
+        named = (
+            term.path.owner if blow and term.during is None else term.during
+        )  # an event's own impulse needs no `during`
+        event = next((item for item in self.problem.events if item.name == named), None)
+        if event is not None and blow:
             return self.at(term, event.to)
+        if event is not None and term.modifier in (CHANGE, LOST, SIZE_OF_CHANGE):
+            term = replace(term, during=None, start=event.from_, end=event.to)
         if term.other is not None and term.other.at not in (None, term.at):
             return [self.angle_between(replace(term, modifier="", other=None), term.other)]
         if term.at == ANY_TIME:
@@ -491,11 +451,12 @@ class Inquiry:
 
         event = None if state is None else self.event_to(state.name)
         if event is None:
-            return Moving(Stance(self.rig, Lines(self.rig, state, self.put)))
+            rig = self.rig if state is None else self.rig_since(state.name)
+            return Moving(Stance(rig, Lines(rig, state, self.put)))
         worlds = [world for way in self.ways(event.from_) for world in way.worlds]
         if any(world.now is not worlds[0].now for world in worlds):
             raise NotConfirmed(OPEN)
-        return moving_after(self.rig, event, worlds[0], state, self.put)
+        return moving_after(self.rig_since(event.to or ""), event, worlds[0], state, self.put)
 
     def off_arrival(self, before: State, state: State) -> Iterator[float]:
         """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it, and by
@@ -514,7 +475,8 @@ class Inquiry:
                 or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds)
             ):
                 continue
-            there, paced_there = (Flight(self.rig, ways[0].worlds[0], state) for _ in range(2))
+            rig = self.rig_since(before.name)
+            there, paced_there = (Flight(rig, ways[0].worlds[0], state) for _ in range(2))
             if there.rate_of(line) is None:
                 continue
             if self.rig.value(paced.value):  # else it turns back there, and does not pass through
@@ -536,12 +498,6 @@ def for_part(term: Term, part: str) -> Term:
         return term
     whole = term.path.component
     return replace(term, path=replace(term.path, component=part if whole is None else f"{whole} {part}"))
-
-
-def time_after(state: State) -> Formula | None:
-    """The time that a state tells: a later one how long after the state before it is."""
-    lines = (line for line in state.conditions if line.path is not None and line.path.quantity == "time")
-    return next((line.value for line in lines), None)
 
 
 def by_velocities(worlds: Sequence[World]) -> list[World]:

@@ -7,14 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.space.arrows import STILL, TINY, Z, arrow_length, crossed, scaled, sum_of, times_arrow
 from rotsolve.confirm.space.efforts import Efforts, lever
 from rotsolve.confirm.space.rig import Lines, Rig, Told, way_along
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import SPEED, TURNING, Rates, Terms, Tie, added_terms, three_ties
 from rotsolve.confirm.space.worlds import Manner, Moving, World, anyhow
-from rotsolve.core.faults import Unsolvable
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import State
 
@@ -42,8 +40,15 @@ def stance_kept(rig: Rig, before: Stance, lines: Lines) -> Stance:
     """All bodies as they stood, with what another state tells; what leans and was spoken of by its tilt has one still."""
     lines.nodding = {name for name in rig.bodies if before.lines.nods(name) and off_upright(before, name)}
     stance = Stance(rig, lines)
+    met = [
+        joint
+        for joint in rig.joints.values()
+        if joint.owner not in before.rig.joints and joint.carrier.owner in rig.bodies
+    ]
     for name in rig.bodies:
-        stance.put(name, before.turned(name), before.place(name))
+        stance.put(
+            name, before.turned(name), None if met else before.place(name)
+        )  # where bodies meet one tells where the other is
         joint = rig.main(name)
         if joint is not None and (joint.turning or rig.line(name) is not None):
             stance.swung[name] = before.swung[name] if name in before.swung else before.angle(joint)
@@ -58,11 +63,8 @@ def off_upright(stance: Stance, name: str) -> bool:
 def struck_bodies(efforts: Efforts, event: Event, before: Rates) -> Iterator[Tie]:
     """m v′ = m v + Σ J and I ω′ = I ω + Σ r × J of all bodies."""
     rig, stance = efforts.rig, efforts.stance
-    try:
-        ref, size, way = event.blow_in_space()
-    except Unsolvable:
-        raise NotConfirmed(f"what `{event.name}` does in space") from None
-    blow = scaled(rig.value(size), way_along(rig, way))
+    found = event.blow_in_space()
+    blow = STILL if found is None else scaled(rig.value(found[1]), way_along(rig, found[2]))
     for name in rig.bodies:
         own, tensor, omega = rig.solid(name), efforts.tensor(name), before.arrow(TURNING, name)
         travel: Terms = [((-own.mass, (SPEED, name, k)),) for k in range(3)]
@@ -70,8 +72,9 @@ def struck_bodies(efforts: Efforts, event: Event, before: Rates) -> Iterator[Tie
         for item in efforts.on(name):
             travel = added_terms(travel, item.forced())
             turning = added_terms(added_terms(turning, lever(item)), item.twisted())
-        push = blow if ref.owner == name else STILL
-        twist = crossed(stance.arm(ref), blow) if ref.owner == name else STILL
+        struck = found is not None and found[0].owner == name
+        push = blow if struck else STILL
+        twist = crossed(stance.arm(found[0]), blow) if found is not None and struck else STILL
         momentum = scaled(own.mass, before.arrow(SPEED, name))
         yield from three_ties(travel, scaled(-1.0, sum_of(momentum, push)), None)
         yield from three_ties(turning, scaled(-1.0, sum_of(times_arrow(tensor, omega), twist)), None)

@@ -248,12 +248,12 @@ class Reading:
         return total
 
     def joint_impulse(self, path: Path, term: Term) -> Arrow:
-        """In the blow that leads to the state, on the body that it holds."""
+        """In the blow that leads to the state, on the body that it holds, or joins as the last."""
         total = STILL
         for item in self.world.efforts.on(self.body_of(path)):
             if item.owner == path.owner and not item.back and path.point in (None, item.bearing):
                 total = sum_of(total, item.force_at(self.now))
-        return total
+        return scaled(self.sense_of(path), total)
 
     def joint_angular_impulse(self, path: Path, term: Term) -> Arrow:
         """In the same blow, about the point held."""
@@ -261,7 +261,12 @@ class Reading:
         for item in self.world.efforts.on(self.body_of(path)):
             if item.owner == path.owner and not item.back:
                 total = sum_of(total, item.torque_at(self.now, held))
-        return total
+        return scaled(self.sense_of(path), total)
+
+    def sense_of(self, path: Path) -> float:
+        """−1 of a joint of which the carrier is named last, so that it is asked what acts on that."""
+        joint = self.rig.joints.get(path.owner)
+        return -1.0 if joint is not None and joint.named_last else 1.0
 
     # directions
 

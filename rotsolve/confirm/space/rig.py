@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from rotsolve.algebra.formula import ONE, Formula
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ONE, Formula, formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
@@ -15,6 +18,7 @@ from rotsolve.confirm.space.arrows import (
     ALONG,
     STILL,
     Arrow,
+    Turned,
     arrow_length,
     crossed,
     less,
@@ -37,7 +41,7 @@ from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.core.symbols import TIME
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Joint, PointRef
-from rotsolve.language.joints import joints_in_space
+from rotsolve.language.joints import joints_at
 from rotsolve.language.problem import ANY_TIME, Condition, Problem, State
 
 AXES = ("x", "y", "z")
@@ -51,19 +55,29 @@ Told = Mapping[tuple[str, str, str], float]  # (state, body, quantity): answers 
 
 
 class Rig:
-    """The bodies and joints of a problem at one set of numbers for its letters."""
+    """The bodies and joints of a problem at one set of numbers for its letters, with the joints that events up to a state have brought."""
 
-    def __init__(self, problem: Problem, numbers: Mapping[str, float]) -> None:
+    def __init__(self, problem: Problem, numbers: Mapping[str, float], state: str = "") -> None:
         self.problem = problem
         self.numbers: dict[str, Any] = {TIME: NOW, **numbers}
         self.bodies = {body.name: body for body in problem.bodies}
-        self.joints = {joint.owner: joint for joint in joints_in_space(problem.connections)}
+        self.seats: dict[
+            str, Turned
+        ] = {}  # how bodies that an event has joined to others are turned along the axes of these
+        self._solids: dict[str, Solid] = {}
+        self._idle: dict[str, list[Arrow]] = {}
+        self.joints = {joint.owner: self.about_line(joint) for joint in joints_at(problem, state)}
         others = (item for item in problem.connections if item.motor_in_space() is None)
         unknown = [item for item in others if item.name not in self.joints]
         if unknown:
             raise NotConfirmed(f"`{unknown[0].name}`: what a `{unknown[0].word}` does in space")
-        self._solids: dict[str, Solid] = {}
-        self._idle: dict[str, list[Arrow]] = {}
+
+    def about_line(self, joint: Joint) -> Joint:
+        """A joint that holds two points as a hinge along the line through both."""
+        if joint.through is None:
+            return joint
+        x, y, z = (formula(Fraction(part)) for part in less(self.spot(joint.through), self.spot(joint.body)))
+        return replace(joint, turning=((x, y, z),))
 
     # numbers
 

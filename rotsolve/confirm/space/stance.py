@@ -94,7 +94,7 @@ class Stance:
             return self._nodding(name) if self.lines.nods(name) else self._anyhow(name, drawn)
         base = self.base(joint)
         if not joint.turning:
-            return product_of(base, drawn)
+            return product_of(base, self.rig.seats.get(name, drawn))
         way, angle = way_along(self.rig, joint.turning[0]), self.angle(joint)
         if not joint.aligned:
             if joint.sliding:  # its direction is in the axes of what carries it

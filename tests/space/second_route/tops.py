@@ -62,6 +62,16 @@ def leaning_top(n: Numbers) -> Answers:
     return {"slow": slow, "fast": fast}
 
 
+def top_on_a_smooth_table(n: Numbers) -> Answers:
+    """About the centre of mass, at rest, the push M g at the tip turns as the weight there does about the tip."""
+    body = with_moments(n.M, n.A, n.A, n.C)
+    push = lacking(points((n.M, n.l * Z)), n.theta, 0.0, 0.0, n.g)
+    slow, fast = precessions(
+        lambda rate: lacking(body, n.theta, n.w3 - rate * cos(n.theta), rate, 0.0) + push, n.w3 / 8
+    )
+    return {"slow": slow, "fast": fast}
+
+
 def leaning_top_least_spin(n: Numbers) -> Answers:
     """The spin that a precession needs is least where its derivative is zero."""
 
@@ -296,6 +306,7 @@ CALCULATIONS = {
     "sleeping-top-touched": sleeping_top_touched,
     "spherical-pendulum-nods": spherical_pendulum_nods,
     "top-let-go": top_let_go,
+    "top-on-a-smooth-table": top_on_a_smooth_table,
     "top-that-trembles": top_that_trembles,
     "wheel-let-go": wheel_let_go,
     "wheel-on-a-string": wheel_on_a_string,
