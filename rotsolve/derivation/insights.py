@@ -53,8 +53,41 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from opposite_energies(told)
     yield from beside_a_ring(told, search)
     yield from about_contacts(told, search)
-    for name in dict.fromkeys(body.name for body, force in alone if force.role.rubs):
-        yield (f"without friction {spoken(name)} would keep its angular velocity: no other force has a torque on it",)
+    yield from by_friction_alone(alone, told, search)
+
+
+def by_friction_alone(
+    alone: Iterable[tuple[BodyFacts, Force]], told: Sequence[Answered], search: Search
+) -> Iterator[Words]:
+    """What the friction is for that alone turns a body, and how large it is where no law on the page says so."""
+    said = set[str]()
+    printed = {name for item in told for law in behind(item, search) for name in law.symbols()}
+    for body, force in alone:
+        if not force.role.rubs or body.name in said:
+            continue
+        said.add(body.name)
+        keeps = f"{spoken(body.name)} would keep its angular velocity"
+        size = None if force.size.symbols() & printed else friction_needed(body, force, search)
+        if size is None:
+            yield (f"without friction {keeps}: no other force has a torque on it",)
+        else:
+            yield (
+                "friction, ",
+                size,
+                f", alone turns {spoken(body.name)} about its centre of mass: without it {keeps}",
+            )
+
+
+def friction_needed(body: BodyFacts, force: Force, search: Search) -> Formula | None:
+    """f = I α/R of the force that alone turns a body; None where α is not known in givens, or its sign."""
+    if body.inertia is None or body.motion.kind == "axis":
+        return None
+    arm = body.torque_of(force) / force.size
+    size = search.solver.simplify(
+        search.solver.with_found(body.inertia.formula * body.motion.spin_rate) / search.solver.simplify(arm)
+    )
+    side = 0 if has_quantities(size) or size == ZERO else search.signs.sign(size)
+    return size if side == 1 else search.solver.simplify(negate(size)) if side == -1 else None
 
 
 def in_givens(item: Answered) -> Formula | None:
@@ -249,7 +282,9 @@ def opposite_energies(told: Sequence[Answered]) -> Iterator[Words]:
     ]
     for (one, first), (other, second) in combinations(energies, 2):
         if is_zero(first + second):
-            yield (called(other), " = −", called(one))
+            asked = {(term.modifier, term.path.quantity) for item in (one, other) for term in item.asked.find.terms}
+            same = asked == {("", "work"), ("lost", "kinetic_energy")}
+            yield (called(other), " = −", called(one), *((": the work is what is lost",) if same else ()))
             return
 
 

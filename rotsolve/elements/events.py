@@ -13,7 +13,7 @@ from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
 from rotsolve.elements.connections.supports import GROUND, Axis, Hinge
 from rotsolve.elements.shapes import rim_radius
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 
@@ -240,7 +240,6 @@ class Grips(Event, frozen=True):
     word = "grips"
     about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
     heats = True
-    armless = "what acts there has no arm, whatever it is"  # a blow, or friction that lasts until it rolls
     quantities = ("impulse",)
     instead = (
         "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
@@ -285,10 +284,21 @@ class Grips(Event, frozen=True):
         item = self.contact(instant.configuration.problem.connections)
         return instant.point(ref) if item is None else item.touching_arm(instant)
 
-    def holds(self, ref: PointRef, instant: Moment) -> str:
+    def gripped(self, instant: Moment) -> Surface | None:
+        """The surface that it grips; None for a corner."""
         item = self.contact(instant.configuration.problem.connections)
-        surface = item.surface(instant.configuration, instant.state) if item is not None else None
+        return item.surface(instant.configuration, instant.state) if item is not None else None
+
+    def holds(self, ref: PointRef, instant: Moment) -> str:
+        surface = self.gripped(instant)
         return called(ref) if surface is None else surface.held_at
+
+    def no_torque(self, instant: Moment) -> str:
+        """Of a blow, or of friction that lasts until it rolls."""
+        surface, heavy = self.gripped(instant), instant.configuration.problem.gravity is not None
+        if surface is None or not (surface.level and heavy):
+            return "what acts there has no arm, whatever it is"
+        return "friction there has no arm, whatever it is, and weight and normal force balance along one line"
 
 
 def called(ref: PointRef) -> str:

@@ -439,13 +439,16 @@ class Event(Element, frozen=True):
     heats: ClassVar[bool] = (
         False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
     )
-    armless: ClassVar[str] = "the blow there has no arm"  # why it does not turn what it acts on about its place
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
     to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
 
     def check(self, scene: Surroundings) -> None:
         """Refuses by name what the scene can't mean: raises Unsolvable."""
+
+    def no_torque(self, instant: Moment) -> str:
+        """Why what acts at its place does not turn bodies about that."""
+        return "the blow there has no arm"
 
     def told(self) -> Words:
         """What happens, as a page says it: "impulse J on rod's end, up"."""

@@ -4,13 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from msgspec import Struct
+
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Negative, Product, Quotient, Sum, Symbol, negate, total
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import (
+    HALF,
+    ONE,
+    ZERO,
+    Formula,
+    Negative,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    add,
+    multiply,
+    negate,
+    total,
+)
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ABOUT_CONTACT, DERIVATIVE, POWER, RATE, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Rule, signed
-from rotsolve.core.symbols import ACCELERATIONS, key_of, of_kinds
+from rotsolve.core.symbols import ACCELERATIONS, has_quantities, key_of, of_kinds
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import and_joined, flat, positive_first, spoken
 from rotsolve.laws.energy import kinetic
@@ -19,6 +36,8 @@ from rotsolve.laws.table import AtMoment, OfGroup
 from rotsolve.motion.rigid import tidy
 
 SIMPLE = 2  # terms of I α + m a d: with two components of an acceleration the law about the centre of mass is shorter
+
+FEW, SHORT = 3, 50  # rates of bodies, and nodes of two powers, that are written out
 
 
 def rate_of_angular_momentum(at: OfGroup) -> Iterator[Equation]:
@@ -76,9 +95,49 @@ def rotation_about_contacts(at: AtMoment) -> Iterator[Equation]:
             if pushes and rates and len(flat(rates)) <= SIMPLE:
                 nouns = list(dict.fromkeys(force.noun for force in body.forces if force.arm == point))
                 words: Words = (f"{and_joined(nouns)} {'have' if len(nouns) > 1 else 'has'} no arm there",)
-                where = "its point of contact"
+                turned = by_parallel_axes(body, rates[-1], at.facts)
+                if turned is not None:
+                    words = (*words, "; ", turned.inertia, " by parallel axes", *turned.reason)
+                    rates = [multiply(turned.inertia, turned.rate)]
                 sides = positive_first(pushes), positive_first(rates)
+                where = "its point of contact"
                 yield ABOUT_CONTACT.equation(*sides, at.section, (body.name,), words, point=where)
+
+
+class TurnAboutPoint(Struct, frozen=True):
+    """How a body turns about a point that does not move as about an axle: I + m d², α, and the rule by which it does."""
+
+    inertia: Formula
+    rate: Formula
+    reason: Words
+
+
+def by_parallel_axes(body: BodyFacts, orbital: Formula, facts: Facts) -> TurnAboutPoint | None:
+    """I + m d² for I α + m a d, where a = d α by one rule of the body alone: what it touches does not move.
+
+    α is a/d where the body goes along a line, so that one law tells a.
+    """
+    turning = signed(body.motion.spin_rate, body.motion.sense)
+    if body.inertia is None or body.sweep is not None or turning == ZERO:
+        return None
+    names = of_kinds(orbital.symbols() | turning.symbols(), ACCELERATIONS)
+    for rule in facts.rules:
+        if rule.bodies != (body.name,) or rule.acceleration is None:
+            continue
+        tied = by_one(names, [rule.acceleration[0] - rule.acceleration[1]])
+        if tied is None or len(tied) != 1:
+            continue
+        ((name, travel),) = tied.items()
+        share = simplify(orbital.substitute(tied) / (turning.substitute(tied) * body.mass))
+        if not has_quantities(share):
+            along = body.motion.kind == "line" and travel.symbols() >= turning.symbols()
+            ratio = simplify(travel / turning) if along else ONE
+            straight = along and not has_quantities(ratio)
+            rate = Symbol(name) / ratio if straight else turning
+            so: Words = (", and ", turning, " = ", rate) if straight else ()
+            inertia = add(body.inertia.letter, multiply(body.mass, share))
+            return TurnAboutPoint(inertia, rate, (*so, f", as {rule.label}"))
+    return None
 
 
 def one_contact(body: BodyFacts) -> Vector | None:
@@ -171,12 +230,39 @@ def power_of_forces(at: OfGroup) -> Iterator[Equation]:
         return  # inner forces, or the shaft, give energy too
     balance = drive(at.virtual, at.group)
     if balance is not None and balance != (ZERO, ZERO):
-        words: Words = (
+        words = rates_of_energy(at.virtual, at.group)
+        yield POWER.equation(positive_first([balance[0]]), balance[1], at.section, tuple(sorted(at.group)), words)
+
+
+def rates_of_energy(facts: Facts, group: frozenset[str]) -> Words:
+    """K and, where they are short, how fast it grows and the power of what acts, in the rates of all bodies, and what divides both."""
+    bodies = [body for body in facts.bodies if body.name in group]
+    energy, gains, supplies = (
+        total(kinetic(bodies)),
+        *([term for body in bodies for term in of(body)] for of in (gain, supply)),
+    )
+    rates, allowed = freedom(facts, group, [*gains, *supplies])
+    growth, power = total(gains), positive_first(supplies)
+    if allowed is None or len(allowed) > FEW or length(growth) + length(power) > SHORT:
+        return (
             "The kinetic energy is ",
-            total(kinetic(bodies)),
+            energy,
             "; its rate is the power of all forces. Both are divided by the rate of the motion.",
         )
-        yield POWER.equation(positive_first([balance[0]]), balance[1], at.section, tuple(sorted(at.group)), words)
+    free = next(Symbol(name) for name in rates if name not in allowed)
+    ties = [
+        part for name, rate in allowed.items() for part in (", ", Symbol(name), " = ", per_rate(rate, free.name) * free)
+    ][1:]
+    grows: Words = (
+        "The kinetic energy ",
+        energy,
+        " grows at the rate ",
+        growth,
+        ". That is the power of what acts, ",
+        power,
+        ".",
+    )
+    return (*grows, " Both are divided by ", free, *((", with ", *ties) if ties else ()), ".")
 
 
 def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None:

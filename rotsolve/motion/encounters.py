@@ -77,7 +77,16 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     bounce, closing = event.bounce(first, last), event.closing(first, last)
     joined = joined_on_an_axis(involved, last, last_facts)
     return Encounter(
-        interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck, joined, event.armless
+        interval.name,
+        event.about,
+        tuple(meetings),
+        about,
+        needs,
+        bounce,
+        closing,
+        stuck,
+        joined,
+        event.no_torque(first),
     )
 
 

@@ -71,6 +71,8 @@ SAID = {  # how a plan speaks of a law, with its bodies behind it where it is wr
     ),
 }
 
+ABOUT_BOTH = "Newton's law for rotation about the centre of mass and about the point of contact for {}"
+
 
 def plan_of(derivation: Derivation) -> tuple[Phrase, ...]:
     """The plan, sentence by sentence; nothing where there is little to plan."""
@@ -172,12 +174,22 @@ def principles(laws: Sequence[LawLine]) -> list[str]:
     alike: dict[tuple[str, ...], list[str]] = {}
     for said, own in bodies.items():
         alike.setdefault(tuple(own) if said.endswith(FOR) else (said,), []).append(said)
+    alike = {own: list(about_both(group)) for own, group in alike.items()}
     return [
         f"{and_joined([said.removesuffix(FOR) for said in group])}{FOR.format(and_joined(own))}"
         if group[0].endswith(FOR)
         else and_joined(group).format(and_joined(bodies[group[0]] or ("",)))
         for own, group in alike.items()
     ]
+
+
+def about_both(group: Sequence[str]) -> Iterator[str]:
+    """The laws of the same bodies, that for rotation about two points named once."""
+    both = [SAID[law.name] for law in (ROTATION, ABOUT_CONTACT)]
+    if not set(both) <= set(group):
+        yield from group
+        return
+    yield from dict.fromkeys(ABOUT_BOTH if said in both else said for said in group)
 
 
 def is_principle(law: LawLine) -> bool:
