@@ -107,12 +107,14 @@ def test_remarks_hold(problem: Path) -> None:
     values = {given.name: given.value for given in read_file(problem).givens if given.value is not None}
     told = [part for answer in solution.derivation.answers for part in (answer, *answer.components)]
     closed = {answer.symbol: answer.closed or answer.formula for answer in told}
+    parts = {answer.symbol: [closed[part.symbol] for part in answer.components or (answer,)] for answer in told}
     for words in solution.derivation.insights:
         letters = [part for part in words if isinstance(part, Symbol)]
         cut = next((k for k, part in enumerate(words) if isinstance(part, str) and part.startswith(" cancel")), None)
         if cut is not None:
             gone = {part.name for part in words[:cut] if isinstance(part, Symbol)}
-            assert all(not gone & closed[letter].symbols() for letter in letters if letter.name not in gone)
+            kept = [part for letter in letters if letter.name not in gone for part in parts[letter]]
+            assert kept and all(not gone & part.symbols() for part in kept)
         if " grows with " in words:
             fall = words.index(" and falls with ")
             formula = closed[letters[0]]
