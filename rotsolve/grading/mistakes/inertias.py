@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from fractions import Fraction
+from functools import reduce
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, Sum, total
-from rotsolve.core.equation import Equation
+from rotsolve.algebra.formula import ZERO, Formula, Number, Product, Sum, multiply, total
+from rotsolve.core.equation import ABOUT_CONTACT, ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Inertia
 from rotsolve.core.passage import Alteration
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.shapes import shape_of
 from rotsolve.grading.mistakes.mistake import Change, Made, bodies_and_parts, each_and_all, of_bodies
 from rotsolve.language.problem import Body, Problem
+from rotsolve.laws.groups import one_contact
 from rotsolve.motion.rigid import RigidPiece, tidy
 
 if TYPE_CHECKING:
@@ -71,10 +73,14 @@ def pulleys(scene: Scene) -> Made:
         yield f"the moment of inertia of {who} was left out", Change(altered=of_bodies(names, without_inertia))
 
 
+def rolling_bodies(scene: Scene) -> Iterator[BodyFacts]:
+    """The bodies that travel and turn, and are no pulleys."""
+    return (body for body in turning_bodies(scene) if body.motion.kind != "axis" and not is_pulley(body))
+
+
 def rotational_energy(scene: Scene) -> Made:
     """½ I ω² = 0 of what travels and turns."""
-    rolling = (body for body in turning_bodies(scene) if body.motion.kind != "axis" and not is_pulley(body))
-    for names, who in each_and_all(body.name for body in rolling):
+    for names, who in each_and_all(body.name for body in rolling_bodies(scene)):
         yield f"the rotation of {who} was left out", Change(altered=of_bodies(names, without_inertia))
 
 
@@ -93,8 +99,27 @@ def parallel_axes(scene: Scene) -> Made:
         about = of_bodies(names, with_axis_inertia(scene, lambda own, moved: own if own != ZERO else moved))
         words = f"the moment of inertia of {who} about the centre of mass was taken for that about the axis"
         yield words, Change(altered=replace(about, equation=without_steiner_term))
+    for names, who in each_and_all(body.name for body in rolling_bodies(scene) if one_contact(body) is not None):
+        words = f"the moment of inertia of {who} about the centre of mass was taken for that about the point of contact"
+        altered = Alteration(equation=by_central_inertia(names, scene))
+        yield words, Change(altered=altered, aside=(ENERGY,), about_contact=True)
     if any(term.path.quantity in ASKED for find in scene.problem.finds for term in find.terms):
         yield "the parallel-axes theorem was left out", Change(altered=Alteration(equation=without_steiner_term))
+
+
+def by_central_inertia(names: Collection[str], scene: Scene) -> Callable[[Equation], Equation]:
+    """I α for (I + m d²) α in the laws of bodies about their points of contact."""
+
+    def changed(equation: Equation) -> Equation:
+        if equation.law != ABOUT_CONTACT or equation.bodies[0] not in names:
+            return equation
+        inertia = scene.bodies[equation.bodies[0]].inertia
+        letter = ZERO if inertia is None else inertia.letter
+        factors = equation.right.factors if isinstance(equation.right, Product) else ()
+        put = [letter if isinstance(factor, Sum) and factor.terms[0] == letter else factor for factor in factors]
+        return replace(equation, right=reduce(multiply, put)) if put else equation
+
+    return changed
 
 
 def point_masses(scene: Scene) -> Made:

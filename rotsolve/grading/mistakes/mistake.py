@@ -21,7 +21,8 @@ class Change(Struct, frozen=True):
     """What a mistake changes: what is read of the scene, what the laws say of it, or what is put in for a given at the end.
 
     problem: the scene as it is misread, for which friction is decided anew; altered: its facts and equations, while what slips stays as
-    it is. `aside` are the laws by which the answer is found without making the mistake, hence not used.
+    it is. `aside` are the laws by which the answer is found without making the mistake, hence not used. With altered facts laws are taken
+    about centres of mass, as the forces of a contact have no arm there that could be mistaken; `about_contact`: the mistake is made there.
     letters: what is written for a given in the answers (2 R for R); factors: by what the number is wrong that is put in for it. Neither
     needs the laws.
     """
@@ -29,6 +30,7 @@ class Change(Struct, frozen=True):
     problem: Callable[[Problem], Problem] | None = None
     altered: Alteration | None = None
     aside: tuple[str, ...] = ()
+    about_contact: bool = False
     letters: Mapping[str, Formula] = field(default_factory=dict)
     factors: Mapping[str, Formula] = field(default_factory=dict)
 

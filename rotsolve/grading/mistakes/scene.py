@@ -18,8 +18,10 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number
 from rotsolve.core.derivation import Answer
+from rotsolve.core.equation import ABOUT_CONTACT, Equation
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.passage import Alteration
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.comparing.numbers import certified_number
@@ -132,12 +134,24 @@ class Scene(Struct, frozen=True, dict=True):
         if change.reread:
             return self._reread(change, self.problem.values)
         problem = self.problem if change.problem is None else change.problem(self.problem)
-        configuration = Configuration(problem, change.altered)
+        altered = change.altered if change.altered is None or change.about_contact else about_centres(change.altered)
+        configuration = Configuration(problem, altered)
         modes = self.modes if change.problem is None else modes_of(configuration)
         families = tuple(family for family in families_for(None) if family not in change.aside)
         search = Search(equations_by(configuration, modes), families, confirming=True)
         answers = answers_of(search)
         return {} if change.throughout and disagreement(search) is not None else answers
+
+
+def about_centres(altered: Alteration) -> Alteration:
+    """Other facts and equations, without the laws about points of contact."""
+
+    def changed(equation: Equation) -> Equation | None:
+        if equation.law == ABOUT_CONTACT:
+            return None
+        return equation if altered.equation is None else altered.equation(equation)
+
+    return replace(altered, equation=changed)
 
 
 def modes_of(configuration: Configuration) -> Mapping[str, str]:
