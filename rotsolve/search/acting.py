@@ -25,12 +25,15 @@ def acting_forward(search: Search) -> frozenset[str]:
 
 
 def sign_told(key: str, search: Search) -> int | None:
-    """The sign of a letter that a step tells: of its number, or the same for all that the letters of the scene may be."""
+    """The sign of a letter that a step tells: of its number, or the same for all letters that are meant to be positive."""
     found = search.solver.solved.get(key)
     if found is not None and found.number is not None:
         return found.number.sign
     value = search.solver.with_found(Symbol(key))
-    return None if has_quantities(value) else search.signs.sign(value)
+    if has_quantities(value):
+        return None
+    sign = search.signs.sign(value)
+    return search.signs.as_meant(value) if sign is None else sign
 
 
 def spoken_of(problem: Problem) -> set[str]:

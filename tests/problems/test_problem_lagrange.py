@@ -22,9 +22,10 @@ SAID = FAMILIES[LAGRANGE].words
 
 BLOWS = """bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
 bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
-blow-on-a-plate-at-a-corner disc-struck-at-its-rim"""
+blow-on-a-plate-at-a-corner disc-struck-at-its-rim cube-caught-at-an-edge plate-struck-where-its-hinges-feel-nothing"""
 INERTIA_CHANGES = """bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
-sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in"""
+sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in
+satellite-with-a-reaction-wheel"""
 REACTIONS = """triangle-on-hinge ladder-inside plank-on-trestles plank-tips released-rod-inside whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
 rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed
@@ -33,7 +34,7 @@ FRICTION = """ball-with-back-spin block-slides-onto-a-plank spinning-cylinder-se
 spinning-wheel-set-down spool-largest-pull"""
 NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
-which-pair-of-angles"""
+which-pair-of-angles stone-from-a-tower shell-fired-east"""
 NO_COORDINATES = """force-off-the-centre spherical-top plate-that-wobbles-in-time pole-of-the-earth-in-time
 tennis-racket wing-nut between-both-cases between-both-cases-in-space tennis-racket-in-the-hand"""  # of ω along own axes
 DISTURBED = "book-about-its-middle-axis stability-of-three-axes"  # by Euler's equations

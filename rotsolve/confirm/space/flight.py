@@ -49,8 +49,11 @@ WRITTEN_OUT = 3  # times as many where they are written out: a look costs a seve
 ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a time, and how nearly both have to agree
 BOTH = 80  # looks that a step takes at least, both ways
 TWICE = 6  # times as many looks where it is
-EXACT = 1e-8  # up to which a finer step has to agree, before it is taken
-CLOSE = 1e-8  # of a step: how nearly the moment is found
+EXACT = (
+    1e-11  # up to which a finer step has to agree, before it is taken: beside a turning point a rate goes by its root
+)
+CLOSE = 1e-8  # of a place: how nearly it is what it was at the start
+MET = 1e-13  # of a step: how nearly the moment is found
 HOLDS = 1e-7
 NEVER = "its motion never comes there"
 TOO_FAR = "the way to its state is too long to be followed"
@@ -417,7 +420,7 @@ class Flight:
             middle = (start * high - end * low) / (high - low)
             best, at = self.step(best, middle - at), middle
             value = gap(self.world(best))
-            if abs(end - start) <= CLOSE * size or abs(value) <= CLOSE * most:
+            if abs(end - start) <= MET * size or abs(value) <= MET * most:
                 break
             if value * high > 0:
                 end, high = middle, value
