@@ -11,12 +11,13 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 
 RIGHT, PARTLY, WRONG, UNDECIDED = "right", "partly right", "wrong", "can't decide"
+VALUELESS = "value"  # the kind of the remark about what has no value for the numbers of the scene
 
 
 class Remark(Struct, frozen=True):
     """One sentence for the student: its kind, words with formulas in them, and the columns of the answer that it speaks of.
 
-    Kinds: "reading", "comma", "form", "unit", "dimension", "figures", "rounding", "sign", "direction", "mistake", "followed", ….
+    Kinds: "reading", "value", "comma", "form", "unit", "dimension", "figures", "rounding", "sign", "direction", "mistake", "followed", ….
     """
 
     kind: str

@@ -76,6 +76,11 @@ def test_the_answers_are_those_of_solving_again() -> None:
             assert sure[name][0][index] == pytest.approx(view.float, rel=1e-14)
 
 
+LOSING = {
+    "stone-from-a-tower": 1e-7
+}  # sin x − x cos x of a small x: floats lose half of their digits, `certified=True` none
+
+
 @pytest.mark.sampled(3)
 @pytest.mark.parametrize("path", sorted(PROBLEMS.glob("*/*.yaml")), ids=lambda path: path.stem)
 def test_every_problem_gives_its_own_answers(path: Path) -> None:
@@ -88,7 +93,8 @@ def test_every_problem_gives_its_own_answers(path: Path) -> None:
         return
     for name, view in solution.answers.items():
         if view.float is not None:
-            assert float(found[name]) == pytest.approx(view.float, rel=1e-9, abs=1e-12), name
+            rel = LOSING.get(path.stem, 1e-9)
+            assert float(found[name]) == pytest.approx(view.float, rel=rel, abs=1e-12), name
 
 
 def test_sets_at_which_a_contact_would_open_give_no_number() -> None:

@@ -17,7 +17,7 @@ from rotsolve.algebra.units.dimension import DimensionError, describe, dimension
 from rotsolve.grading.comparing.numbers import Typed, certified_number
 from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, right_but_for_sign, turns_round, value_judged
 from rotsolve.grading.comparing.signs import points_other_way
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, found, listed_letters
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, found, listed_letters
 from rotsolve.language import marks
 
 USUAL = 1 / 100  # the share by which a rounded coefficient may change a formula, where the tolerance is no share
@@ -138,7 +138,7 @@ def undirected_judged(formula: Formula, asked: Scalar, measured: bool) -> Findin
             return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
         return Finding(RIGHT)
     if holds is None and certified_number(formula, asked.values) is None and asked.value is not None:
-        return found(UNDECIDED, "equality", "it has no value for the numbers of the scene")
+        return found(UNDECIDED, VALUELESS, "it has no value for the numbers of the scene")
     if holds is None:
         return found(UNDECIDED, "equality", "it agrees wherever it was tried, but that is no proof")
     misfit = "" if measured else of_other_dimension(formula, asked)

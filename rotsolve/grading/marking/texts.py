@@ -22,7 +22,7 @@ from rotsolve.grading.reading.definitions import Definitions, clause
 from rotsolve.grading.reading.lines import chain_members, without_asides
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import plain_width
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, Remark, found
 from rotsolve.language.marks import FORM
 
 if TYPE_CHECKING:
@@ -277,6 +277,8 @@ def preference(finding: Finding) -> int:
     """The order in which the readings of one line are preferred: none is called wrong while another may be right."""
     if finding.outcome == WRONG and finding.flaws:
         return 1
+    if any(remark.kind == VALUELESS for remark in finding.remarks):
+        return 4
     return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
 
