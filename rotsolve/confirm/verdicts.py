@@ -23,7 +23,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
-ASSEMBLED = "an assembly of all bodies' equations, solved at once with numbers, gives the same "
+ASSEMBLED = "the equations of motion of all bodies, solved by computer with numbers, give the same "
 SUMMED = "another sum over the masses gives the same "
 TOLD_BY_MASSES = (
     "inertia_tensor",

@@ -139,7 +139,7 @@ def test_it_is_left_out_on_request() -> None:
     plain, full = solve(WINCH, confirm=False), solve(WINCH)
     assert plain.derivation.confirmed == ()
     assert "assembly" not in str(plain)
-    assert "an assembly of all bodies' equations, solved at once with numbers, gives the same a, T" in " ".join(
+    assert "the equations of motion of all bodies, solved by computer with numbers, give the same a, T" in " ".join(
         str(full).split()
     )
     assert "another sum over the masses gives the same k" in str(full)

@@ -53,7 +53,7 @@ def test_a_sleeve_on_a_driven_rod_with_and_without_a_spring(more: str, stiffness
     solution = rotsolve.solve(SCENE.replace("MORE", more))
     assert solution.answers["v"].float == pytest.approx(sqrt(square), rel=1e-6)
     assert solution.answers["W"].float == pytest.approx(work, rel=1e-6)
-    assert "assembly of all bodies' equations, solved at once with numbers, gives the same v, W" in " ".join(
+    assert "equations of motion of all bodies, solved by computer with numbers, give the same v, W" in " ".join(
         str(solution).split()
     )
 
