@@ -292,8 +292,7 @@ def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """What turns a body about the point at which it rolls or unwinds, which tells at once the way in which it goes."""
     rates, states = (ACCELERATION, ANGULAR_ACCELERATION), search.scene.configuration.timeline.order
     laws = [law for item in told if item.asked.dimension in rates for law in behind(item, search)]
-    if any(law.law == ABOUT_CONTACT for law in laws):  # it is among the laws
-        return
+    used = any(law.law == ABOUT_CONTACT for law in laws)
     asked, printed = {law.section for law in laws} & states.keys(), {name for law in laws for name in law.symbols()}
     for law in search.planner.pool:
         left, right = ({name for name in side.symbols() if is_key(name)} for side in (law.left, law.right))
@@ -306,7 +305,7 @@ def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
             turns = search.scene.instant(law.section).turn_words(body.name)[back]
             where = f"about the point where {and_joined(held)} {act}"
             torque = search.solver.simplify(negate(law.left) if back else law.left)
-            felt: Words = () if back or not right <= printed else (", which is ", law.right)
+            felt: Words = () if back or used or not right <= printed else (", which is ", law.right)
             yield (f"{where}, {spoken(body.name)} is turned {turns} by ", torque, *felt)
             return
 

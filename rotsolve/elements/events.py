@@ -298,7 +298,8 @@ class Grips(Event, frozen=True):
         surface, heavy = self.gripped(instant), instant.configuration.problem.gravity is not None
         if surface is None or not (surface.level and heavy):
             return "what acts there has no arm, whatever it is"
-        return "friction there has no arm, whatever it is, and weight and normal force balance along one line"
+        where = f"friction, whatever it is, has no arm about a fixed point of {spoken(surface.name)}"
+        return f"{where}, and weight and normal force balance along one line"
 
 
 def called(ref: PointRef) -> str:

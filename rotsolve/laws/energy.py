@@ -92,7 +92,8 @@ def by_way_of_its_point(work: Formula) -> tuple[Formula, Words]:
     if ways[0] in (force.symbols() | turned.symbols()):
         return work, ()
     way = total([along, turned])
-    return force * way, ("the point on which it acts goes ", way, ", not ", along)
+    turns = "back" if is_negative(turned) else "on"
+    return force * way, (f"the rim on which it acts turns {turns} meanwhile: its point goes ", way, ", not ", along)
 
 
 def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formula]:

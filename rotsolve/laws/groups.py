@@ -35,6 +35,7 @@ from rotsolve.laws.newton import response
 from rotsolve.laws.table import AtMoment, OfGroup
 from rotsolve.motion.rigid import tidy
 
+PLAINLY_ROLLING = 8  # above Newton's laws about the centre of mass; on a way shorter ones are wanted
 SIMPLE = 2  # terms of I α + m a d: with two components of an acceleration the law about the centre of mass is shorter
 
 FEW, SHORT = 3, 50  # rates of bodies, and nodes of two powers, that are written out
@@ -100,8 +101,15 @@ def rotation_about_contacts(at: AtMoment) -> Iterator[Equation]:
                     words = (*words, "; ", turned.inertia, " by parallel axes", *turned.reason)
                     rates = [multiply(turned.inertia, turned.rate)]
                 sides = positive_first(pushes), positive_first(rates)
-                where = "its point of contact"
-                yield ABOUT_CONTACT.equation(*sides, at.section, (body.name,), words, point=where)
+                plainly = at.section == at.state and not moved_by_others(body)
+                where, cost = "its point of contact", PLAINLY_ROLLING if plainly else None
+                yield ABOUT_CONTACT.equation(*sides, at.section, (body.name,), words, cost=cost, point=where)
+
+
+def moved_by_others(body: BodyFacts) -> bool:
+    """Whether more than its weight has a say about the point of contact of what rolls: else friction is what a reader asks for first."""
+    apart = [force for force in body.forces if not (force.role.weighs or force.role.presses or force.role.rubs)]
+    return body.motion.kind != "line" or bool(apart or body.couples)
 
 
 class TurnAboutPoint(Struct, frozen=True):
