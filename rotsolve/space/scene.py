@@ -497,8 +497,12 @@ class SpaceEquations(SceneEquations, dict=True):
         Of a vector some components may be told already.
         """
         moment, telling = dynamics.moment, set()
+        self.refuse_rest_in_time(moment)
         for number, line in enumerate(moment.state.conditions):
-            if number in moment.used or line.path is None or line.value is None or not line.path.owner:
+            if line.path is None or line.value is None or not line.path.owner:
+                continue
+            by_time = moment.told_by_time(line.path.owner, line.path.quantity)
+            if number in moment.used and not by_time:
                 continue
             before = set(moment.used)
             with forgetting(moment, dynamics):
@@ -507,6 +511,8 @@ class SpaceEquations(SceneEquations, dict=True):
                 except (Unsolvable, NotYet, Unclear):  # it stays unread, and is refused as such
                     moment.used = before
                     continue
+            if by_time and not self.tells(told) and not self.held.vanishes(add(told.left, negate(told.right))):
+                moment.refuse_told_in_time(line.path.owner, line)
             if self.tells(told) or not self.held.vanishes(add(told.left, negate(told.right))):
                 telling.add(line.span)
                 yield from (*laws, told)
@@ -515,6 +521,13 @@ class SpaceEquations(SceneEquations, dict=True):
         for number, line in enumerate(moment.state.conditions):
             if line.whole and line.span in telling:
                 moment.used.add(number)
+
+    def refuse_rest_in_time(self, moment: SpaceMoment) -> None:
+        """Refuse `at rest` of a body at a state to which a steady precession leads it."""
+        for line in (line for line in moment.state.conditions if line.rest):
+            for name in self.held.order:
+                if line.owner in ("", "all", name) and moment.told_by_time(name, "precession"):
+                    moment.refuse_told_in_time(name, line)
 
     def tells(self, equation: Equation) -> bool:
         """Whether an equation tells something that is not given."""

@@ -16,6 +16,7 @@ from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
+from rotsolve.confirm.space.arriving import hold_lines, off_in_time, tells_in_time
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
@@ -136,10 +137,12 @@ class Inquiry(Rigs):
         told = time_after(state)
         passed = None if told is None else self.rig.value(told)
         try:
-            ways = [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+            ways = [self.kept(key, lambda: self.led_to(names[place - 1], state, passed))]
             self.check_letters(names[place - 1], state)
             return ways
         except NotConfirmed as reason:
+            if tells_in_time(self, state):  # by what stays its lines would be taken as they are
+                raise
             with suppress(NotConfirmed):
                 found: list[Manner] = self.kept(
                     f"{name} by what stays", partial(self.by_what_stays, names[place - 1], state)
@@ -190,6 +193,13 @@ class Inquiry(Rigs):
         if not clock <= NOW <= (NOW if over is None else over):
             raise NotConfirmed("a function of time, in a phase at other times than are looked at")
         return [self.kept(f"{begin.name} on", lambda: self.led_on(begin.name, State(ANY_TIME), NOW - clock))]
+
+    def led_to(self, name: str, state: State, passed: float | None) -> Manner:
+        """Where the motion from one state leads at a later one; Unfit where what that tells beside its time does not hold there."""
+        way = self.led_on(name, state, passed)
+        if passed is not None:
+            hold_lines(self.rig_since(name), way.worlds, state)
+        return way
 
     def led_on(self, name: str, state: State, passed: float | None) -> Manner:
         """Where the motion from one state leads: to a later one, or for a time; by every choice of what is open, where time alone tells."""
@@ -360,7 +370,8 @@ class Inquiry(Rigs):
             return [self.period(name, term)]
         if name == ANY_TIME:
             return self.at_any_time(term)
-        ways = self.followed if self.by_time(name) else self.steady_ways if term.modifier in EXTREMES else self.ways
+        led = self.by_time(name) or (name is not None and tells_in_time(self, self.state(name)))
+        ways = self.followed if led else self.steady_ways if term.modifier in EXTREMES else self.ways
         try:
             found = distinct([told_by(way, term) for way in ways(name)])
         except LeftOpen:
@@ -429,7 +440,9 @@ class Inquiry(Rigs):
         for state in self.problem.states or (None,):
             standing = self.moving_at(state)
             why = OPEN if standing.stance.open else HANGING if standing.hangs_on_rates() else ""
-            if why and state is not None and self.only_later(state):
+            told_in_time = tells_in_time(self, state)
+            left += off_in_time(self, state) if state is not None and told_in_time else ()
+            if why and state is not None and (told_in_time or self.only_later(state)):
                 continue
             if why:
                 raise NotConfirmed(why)
