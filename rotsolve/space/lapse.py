@@ -301,6 +301,8 @@ class Lapse:
     def told_of_flight(self, name: str) -> Iterator[Equation]:
         """What the later state tells of how a centre of mass that nothing holds goes, and where it is: as it has fallen by then."""
         later, before = self.later, self.before.moment
+        if self.held.bodies[name].moved:
+            return
         flown, gone = self.centre_velocity(name), self.centre_way(name)
         told = later.vector_told(name, "velocity") if flown is not None else None
         if flown is not None and told is not None and not told[2]:
