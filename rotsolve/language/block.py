@@ -39,8 +39,8 @@ def asked_parts(problem: Problem, loose: frozenset[str] | None = None) -> set[st
 
 
 def spoken_of_at(problem: Problem, name: str) -> Problem:
-    """The problem with no bodies but those of which a state speaks, and what hangs together with these; itself where it speaks of none, or of
-    all at once."""
+    """The problem with no bodies but those of which a state speaks, and what hangs together with these; itself where it speaks of none, or
+    of all at once."""
     lines = [line for state in problem.states if state.name == name for line in state.conditions]
     named = names_of_parts(problem)
     events = [tuple(names_in(event)) for event in problem.events]

@@ -86,11 +86,9 @@ def unsolved_in_space(problem: Problem, names: Sequence[str], *, whole: bool) ->
 
 def comes_to_states(inquiry: Inquiry) -> bool:
     """Whether no state tells beside its time what does not hold where that leads, as far as the motion is followed."""
-    from rotsolve.confirm.space.arriving import tells_in_time
-
-    for state in (state for state in inquiry.problem.states if tells_in_time(inquiry, state)):
+    for name in (state.name for state in inquiry.problem.states if inquiry.tells_in_time(state.name)):
         try:
-            inquiry.followed(state.name)
+            inquiry.followed(name)
         except Unfit:
             return False
         except (NotConfirmed, ArithmeticError, ValueError):

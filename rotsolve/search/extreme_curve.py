@@ -220,7 +220,7 @@ def as_often_as_they_come(roots: list[Formula], course: Curve, domain: Domain) -
 
 
 def recurrence(course: Curve, domain: Domain) -> Formula | None:
-    """After how much more of its letter a quantity comes to the same again, where that has no upper end, as a time; None where it does not."""
+    """After how much more of its letter, which has no upper end, as a time, a quantity comes to the same again; None of others."""
     endless = domain.low is not None and domain.high is None
     found = period_of(course.smooth, course.letter) if endless else None
     return None if found is None else course.search.solver.simplify(found)

@@ -12,7 +12,16 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.paths.meaning import NotYet
-from rotsolve.search.extreme_curve import Curve, Domain, Extremum, amid, certified_roots, domain_of, recurrence, roots_of
+from rotsolve.search.extreme_curve import (
+    Curve,
+    Domain,
+    Extremum,
+    amid,
+    certified_roots,
+    domain_of,
+    recurrence,
+    roots_of,
+)
 from rotsolve.search.search import Search
 
 NUMERICALLY = "solved numerically, with certified digits; "

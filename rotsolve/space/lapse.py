@@ -308,9 +308,7 @@ class Lapse:
         if flown is not None and told is not None and not told[2]:
             own = later.named_axes(told[1], name).to(IN_SPACE, told[0])
             yield from self.in_time(own, flown, name, "falls freely, v = v₀ − g t")
-        told, first = (
-            moment.vector_told(name, "position") if gone is not None else None for moment in (later, before)
-        )
+        told, first = (moment.vector_told(name, "position") if gone is not None else None for moment in (later, before))
         if gone is not None and told is not None and first is not None and not (told[2] or first[2]):
             yield from self.in_time(told[0], vector_sum(first[0], gone), name, "falls freely, r = r₀ + v₀ t − ½ g t²")
 

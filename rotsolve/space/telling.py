@@ -146,7 +146,7 @@ class TellingMoment:
         return self.right_angle(value) if word in ANGLES and value is not None else value
 
     def told_by_time(self, owner: str, word: str) -> bool:
-        """Whether the time that has passed tells an Euler angle of a body, or a rate, whatever the state says of it: it precesses steadily."""
+        """Whether the time that has passed tells an Euler angle of a body, or a rate, whatever the state says: it precesses steadily."""
         return self.onward is not None and word in NODAL and self.onward.steady(owner)
 
     @remembered

@@ -7,42 +7,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import Rig
-from rotsolve.confirm.space.rigs import time_after
 from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING
 from rotsolve.confirm.space.worlds import World
 from rotsolve.core.quantity import DIRECTED
 from rotsolve.language.problem import Condition, State, Term
 
-if TYPE_CHECKING:
-    from rotsolve.confirm.space.inquiry import Inquiry
-
 HOLDS = 2e-6  # of the size of what a line tells
 LEAST = 1e-3  # a size beside which rounding counts
 ROUND_THE_AXIS = ("precession_angle", "spin_angle")  # angles that count to a whole turn here
 MOVING = (SPEED, TURNING)
-
-
-def tells_in_time(inquiry: Inquiry, state: State | None) -> bool:
-    """Whether a later state tells more than the time that leads to it: all else is to be held against where that leads."""
-    if state is None or state is inquiry.problem.states[0] or inquiry.event_to(state.name) is not None:
-        return False
-    timed = time_after(state) is not None
-    return timed and any(line.path is None or line.path.quantity != "time" for line in state.conditions)
-
-
-def off_in_time(inquiry: Inquiry, state: State) -> Iterator[float]:
-    """By how much the lines of a state do not hold where the time leads that it tells."""
-    names = [item.name for item in inquiry.problem.states]
-    before, told = names[names.index(state.name) - 1], time_after(state)
-    assert told is not None
-    for world in inquiry.led_on(before, state, inquiry.rig.value(told)).worlds:
-        yield from (gap for _, gap, _ in gaps_at(inquiry.rig_since(before), world, state))
 
 
 def hold_lines(rig: Rig, worlds: Sequence[World], state: State) -> None:

@@ -15,8 +15,8 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.space.arriving import gaps_at, hold_lines
 from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
-from rotsolve.confirm.space.arriving import hold_lines, off_in_time, tells_in_time
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
 from rotsolve.confirm.space.rig import AXES, NODAL, NOW, Lines, Rig, Told
@@ -141,7 +141,7 @@ class Inquiry(Rigs):
             self.check_letters(names[place - 1], state)
             return ways
         except NotConfirmed as reason:
-            if tells_in_time(self, state):  # by what stays its lines would be taken as they are
+            if self.tells_in_time(name):  # by what stays its lines would be taken as they are
                 raise
             with suppress(NotConfirmed):
                 found: list[Manner] = self.kept(
@@ -370,7 +370,7 @@ class Inquiry(Rigs):
             return [self.period(name, term)]
         if name == ANY_TIME:
             return self.at_any_time(term)
-        led = self.by_time(name) or (name is not None and tells_in_time(self, self.state(name)))
+        led = self.by_time(name) or self.tells_in_time(name)
         ways = self.followed if led else self.steady_ways if term.modifier in EXTREMES else self.ways
         try:
             found = distinct([told_by(way, term) for way in ways(name)])
@@ -440,8 +440,8 @@ class Inquiry(Rigs):
         for state in self.problem.states or (None,):
             standing = self.moving_at(state)
             why = OPEN if standing.stance.open else HANGING if standing.hangs_on_rates() else ""
-            told_in_time = tells_in_time(self, state)
-            left += off_in_time(self, state) if state is not None and told_in_time else ()
+            told_in_time = state is not None and self.tells_in_time(state.name)
+            left += self.off_in_time(state) if state is not None and told_in_time else ()
             if why and state is not None and (told_in_time or self.only_later(state)):
                 continue
             if why:
@@ -457,6 +457,14 @@ class Inquiry(Rigs):
         """Whether a state tells nothing but how much later it is: the motion leads to it, so that none of its lines tests anything."""
         told = all(line.path is not None and line.path.quantity == "time" for line in state.conditions)
         return told and not (state is self.problem.states[0] or state.steady or self.event_to(state.name))
+
+    def off_in_time(self, state: State) -> Iterator[float]:
+        """By how much the lines of a state do not hold where the time leads that it tells."""
+        names, told = [item.name for item in self.problem.states], time_after(state)
+        before = names[names.index(state.name) - 1]
+        way = self.led_on(before, state, None if told is None else self.rig.value(told))
+        for world in way.worlds:
+            yield from (gap for _, gap, _ in gaps_at(self.rig_since(before), world, state))
 
     def moving_at(self, state: State | None) -> Moving:
         """How all can move at a state: as it tells, or as a blow leaves it."""
