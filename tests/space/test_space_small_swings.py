@@ -271,9 +271,11 @@ find: {q: WORDq, p: angular_frequency of small swings of gate about rest}
 @pytest.mark.parametrize(("x", "y"), [(-0.5, 0.0), (-0.2, 0.1), (0.3, 0.2)])
 def test_the_swings_about_a_place_of_balance_that_is_sought(x: float, y: float) -> None:
     """M g (n × ẑ) (n × r) sin of what drives it back, over M (n × r)² + k²."""
-    word = "" if y == 0.0 else "smallest "
     text = (
-        LEANING.replace("AX", f"{x} m").replace("AY", f"{y} m").replace("HELD", "balance: true").replace("WORD", word)
+        LEANING.replace("AX", f"{x} m")
+        .replace("AY", f"{y} m")
+        .replace("HELD", "balance: true")
+        .replace("WORD", "smallest ")
     )
     solution = solve(text)
     beta, arm = math.radians(60), (-x, -y)
