@@ -51,7 +51,6 @@ SOLVED_ANEW = {  # why its closed forms are not evaluated for many sets
     **dict.fromkeys(
         ("how-long-a-top-nods", "tennis-racket", "tennis-racket-in-the-hand", "wing-nut"), "elliptic functions"
     ),
-    "disc-on-an-axle-that-sways": "where something is largest",
     "gyroscope-on-a-string": "an angle without a closed form",
     "shell-fired-east": "terms that are nearly each other",
     "stability-of-three-axes": "a word is asked",
