@@ -5,12 +5,11 @@ The angles are held against numpy, the rest is arithmetic.
 
 from __future__ import annotations
 
+import math
 from math import pi
 from typing import Any
 
 import numpy as np
-import math
-
 import pytest
 
 import rotsolve.search.search as search
