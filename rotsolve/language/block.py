@@ -38,6 +38,19 @@ def asked_parts(problem: Problem, loose: frozenset[str] | None = None) -> set[st
     return reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *surfaces}) & named
 
 
+def spoken_of_at(problem: Problem, name: str) -> Problem:
+    """The problem with no bodies but those of which a state speaks, and what hangs together with these; itself where it speaks of none, or
+    of all at once."""
+    lines = [line for state in problem.states if state.name == name for line in state.conditions]
+    named = names_of_parts(problem)
+    events = [tuple(names_in(event)) for event in problem.events]
+    touching = [(item.name, *(ref.owner for ref in item.touches())) for item in acting(problem)]
+    kept = reached({one for line in lines for one in names_in(line)}, [*touching, *events], named)
+    if not kept or kept == named or any(line.path is None and line.owner in ("", EVERY) for line in lines):
+        return problem
+    return with_only(problem, kept, named - kept)
+
+
 def names_of_parts(problem: Problem) -> set[str]:
     """The names of all bodies, and of all that acts on them."""
     return {body.name for body in problem.bodies} | {item.name for item in acting(problem)}

@@ -287,6 +287,9 @@ def refuse_modified_whole(find: Find, scene: SceneEquations) -> None:
     letter = find.formula.name if isinstance(find.formula, Symbol) else ""
     sought = any(given.asked for given in scene.configuration.problem.givens if given.name == letter)
     if find.modifier not in ("", "size of") and find.where is None and not sought:
+        if find.runs or any(other.runs and other.name == letter for other in scene.configuration.problem.finds):
+            help = "give a moment a letter, `later: {time: t1}` and `t1: s` under `given`, and ask for it `at later`"
+            raise NotYet(f"`{find.modifier}` of a function of time is not solved as such", find.span, help)
         message = f"`{find.modifier}` in `{find.text.strip()}` is solved of a single quantity, or of an earlier answer over its open letter"
         raise NotYet(message, find.span)
 

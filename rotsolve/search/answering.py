@@ -71,9 +71,17 @@ def answered(search: Search, finds: Sequence[Find]) -> Search:
     first = [find for find, _ in failed]
     search = afresh(search)
     again = answer_all(search, [*first, *(find for find in finds if find not in first)])
+    if again and any(find.where is not None for find in (again[0][0], first[0])):
+        raise Unanswered({find.name: not_beside(find, first[0], search) for find, _ in again})
     if again:
         raise again[0][1]
     return search
+
+
+def not_beside(find: Find, other: Find, search: Search) -> Unsolvable:
+    """That a question, which has an answer alone, has none beside another that has one alone: a condition settles what both hang on."""
+    message = f"`{find.name}` is not solved beside `{other.name}`: a condition settles what both hang on"
+    return unsolvable(search.scene.configuration.problem, message, find.span, "ask for it in a scene of its own")
 
 
 def letters_first(finds: Sequence[Find], problem: Problem) -> list[Find]:

@@ -44,7 +44,7 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
     `whole` asks that it follows all states, as it has to where they are said to contradict each other.
     """
     if problem.space:
-        return unsolved_in_space(problem, names)
+        return unsolved_in_space(problem, names, whole=whole)
     try:
         ready = configured(problem).problem
     except (NotYet, Unsolvable):
@@ -61,7 +61,7 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
     return None
 
 
-def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
+def unsolved_in_space(problem: Problem, names: Sequence[str], *, whole: bool) -> Fault | None:
     """The same of a scene in space: what its assembly tells of one of the questions, whatever is drawn for what the scene does not say."""
     from rotsolve.space.complete import configured_in_space
 
@@ -69,6 +69,8 @@ def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
         ready = configured_in_space(problem).problem
         inquiries = inquiries_in_space(ready)
     except (NotConfirmed, NotYet, Unsolvable):
+        return None
+    if whole and not all(map(comes_to_states, inquiries)):
         return None
     for find in (find for find in ready.finds if find.name in names and find.where is None):
         try:
@@ -80,6 +82,18 @@ def unsolved_in_space(problem: Problem, names: Sequence[str]) -> Fault | None:
             if all(map(told_at_first, inquiries)):
                 return Fault(f"`{find.name}` is not solved by these laws", find.span, TOLD, UNSOLVED)
     return None
+
+
+def comes_to_states(inquiry: Inquiry) -> bool:
+    """Whether no state tells beside its time what does not hold where that leads, as far as the motion is followed."""
+    for name in (state.name for state in inquiry.problem.states if inquiry.tells_in_time(state.name)):
+        try:
+            inquiry.followed(name)
+        except Unfit:
+            return False
+        except (NotConfirmed, ArithmeticError, ValueError):
+            continue
+    return True
 
 
 def told_at_first(inquiry: Inquiry) -> bool:

@@ -184,7 +184,8 @@ def roots_of(course: Curve, domain: Domain) -> tuple[list[Formula], bool]:
         return list(roots), False
     angles = solve_trig(course.slope, course.letter, order=order, positive=positive)
     if angles:
-        return as_often_as_they_come(angles, course, domain), domain.endless
+        round_ = domain.endless or recurrence(course, domain) is not None
+        return as_often_as_they_come(angles, course, domain), round_
     if set(search.signs.lacking(course.slope)) - {course.letter}:
         raise NotYet(
             f"where the derivative by `{course.letter}` vanishes has no closed form: give all other letters numbers"
@@ -195,7 +196,10 @@ def roots_of(course: Curve, domain: Domain) -> tuple[list[Formula], bool]:
 def as_often_as_they_come(roots: list[Formula], course: Curve, domain: Domain) -> list[Formula]:
     """The roots of what comes round, in the whole range: of an angle of any size over one turn, from −π to π, the positive ones first."""
     search, period = course.search, period_of(course.slope, course.letter) or TURN
+    again_after = recurrence(course, domain)
     low, high = (-PI, PI) if domain.endless else (domain.low, domain.high)
+    if again_after is not None and low is not None:
+        high = low + again_after
     if low is None or high is None or (domain.endless and not same_a_turn_on(course.curve, course.letter)):
         raise NotYet(f"it comes to the same over and over, and not after one turn of `{course.letter}`")
     times = search.number((high - low) / period)
@@ -209,8 +213,17 @@ def as_often_as_they_come(roots: list[Formula], course: Curve, domain: Domain) -
             again = again[count : 2 * count - 1]
         elif domain.endless:
             again = [place for place in again if course.sign(place + PI) == 1 and course.sign(place - PI) != 1]
+        elif again_after is not None:
+            again = [place for place in again if course.sign(place - low) != -1 and course.sign(place - high) == -1]
         found += [place for place in again if not any(is_zero(place - other) for other in found)]
     return sorted(found, key=lambda place: (search.signs.taken(place) or 0) < 0)
+
+
+def recurrence(course: Curve, domain: Domain) -> Formula | None:
+    """After how much more of its letter, which has no upper end, as a time, a quantity comes to the same again; None of others."""
+    endless = domain.low is not None and domain.high is None
+    found = period_of(course.smooth, course.letter) if endless else None
+    return None if found is None else course.search.solver.simplify(found)
 
 
 def factors_of(value: Formula, course: Curve) -> Iterator[Formula]:

@@ -12,7 +12,16 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.paths.meaning import NotYet
-from rotsolve.search.extreme_curve import Curve, Domain, Extremum, amid, certified_roots, domain_of, roots_of
+from rotsolve.search.extreme_curve import (
+    Curve,
+    Domain,
+    Extremum,
+    amid,
+    certified_roots,
+    domain_of,
+    recurrence,
+    roots_of,
+)
 from rotsolve.search.search import Search
 
 NUMERICALLY = "solved numerically, with certified digits; "
@@ -33,6 +42,9 @@ def best_place(course: Curve, word: str, choice: str, *, only: bool) -> tuple[Ex
     if found is None:
         raise NotYet(f"no {word} value was found: the derivative by `{course.letter}` vanishes nowhere")
     best = found
+    if only and choice != "smallest" and (period := recurrence(course, domain)) is not None:
+        help = f"ask for `smallest {course.letter} where …`, the first of them"
+        raise NotYet(f"it is {word} over and over, each time {to_text(period)} later", help=help)
     if any(ceases(course, best, end) for end in (domain.low, domain.high)):
         raise NotYet(f"it is {word} where it vanishes and ceases to be real: what is asked does not come about there")
     level = [place for place in places if place is not best and course.is_level(place, best)]

@@ -21,7 +21,7 @@ from rotsolve.core.equation import SMALL_DISTURBANCE, STABILITY, Equation
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.symbols import TIME, is_key, key_of
+from rotsolve.core.symbols import TIME, key_of
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import Meaning, NotYet
 from rotsolve.space.arrangement import JointedBodies
@@ -167,8 +167,7 @@ def refuse_off_balance(swing: CarriedSwing, name: str, path: Path) -> None:
     """Refuse a body that turns on its hinge, or that does not stay where it is told to be; what the laws are to find they tell."""
     moment, pushed = swing.laws.moment, swing.pushed
     joint = moment.held.main(name)
-    asked = {given.name for given in moment.held.problem.givens if given.asked}
-    sought = any(is_key(letter) or letter in asked for letter in swing.laws.tensors.spelled(pushed).symbols())
+    sought = moment.found_in_balance(swing.laws.tensors.spelled(pushed))
     turns = joint is not None and not moment.held.vanishes(moment.rate_on(name, joint))
     if turns or not (sought or moment.held.vanishes(swing.laws.tensors.spelled(pushed))):
         raise NotYet(f"`{name}` is not in equilibrium at `{moment.when}`", path.span, TELL.format(name))

@@ -19,6 +19,7 @@ from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import MOMENTUM_SIZE, TIME, phase_midst
 from rotsolve.core.vectors.triple import (
+    AXES,
     NOTHING,
     Rows,
     Triple,
@@ -31,11 +32,12 @@ from rotsolve.core.vectors.triple import (
     scaled_by,
     triple,
     turn_about,
+    vector_sum,
     way_between,
 )
 from rotsolve.language.bodies import Joint
 from rotsolve.space.arrangement import ANGLES, RATES
-from rotsolve.space.attitude import AXIAL, BODY, NODE, Attitude, Axes, Onward
+from rotsolve.space.attitude import AXIAL, BODY, IN_SPACE, NODE, Attitude, Axes, Onward
 from rotsolve.space.free import along_momentum, symmetric_way, turns_freely
 from rotsolve.space.inertia import entry_along
 from rotsolve.space.laws import SpaceLaws
@@ -75,6 +77,7 @@ class Lapse:
         for name in self.held.order:
             if self.hinged(name):
                 yield from self.about_hinge(name)
+            yield from self.told_of_flight(name)
         yield from self.laws
 
     # which motions go on in closed form
@@ -294,6 +297,27 @@ class Lapse:
         assert time is not None
         gone = scaled_by(time, self.before.moment.of_centre(name, "velocity"))
         return gone if gravity is None else way_between(scaled_by(gravity, self.fallen()[1]), gone)
+
+    def told_of_flight(self, name: str) -> Iterator[Equation]:
+        """What the later state tells of how a centre of mass that nothing holds goes, and where it is: as it has fallen by then."""
+        later, before = self.later, self.before.moment
+        if self.held.bodies[name].moved:
+            return
+        flown, gone = self.centre_velocity(name), self.centre_way(name)
+        told = later.vector_told(name, "velocity") if flown is not None else None
+        if flown is not None and told is not None and not told[2]:
+            own = later.named_axes(told[1], name).to(IN_SPACE, told[0])
+            yield from self.in_time(own, flown, name, "falls freely, v = v₀ − g t")
+        told, first = (moment.vector_told(name, "position") if gone is not None else None for moment in (later, before))
+        if gone is not None and told is not None and first is not None and not (told[2] or first[2]):
+            yield from self.in_time(told[0], vector_sum(first[0], gone), name, "falls freely, r = r₀ + v₀ t − ½ g t²")
+
+    def in_time(self, told: Triple, led: Triple, name: str, words: str) -> Iterator[Equation]:
+        """What is told at the later moment as what the time that has passed leads to, by components."""
+        self.later.hangs_on_time()
+        for axis, one, other in zip(AXES, told, led, strict=True):
+            if one != other:
+                yield IN_TIME.equation(one, other, self.later.when, (name,), words=f"{words}, along {axis}")
 
     def fallen(self) -> tuple[Triple, Triple]:
         """How much faster downwards what nothing holds is, and how far it has fallen, for a unit of g: t ẑ and ½ t² ẑ, where that keeps

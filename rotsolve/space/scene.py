@@ -26,29 +26,29 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.units.dimension import ANGULAR_MOMENTUM, Dimension, product_rank
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import CONDITION, LAGRANGE_EQUATION, RATES_OF_MOMENTUM, Equation, Law
+from rotsolve.core.equation import LAGRANGE_EQUATION, RATES_OF_MOMENTUM, Equation, Law
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.remembered import forgetting
 from rotsolve.core.symbols import GENERIC, is_key, key_of, of_kinds, paths_in
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, length_of, triple
-from rotsolve.core.writing import in_direction, spoken, with_powers
+from rotsolve.core.writing import spoken, with_powers
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.motion.timeline import OPEN, Interval
-from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear
 from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import STANDING_HELP
 from rotsolve.space.euler_rules import axial_rules, turning_rules
 from rotsolve.space.inertia import Tensors
 from rotsolve.space.laws import SpaceLaws
+from rotsolve.space.lines import told_of_forces, told_unread
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import conserved
 from rotsolve.space.pushes import Pushes
-from rotsolve.space.reader import SpaceReader, plainly_named
+from rotsolve.space.reader import SpaceReader
 from rotsolve.space.stability import limit_of, steady_limit
 from rotsolve.space.struck import through
 from rotsolve.space.understood import refuse_dropped_told
@@ -60,7 +60,6 @@ if TYPE_CHECKING:
 SIZE_OF_CHANGE = "size of change of"
 CHANGES = ("change of", "lost")
 PUSHING = ("force", "torque")
-TOLD_OF_BODIES = ("kinetic_energy", "energy", "speed", "momentum")
 ROTATING = (*RATES_OF_MOMENTUM, LAGRANGE_EQUATION)  # what tells a steady precession
 
 
@@ -481,59 +480,6 @@ class SpaceEquations(SceneEquations, dict=True):
                 message = f"`{action.name}` goes by how a body stands or moves, which is not solved in space"
                 raise Unsolvable(message, span=ref.span, help="`rotsolve simulate` follows it")
 
-    def told_beside(self, dynamics: SpaceLaws) -> Iterator[Equation]:
-        """What a state tells of forces and couples, energies and the like, as an equation each: nothing else would put it in."""
-        moment, bodies = dynamics.moment, self.held.bodies
-        for number, line in enumerate(moment.state.conditions):
-            path, value = line.path, line.value
-            told = TOLD_OF_BODIES if path is not None and path.owner in bodies else PUSHING
-            if path is None or value is None or path.quantity not in told:
-                continue
-            yield from self.told_as_equation(number, dynamics)
-
-    def told_otherwise(self, dynamics: SpaceLaws) -> Iterator[Equation]:
-        """What a state tells that no law has read, as how a point moves just after a blow, where it can be asked for as well.
-
-        Of a vector some components may be told already.
-        """
-        moment, telling = dynamics.moment, set()
-        for number, line in enumerate(moment.state.conditions):
-            if number in moment.used or line.path is None or line.value is None or not line.path.owner:
-                continue
-            before = set(moment.used)
-            with forgetting(moment, dynamics):
-                try:
-                    *laws, told = self.told_as_equation(number, dynamics)
-                except (Unsolvable, NotYet, Unclear):  # it stays unread, and is refused as such
-                    moment.used = before
-                    continue
-            if self.tells(told) or not self.held.vanishes(add(told.left, negate(told.right))):
-                telling.add(line.span)
-                yield from (*laws, told)
-            else:  # it is told already, or is what tells it: then whoever asks for that reads it
-                moment.used = before
-        for number, line in enumerate(moment.state.conditions):
-            if line.whole and line.span in telling:
-                moment.used.add(number)
-
-    def tells(self, equation: Equation) -> bool:
-        """Whether an equation tells something that is not given."""
-        asked = {given.name for given in self.configuration.problem.givens if given.asked}
-        return any(is_key(letter) or letter in asked for letter in equation.symbols())
-
-    def told_as_equation(self, number: int, dynamics: SpaceLaws) -> Iterator[Equation]:
-        """A line of a state as an equation for what it is about, with the laws that tell that."""
-        moment, line = dynamics.moment, dynamics.moment.state.conditions[number]
-        path, value = line.path, line.value
-        assert path is not None and value is not None
-        along = line.axes or (line.relative if line.relative in self.held.bodies else None)
-        term = Term(path, axes=along, relative=line.relative or None)
-        meaning = SpaceReader(dynamics, self.dynamics, self.configuration.problem).meaning(path, term)
-        yield from meaning.laws
-        words = in_direction(label_of(plainly_named(path), term), path.component or "", in_space=True)
-        moment.used.add(number)
-        yield CONDITION.equation(meaning.formula, value, moment.when, words=f", {words}")
-
     def _written(self) -> Iterator[Equation]:
         """All that the laws say at each state, whatever the angles are that nothing tells."""
         for law in self._written_openly():
@@ -560,7 +506,7 @@ class SpaceEquations(SceneEquations, dict=True):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)
             yield from turning_rules(dynamics)
-            yield from self.told_beside(dynamics)
+            yield from told_of_forces(dynamics, self.dynamics)
             if dynamics.moment.onward is not None:
                 yield from dynamics.moment.onward.equations()
         for interval in self.configuration.timeline.intervals:
@@ -570,7 +516,7 @@ class SpaceEquations(SceneEquations, dict=True):
             laws = through(interval, *ends) if interval.event is not None else kept_in(interval, *ends)
             yield from (self.put_in_order(one) for one in (*laws, *self.in_turning_frames(interval)))
         for dynamics in self.dynamics.values():
-            yield from self.told_otherwise(dynamics)
+            yield from told_unread(dynamics, self.dynamics)
         yield from map(self.put_in_order, self.tensors.steps)
 
     def in_turning_frames(self, interval: Interval) -> Iterator[Equation]:

@@ -184,7 +184,8 @@ def of_hinge(laws: SpaceLaws, path: Path, *, told: bool) -> Meaning:
         return Meaning(negate(torque / inertia), dimension, label=label, law=SMALL_DISTURBANCE)
     up, beside = moment.up(name), cross_product(way, arm)
     rate = moment.told(name, "angular_velocity")
-    if not moment.held.vanishes(laws.tensors.spelled(dot_product(up, beside))) or not (
+    pushed = laws.tensors.spelled(dot_product(up, beside))
+    if not (moment.found_in_balance(pushed) or moment.held.vanishes(pushed)) or not (
         rate is None or moment.held.vanishes(rate)
     ):
         raise NotYet(

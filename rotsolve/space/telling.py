@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import NoReturn, Self
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, add
@@ -139,11 +139,15 @@ class TellingMoment:
 
     def told(self, owner: str, word: str) -> Formula | None:
         """The value that the state gives to a quantity of a body; of one that precesses steadily that to which time has brought it."""
-        if self.onward is not None and word in NODAL and self.onward.steady(owner):
+        if self.onward is not None and self.told_by_time(owner, word):
             return self.onward.told(owner, word)
         line = self.line(owner, word)
         value = None if line is None else line.value
         return self.right_angle(value) if word in ANGLES and value is not None else value
+
+    def told_by_time(self, owner: str, word: str) -> bool:
+        """Whether the time that has passed tells an Euler angle of a body, or a rate, whatever the state says: it precesses steadily."""
+        return self.onward is not None and word in NODAL and self.onward.steady(owner)
 
     @remembered
     def right_angle(self, angle: Formula) -> Formula:
@@ -214,5 +218,9 @@ class TellingMoment:
             if (path is not None and path.owner == name and path.quantity in TURNED) or (
                 line.rest and line.owner in ("all", "", name)
             ):
-                message = f"how `{name}` stands and turns at `{self.when}` follows from the time that has passed"
-                raise Unsolvable(message, span=line.span, help="leave out this line, or the `time` of the state")
+                self.refuse_told_in_time(name, line)
+
+    def refuse_told_in_time(self, name: str, line: Condition) -> NoReturn:
+        """Refuse a line that tells once more, or otherwise, what the time that has passed tells."""
+        message = f"how `{name}` stands and turns at `{self.when}` follows from the time that has passed"
+        raise Unsolvable(message, span=line.span, help="leave out this line, or the `time` of the state")

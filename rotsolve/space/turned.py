@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import TIME
+from rotsolve.core.symbols import TIME, is_key
 from rotsolve.core.vectors.triple import (
     AS_DRAWN,
     AXES,
@@ -312,6 +312,12 @@ class TurnedMoment(LeaningMoment):
         """Whether a body turns on a hinge as what acts on it has it, and nothing drives it there."""
         joint = self.held.main(name)
         return joint is not None and bool(joint.turning) and not joint.powered
+
+    def found_in_balance(self, pushed: Formula) -> bool:
+        """Whether what drives a body holds a letter that the laws tell, since its state is said to stay: it is nothing there."""
+        asked = {given.name for given in self.held.problem.givens if given.asked}
+        stays = self.state.steady or self.state.balance
+        return stays and any(is_key(letter) or letter in asked for letter in pushed.symbols())
 
     def spun_away(self, name: str) -> str:
         """Why nothing tells where the points of a wheel or ball are that go round in its axes: it has turned since the first state."""

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from rotsolve import Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
@@ -319,3 +320,42 @@ find: {{q: {word} q in deg}}
 """)
     assert solution.answers["q"].float == pytest.approx(angle, rel=1e-6)
     assert confirmed(solution)
+
+
+SWAYING = """
+title: Disc on an axle that sways
+up: z
+gravity: none
+given: {m: 15 kg, r: 5 cm, w: 330 rad/s, l: 15 cm, T: 1 s, phi: 0.3, t1: GIVEN}
+bodies: {frame: {mass: 0, points: {O: [0, 0, 0]}}, disc: {shape: disc, mass: m, radius: r}}
+connections:
+  hang: {hinge: frame.O, along: x, angle: "phi*sin(2*pi*time/T + PHASE)"}
+  axle: {axle: [frame, disc], along: y, bearings: [-l/2, l/2], angular_velocity: w}
+states: {level: {time: 0 s}, end: {time: t1}}
+"""
+FORCE = math.pi * 15 * 0.05**2 * 330 * 0.3 / 0.15  # I w φ̇/l, I = ½ m r², φ̇ ≤ 2 π φ/T
+
+
+@pytest.mark.parametrize("phase", ["0", "1", "-2"])
+@pytest.mark.parametrize(("asked", "size"), [("largest", 1), ("smallest", -1), ("largest size of", 1)])
+def test_the_largest_in_the_course_of_time_is_that_of_a_period(phase: str, asked: str, size: int) -> None:
+    text = SWAYING.replace("PHASE", phase).replace("GIVEN", "s")
+    solution = solve(text + f"find: {{F: {asked} axle.bearing1.force.x at end}}\n")
+    assert float(solution.answers["F"].value) == pytest.approx(size * FORCE, rel=5e-4)
+    assert [item.holds for item in solution.derivation.confirmed] == [True]
+
+
+def test_when_it_is_largest_is_asked_for_the_first_time() -> None:
+    text = SWAYING.replace("PHASE", "-1").replace("GIVEN", "unknown")
+    asked = "t1 where axle.bearing1.force.x at end is largest"
+    solution = solve(text + f"find: {{t1: smallest {asked}}}\n")
+    assert float(solution.answers["t1"].value) == pytest.approx(1 / (2 * math.pi), rel=5e-4)
+    for word in ("", "largest "):
+        with pytest.raises(Unsolvable, match="it is largest over and over, each time T later"):
+            solve(text + f"find: {{t1: {word}{asked}}}\n")
+
+
+def test_a_function_of_time_says_how_its_largest_is_asked() -> None:
+    text = SWAYING.replace("PHASE", "0").replace(", t1: GIVEN", "").replace(", end: {time: t1}", "")
+    with pytest.raises(Unsolvable, match="`largest` of a function of time is not solved as such"):
+        solve(text + "find: {F: largest size of axle.bearing1.force.x at any time}\n")

@@ -286,3 +286,27 @@ def test_a_later_time_leaves_a_steady_tilt_as_sure(later: str) -> None:
         math.acos((8e-5 * 400 * 3.2 - 0.2 * G * 0.05) / (6e-4 * 3.2**2))
     )
     assert [item.holds for item in solution.derivation.confirmed] == [True]
+
+
+MILL = """title: t
+up: z
+given: {m: 2 kg, R: 0.3 m, L: 0.8 m, W: unknown, N: unknown}
+bodies: {wheel: {parts: {disc: {shape: disc, mass: m, radius: R, at: [0, 0, L]}}, axis: z, points: {O: [0, 0, 0], Q: [0, -R, L]}}}
+connections: {pivot: {ball: wheel.O}}
+actions: {push: {force: N, on: wheel.Q, direction: z}}
+states: {now: {wheel.tilt: 90 deg, wheel.precession: W, wheel.spin: -W*L/R, steady: true}}
+"""
+
+
+def test_a_question_that_another_condition_settles_is_said_to_stand_beside_it() -> None:
+    """N = m (g + ½ R W²), W = s R/L: what one condition makes of W is not what the other does."""
+    one, two = (
+        "F: push.force.z where wheel.spin at now = -10 rad/s",
+        "W: largest W where push.force.z at now = 3*m*9.8 m/s^2",
+    )
+    derivation = solve(MILL + f"find: {{{one}, {two}}}\n").derivation
+    assert [item.name for item in derivation.answers] == ["W"]
+    (refused,) = derivation.refused
+    assert "`F` is not solved beside `W`" in refused.fault.message
+    alone = solve(MILL + f"find: {{{one}}}\n").answers["F"]
+    assert float(alone.value) == pytest.approx(2 * (9.8 + 0.15 * (10 * 0.3 / 0.8) ** 2), rel=5e-4)

@@ -256,3 +256,39 @@ def test_small_swings_are_told_by_the_law_that_is_asked_for_or_refused(scene: st
         else:
             with pytest.raises(Unsolvable, match=r"alone can not tell|do(es)? not settle anything|can not be found"):
                 solve(text, law=other)
+
+
+LEANING = """title: t
+up: z
+given: {m: 2 kg, b: 1 m, h: 1.4 m, beta: 60 deg, g: 9.8 m/s^2, q: unknown}
+bodies: {gate: {shape: rectangle, mass: m, sides: [b, h], points: {A: [AX, AY, 0]}}}
+connections: {post: {hinge: gate.A, along: [0, cos(beta), sin(beta)]}}
+states: {rest: {gate.angle: q, HELD}}
+find: {q: WORDq, p: angular_frequency of small swings of gate about rest}
+"""
+
+
+@pytest.mark.parametrize(("x", "y"), [(-0.5, 0.0), (-0.2, 0.1), (0.3, 0.2)])
+def test_the_swings_about_a_place_of_balance_that_is_sought(x: float, y: float) -> None:
+    """M g (n × ẑ) (n × r) sin of what drives it back, over M (n × r)² + k²."""
+    text = (
+        LEANING.replace("AX", f"{x} m")
+        .replace("AY", f"{y} m")
+        .replace("HELD", "balance: true")
+        .replace("WORD", "smallest ")
+    )
+    solution = solve(text)
+    beta, arm = math.radians(60), (-x, -y)
+    across = math.hypot(arm[0], arm[1] * math.sin(beta))
+    inertia = (1 + (1.4 * math.sin(beta)) ** 2) / 12 + across**2
+    assert float(solution.answers["p"].value) == pytest.approx(
+        math.sqrt(9.8 * math.cos(beta) * across / inertia), rel=5e-4
+    )
+    assert [item.holds for item in solution.derivation.confirmed] == [True, True]
+
+
+def test_a_free_hinge_that_is_steady_asks_for_balance() -> None:
+    text = LEANING.replace("AX", "-b/2").replace("AY", "0").replace("HELD", "steady: true").replace("WORD", "")
+    with pytest.raises(Unsolvable) as caught:
+        solve(text)
+    assert "`balance: true`" in caught.value.fault.help

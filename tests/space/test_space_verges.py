@@ -101,3 +101,23 @@ def test_what_rolls_on_any_rim_is_confirmed(case: str) -> None:
     least = math.sqrt(across * 2 * 9.8 * rim**3 / (axial * (axial + 2 * rim**2)))
     assert float(solution.answers["v_0"].value) == pytest.approx(least, rel=5e-4)
     assert [item.holds for item in solution.derivation.confirmed] == [True]
+
+
+TWO_TOPS = """title: t
+up: z
+given: {m: kg, a: 10 cm, w: unknown}
+bodies:
+  one: {parts: {d: {shape: disc, mass: m, radius: a, at: [0, 0, a/2]}}, axis: z, points: {tip: [0, 0, 0]}}
+  two: {parts: {e: {shape: disc, mass: m, radius: a, at: [0, 0, a]}}, axis: z, points: {tip: [0, 0, 0]}}
+connections: {f1: {ball: one.tip}, f2: {ball: two.tip}}
+states: {now: {one.tilt: STATE, steady: true}, asleep: {two.tilt: 0 deg, two.axial_rate: w, steady: true}}
+find: {w_2: smallest w where asleep is stable}
+"""
+
+
+@pytest.mark.parametrize("state", ["45 deg, one.axial_rate: 90 rad/s", "0 deg, one.axial_rate: w"])
+def test_a_body_of_which_its_state_does_not_speak_spoils_no_verge(state: str) -> None:
+    """(I₃ w)² = 4 I₁ m g a with I₃ = ½ m a², I₁ = 5/4 m a²."""
+    solution = solve(TWO_TOPS.replace("STATE", state))
+    assert float(solution.answers["w_2"].value) == pytest.approx(math.sqrt(20 * 9.8 / 0.1), rel=5e-4)
+    assert [item.holds for item in solution.derivation.confirmed] == [True]

@@ -21,6 +21,7 @@ from rotsolve.confirm.space.inquiry import Inquiry, only_one
 from rotsolve.confirm.space.rig import NODAL, Told
 from rotsolve.confirm.space.ties import SPEED
 from rotsolve.core.derivation import Answer
+from rotsolve.language.block import spoken_of_at
 from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Problem
 
@@ -215,7 +216,8 @@ class Hearing:
             return self.scans.once(find, given, self.known, own, scan)
         with_letter = partial(self.with_letter, find.formula.name)
         if condition.word in VERGES:
-            return just_holds(find, own, with_letter)
+            part = spoken_of_at(self.problem, condition.owner)  # what it does not speak of may move there anyhow
+            return just_holds(find, own, partial(Hearing(part, self.known, self.told).with_letter, find.formula.name))
         return step_to(gap_under(condition, with_letter), own)
 
     def reach(self, letter: str) -> float | None:

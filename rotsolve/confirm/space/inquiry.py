@@ -15,6 +15,7 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.space.arriving import gaps_at, hold_lines
 from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.readings import Reading
@@ -136,10 +137,12 @@ class Inquiry(Rigs):
         told = time_after(state)
         passed = None if told is None else self.rig.value(told)
         try:
-            ways = [self.kept(key, lambda: self.led_on(names[place - 1], state, passed))]
+            ways = [self.kept(key, lambda: self.led_to(names[place - 1], state, passed))]
             self.check_letters(names[place - 1], state)
             return ways
         except NotConfirmed as reason:
+            if self.tells_in_time(name):  # by what stays its lines would be taken as they are
+                raise
             with suppress(NotConfirmed):
                 found: list[Manner] = self.kept(
                     f"{name} by what stays", partial(self.by_what_stays, names[place - 1], state)
@@ -190,6 +193,13 @@ class Inquiry(Rigs):
         if not clock <= NOW <= (NOW if over is None else over):
             raise NotConfirmed("a function of time, in a phase at other times than are looked at")
         return [self.kept(f"{begin.name} on", lambda: self.led_on(begin.name, State(ANY_TIME), NOW - clock))]
+
+    def led_to(self, name: str, state: State, passed: float | None) -> Manner:
+        """Where the motion from one state leads at a later one; Unfit where what that tells beside its time does not hold there."""
+        way = self.led_on(name, state, passed)
+        if passed is not None:
+            hold_lines(self.rig_since(name), way.worlds, state)
+        return way
 
     def led_on(self, name: str, state: State, passed: float | None) -> Manner:
         """Where the motion from one state leads: to a later one, or for a time; by every choice of what is open, where time alone tells."""
@@ -360,7 +370,8 @@ class Inquiry(Rigs):
             return [self.period(name, term)]
         if name == ANY_TIME:
             return self.at_any_time(term)
-        ways = self.followed if self.by_time(name) else self.steady_ways if term.modifier in EXTREMES else self.ways
+        led = self.by_time(name) or self.tells_in_time(name)
+        ways = self.followed if led else self.steady_ways if term.modifier in EXTREMES else self.ways
         try:
             found = distinct([told_by(way, term) for way in ways(name)])
         except LeftOpen:
@@ -429,7 +440,9 @@ class Inquiry(Rigs):
         for state in self.problem.states or (None,):
             standing = self.moving_at(state)
             why = OPEN if standing.stance.open else HANGING if standing.hangs_on_rates() else ""
-            if why and state is not None and self.only_later(state):
+            told_in_time = state is not None and self.tells_in_time(state.name)
+            left += self.off_in_time(state) if state is not None and told_in_time else ()
+            if why and state is not None and (told_in_time or self.only_later(state)):
                 continue
             if why:
                 raise NotConfirmed(why)
@@ -444,6 +457,14 @@ class Inquiry(Rigs):
         """Whether a state tells nothing but how much later it is: the motion leads to it, so that none of its lines tests anything."""
         told = all(line.path is not None and line.path.quantity == "time" for line in state.conditions)
         return told and not (state is self.problem.states[0] or state.steady or self.event_to(state.name))
+
+    def off_in_time(self, state: State) -> Iterator[float]:
+        """By how much the lines of a state do not hold where the time leads that it tells."""
+        names, told = [item.name for item in self.problem.states], time_after(state)
+        before = names[names.index(state.name) - 1]
+        way = self.led_on(before, state, None if told is None else self.rig.value(told))
+        for world in way.worlds:
+            yield from (gap for _, gap, _ in gaps_at(self.rig_since(before), world, state))
 
     def moving_at(self, state: State | None) -> Moving:
         """How all can move at a state: as it tells, or as a blow leaves it."""

@@ -101,6 +101,13 @@ class Rigs(ABC):
             return False
         return time_after(self.problem.states[place]) is not None
 
+    def tells_in_time(self, name: str | None) -> bool:
+        """Whether a later state tells more than the time that leads to it: all else is to be held against where that leads."""
+        state = next((state for state in self.problem.states[1:] if state.name == name), None)
+        if state is None or self.event_to(state.name) is not None or time_after(state) is None:
+            return False
+        return any(line.path is None or line.path.quantity != "time" for line in state.conditions)
+
     def event_to(self, name: str) -> Event | None:
         """The event that leads to a state."""
         return next((item for item in self.problem.events if item.to == name), None)

@@ -264,6 +264,9 @@ def heard(finds: list[Find], answer: Answer, said: Said, hearing: Hearing, numbe
             return not_so(name, str(reason), hearing.problem, numbers)
         return heard(finds, answer, said, Hearing(part, hearing.known, hearing.told, hearing.scans), numbers)
     except NotConfirmed as reason:
+        part = asked_block(replace(hearing.problem, finds=tuple(finds)))
+        if len(part.bodies) < len(hearing.problem.bodies):  # what has no say in it may be what is not looked at
+            return heard(finds, answer, said, Hearing(part, hearing.known, hearing.told, hearing.scans), numbers)
         return AnswerConfirmation(name, None, str(reason))
     except (ArithmeticError, ValueError) as error:
         return AnswerConfirmation(name, None, f"the assembly has no number ({error})")

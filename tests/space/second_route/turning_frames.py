@@ -228,7 +228,25 @@ def disc_in_a_fork_spun_up(n: Numbers) -> Answers:
     return {"w": faster * n.T, "D": lower, "C": upper}
 
 
+def disc_on_an_axle_that_sways(n: Numbers) -> Answers:
+    """The bearings' couple is dL/dt, L = I w e + I′ φ̇ x; forces ±F along x at ∓½ l e give the couple l F x × e."""
+    across, along = n.m * n.r**2 / 4, n.m * n.r**2 / 2
+
+    def momentum(time: Any) -> Any:
+        phase = 2 * pi * time / n.T
+        angle, rate = n.phi * np.sin(phase), n.phi * 2 * pi / n.T * np.cos(phase)
+        return along * n.w * np.array([0.0 * angle, np.cos(angle), np.sin(angle)]) + across * rate * X
+
+    def force(time: float) -> float:
+        angle = n.phi * sin(2 * pi * time / n.T)
+        change = derivatives(lambda more: momentum(time + more), n.T / 10)[1]
+        return float(change @ np.array([0.0, -sin(angle), cos(angle)])) / n.l
+
+    return {"F": max(force(n.T * part / 24) for part in range(24))}
+
+
 CALCULATIONS = {
+    "disc-on-an-axle-that-sways": disc_on_an_axle_that_sways,
     "disc-in-a-fork-spun-up": disc_in_a_fork_spun_up,
     "shell-fired-east": shell_fired_east,
     "stone-from-a-tower": stone_from_a_tower,
