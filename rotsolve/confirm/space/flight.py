@@ -50,8 +50,10 @@ ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a t
 BOTH = 80  # looks that a step takes at least, both ways
 TWICE = 6  # times as many looks where it is
 EXACT = 1e-8  # up to which a finer step has to agree, before it is taken
+SIGNS = 1e-5  # where signs alone are looked for
 CLOSE = 1e-8  # of a step: how nearly the moment is found
 HOLDS = 1e-7
+RATES = ("angular_velocity", "velocity", "nutation")
 NEVER = "its motion never comes there"
 TOO_FAR = "the way to its state is too long to be followed"
 
@@ -249,15 +251,17 @@ class Flight:
 
     # arrival
 
-    def arrival(self, only: Condition | None = None) -> World:
-        """The world in which the lines of the later state, or one of them, are so for the first time."""
+    def arrival(self, only: Condition | None = None, *, roughly: bool = False) -> World:
+        """The world in which the lines of the later state, or one of them, are so for the first time; `roughly` the first of them, and of
+        the others the sign."""
         if self.passed is not None:
             return self.after(self.passed)
+        self.exact = SIGNS if roughly else self.exact
         lines = [line for line in self.state.conditions if line.path is not None and only in (None, line)]
         if not lines:
             raise NotConfirmed("when its state is")
         numbers, size, clock = self.first(), self.stride(), 0.0
-        lines.sort(key=lambda line: self.off_already(line, numbers))
+        lines.sort(key=lambda line: (self.off_already(line, numbers), is_told_rate(line)))
         gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
         start = gap(self.world(numbers))
         before = start if abs(start) > CLOSE else 0.0
@@ -266,14 +270,13 @@ class Flight:
             there = gap(self.world(later))
             self.refuse_elsewhere(lines[0], numbers, later)
             through = self.passage(lines[0], (numbers, later), size, (before, there))
-            if through is not None and (through[1] > before) in ways:
-                there_numbers, gone = self.crossing(numbers, through[0], before, through[1], gap)
+            lasts, there, later = through or (size, there, later)
+            if through is not None and (there > before) in ways:
+                there_numbers, gone = self.crossing(numbers, lasts, before, there, gap)
                 world, self.clock = self.world(there_numbers), clock + gone
                 about = self.gone + self.round_vertical(numbers, there_numbers)
-                others = (
-                    line for line in lines[1:] if abs(self.gap_of(line)(world)) > HOLDS * self.size_of(line, world)
-                )
-                off = next(others, None)
+                fails = self.has_other_sign if roughly else self.does_not_hold
+                off = next((line for line in lines[1:] if fails(line, world)), None)
                 if off is None:
                     self.gone = about
                     return world
@@ -281,7 +284,15 @@ class Flight:
                     self.missed or f"{line_in_words(off)} does not hold where {line_in_words(lines[0])} first does"
                 )
             self.gone += self.round_vertical(numbers, later)
-            numbers, before, clock = later, there, clock + size
+            numbers, before, clock = later, there, clock + lasts
+
+    def does_not_hold(self, line: Condition, world: World) -> bool:
+        return abs(self.gap_of(line)(world)) > HOLDS * self.size_of(line, world)
+
+    def has_other_sign(self, line: Condition, world: World) -> bool:
+        """Whether what a line tells is nearer to its opposite than to what is told."""
+        gap, told = self.gap_of(line)(world), 0.0 if line.value is None else self.rig.value(line.value)
+        return abs(gap) > abs(gap + 2 * told)
 
     def off_already(self, line: Condition, numbers: Numbers) -> bool:
         """Whether a component of a place is what it was at the start, which does not tell when its state is."""
@@ -300,10 +311,11 @@ class Flight:
 
     def passage(
         self, line: Condition, ends: tuple[Numbers, Numbers], size: float, gaps: tuple[float, float]
-    ) -> tuple[float, float] | None:
-        """The time within a step up to which a gap closes, and the gap then: all of it, or up to where what is told turns back."""
+    ) -> tuple[float, float, Numbers] | None:
+        """The time within a step up to which a gap closes, with the gap and the numbers then: all of it, or up to where what is told turns
+        back."""
         if gaps[0] * gaps[1] < 0 and not self.wraps(line, gaps):
-            return size, gaps[1]
+            return size, gaps[1], ends[1]
         rate = self.rate_of(line)
         if rate is None or not gaps[0]:
             return None
@@ -312,7 +324,7 @@ class Flight:
             return None
         turned, time = self.crossing(ends[0], size, rates[0], rates[1], rate)
         middle = self.gap_of(line)(self.world(turned))
-        return (time, middle) if gaps[0] * middle < 0 else None
+        return (time, middle, turned) if gaps[0] * middle < 0 else None
 
     def wraps(self, line: Condition, gaps: tuple[float, float]) -> bool:
         """Whether an angle has only passed the place from which it counts the other way round."""
@@ -439,9 +451,10 @@ class Flight:
             return lambda world: world.now.one("euler", path.owner, 1)
         if line.value is not None and path.quantity == "position" and line.relative in self.rig.bodies:
             return partial(self.off_place, line)
-        if line.value is None or line.relative:
+        if line.value is None or (line.relative and path.quantity != "velocity"):
             raise NotConfirmed(f"a line about `{path.quantity}` on the way")
-        told, term = self.rig.value(line.value), Term(path, axes=line.axes or None)
+        frame = line.relative or None
+        told, term = self.rig.value(line.value), Term(path, axes=line.axes or frame, relative=frame)
         if path.quantity == "angle" and self.swings(path.owner):
             return lambda world: world.stance.swung[path.owner] - told
         if path.quantity == "angle" and (joint := self.carried_hinge(path.owner)) is not None:
@@ -485,6 +498,11 @@ class Flight:
 def ways_through(line: Condition) -> tuple[bool, ...]:
     """Whether a gap closes upwards or downwards at a line: at a largest tilt its rate falls to nothing."""
     return {"largest": (False,), "smallest": (True,)}.get(line.word or "", (False, True))
+
+
+def is_told_rate(line: Condition) -> bool:
+    """Whether a line tells a rate of which what is kept on the way tells the square alone."""
+    return line.path is not None and line.path.quantity in RATES
 
 
 def line_in_words(line: Condition) -> str:

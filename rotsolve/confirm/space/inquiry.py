@@ -82,8 +82,29 @@ class Inquiry(Rigs):
         """The ways in which all moves at a state, in which all its lines hold."""
         key = name or ""
         if key not in self._ways:
-            self._ways[key] = self._found(self.state(name))
+            state = self.state(name)
+            found = self._found(state)
+            if state is not None:
+                self.check_senses(state)
+            self._ways[key] = found
         return self._ways[key]
+
+    def check_senses(self, state: State) -> None:
+        """Refuse rates that a later state tells in a sense in which the motion from the one before never comes there: what is kept on the
+        way knows their squares alone."""
+        from rotsolve.confirm.space.flight import Flight, is_told_rate
+
+        place = self.problem.states.index(state)
+        rated = any(is_told_rate(line) and self.rig.value(line.value) for line in state.conditions if line.value is not None)
+        if not (place and rated) or state.steady or self.event_to(state.name) is not None or self.by_time(state.name):
+            return
+        before = self.problem.states[place - 1].name
+        try:
+            starts = [world for way in self.ways(before) for world in by_velocities(way.worlds)]
+        except (NotConfirmed, Unfit):
+            return
+        if len(starts) == 1 and not (starts[0].stance.open or self.driven):
+            Flight(self.rig_since(before), starts[0], state).arrival(roughly=True)
 
     def stance_at(self, name: str | None) -> Stance:
         return self.ways(name)[0].worlds[0].stance
