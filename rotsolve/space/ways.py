@@ -17,6 +17,7 @@ from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian
 from rotsolve.core.symbols import key_of
 from rotsolve.core.ways import PLACE, WayOnJoint
 from rotsolve.language.bodies import Joint
+from rotsolve.paths.meaning import NotYet
 from rotsolve.space.lagrangian import MotionsInSpace, motions_in_space
 
 if TYPE_CHECKING:
@@ -36,7 +37,10 @@ def ways_on_joints(scene: SpaceEquations, interval: Interval) -> Iterator[WayOnJ
         if joint is None:
             continue
         own, others = pushed[0], [q for q in motion.coordinates if q not in pushed]
-        now, then = motions.putting_in(before), motions.putting_in(after)
+        try:
+            now, then = motions.putting_in(before), motions.putting_in(after)
+        except NotYet:  # how fast what carries it goes at the end is not told
+            continue
         left = left_by_place(own, others, motions, now)
         if left is not None:
             rate = Symbol(own.rate)

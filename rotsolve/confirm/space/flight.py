@@ -10,6 +10,8 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
+from msgspec.structs import replace
+
 from rotsolve.confirm import NotConfirmed, Unfit, Unfollowed
 from rotsolve.confirm.space.alone import gains_alone
 from rotsolve.confirm.space.arrows import (
@@ -50,7 +52,7 @@ ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a t
 BOTH = 80  # looks that a step takes at least, both ways
 TWICE = 6  # times as many looks where it is
 EXACT = 1e-8  # up to which a finer step has to agree, before it is taken
-SIGNS = 1e-5  # where signs alone are looked for
+SIGNS = 1e-5  # where nothing but signs is looked for
 CLOSE = 1e-8  # of a step: how nearly the moment is found
 HOLDS = 1e-7
 RATES = ("angular_velocity", "velocity", "nutation")
@@ -229,7 +231,7 @@ class Flight:
         return self.step(self.step(numbers, size / 2), size / 2)
 
     def stride(self) -> float:
-        """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I."""
+        """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I, nor swings far."""
         slides = [joint.carrier.owner for joint in self.rig.joints.values() if joint.sliding]
         rates = [
             1e-6,
@@ -246,17 +248,18 @@ class Flight:
             middle = moments_and_axes(tensor)[1][0]
             rates.append(arrow_length(crossed(omega, third)))
             rates.append(math.sqrt(arrow_length(self.start.found.arrow(TURNING, name))))
-            rates.append(arrow_length(times_arrow(tensor, omega)) / middle if middle > 0.0 else 0.0)
+            if middle > 0.0:
+                rates.append(arrow_length(times_arrow(tensor, omega)) / middle)
+                rates.append(math.sqrt(own.mass * self.rig.gravity * arrow_length(arm) / middle))  # as it swings
         return STRIDE / max(rates)
 
     # arrival
 
-    def arrival(self, only: Condition | None = None, *, roughly: bool = False) -> World:
-        """The world in which the lines of the later state, or one of them, are so for the first time; `roughly` the first of them, and of
-        the others the sign."""
+    def arrival(self, only: Condition | None = None, *, signs: bool = False) -> World:
+        """The world in which the lines of the later state, or one of them, are so for the first time; the first of them, and of the others
+        their `signs`."""
         if self.passed is not None:
             return self.after(self.passed)
-        self.exact = SIGNS if roughly else self.exact
         lines = [line for line in self.state.conditions if line.path is not None and only in (None, line)]
         if not lines:
             raise NotConfirmed("when its state is")
@@ -275,7 +278,7 @@ class Flight:
                 there_numbers, gone = self.crossing(numbers, lasts, before, there, gap)
                 world, self.clock = self.world(there_numbers), clock + gone
                 about = self.gone + self.round_vertical(numbers, there_numbers)
-                fails = self.has_other_sign if roughly else self.does_not_hold
+                fails = self.has_other_sign if signs else self.does_not_hold
                 off = next((line for line in lines[1:] if fails(line, world)), None)
                 if off is None:
                     self.gone = about
@@ -334,12 +337,15 @@ class Flight:
         return angle and abs(gaps[0] - gaps[1]) > ROUND / 2
 
     def rate_of(self, line: Condition) -> Gap | None:
-        """How fast an angle or a tilt changes that a line tells; None of all else."""
+        """How fast an angle, a tilt or a place on what turns changes that a line tells; None of all else."""
         path = line.path
         if path is None or line.word in EXTREMES:
             return None
         if path.quantity == "angle" and self.swings(path.owner):
             return partial(self.swung_rate, path.owner)
+        if path.quantity == "position" and line.relative in self.rig.bodies:
+            speed = Term(replace(path, quantity="velocity"), axes=line.relative, relative=line.relative)
+            return lambda world: Reading(world).number(speed)
         return (lambda world: world.now.one("euler", path.owner, 1)) if path.quantity == "tilt" else None
 
     def swung_rate(self, name: str, world: World) -> float:

@@ -92,11 +92,11 @@ class Inquiry(Rigs):
     def check_senses(self, state: State) -> None:
         """Refuse rates that a later state tells in a sense in which the motion from the one before never comes there: what is kept on the
         way knows their squares alone."""
-        from rotsolve.confirm.space.flight import Flight, is_told_rate
+        from rotsolve.confirm.space.flight import SIGNS, Flight, is_told_rate
 
         place = self.problem.states.index(state)
         rated = any(is_told_rate(line) and self.rig.value(line.value) for line in state.conditions if line.value is not None)
-        if not (place and rated) or state.steady or self.event_to(state.name) is not None or self.by_time(state.name):
+        if not (place and rated and self.follows) or state.steady or self.event_to(state.name) is not None or self.by_time(state.name):
             return
         before = self.problem.states[place - 1].name
         try:
@@ -104,7 +104,9 @@ class Inquiry(Rigs):
         except (NotConfirmed, Unfit):
             return
         if len(starts) == 1 and not (starts[0].stance.open or self.driven):
-            Flight(self.rig_since(before), starts[0], state).arrival(roughly=True)
+            flight = Flight(self.rig_since(before), starts[0], state)
+            flight.exact = SIGNS
+            flight.arrival(signs=True)
 
     def stance_at(self, name: str | None) -> Stance:
         return self.ways(name)[0].worlds[0].stance
@@ -445,21 +447,26 @@ class Inquiry(Rigs):
     # what answers that are put in leave over
 
     def left_over(self) -> list[float]:
-        """What is left of all equations of all states: nothing where the answers that are put in are right."""
+        """What is left of all equations of all states, as far as these are told, and of the ways between them: nothing where the answers
+        that are put in are right."""
         left: list[float] = []
+        untold = ""
         for state in self.problem.states or (None,):
             standing = self.moving_at(state)
             why = OPEN if standing.stance.open else HANGING if standing.hangs_on_rates() else ""
             if why and state is not None and self.only_later(state):
                 continue
             if why:
-                raise NotConfirmed(why)
+                untold = why
+                continue
             left += standing.moving.left
             left += standing.over([0.0] * len(standing.moving.free))
             left += self.off_lines(standing, state)
-        for before, state in pairwise(self.problem.states):
-            left += self.off_arrival(before, state) if self.event_to(state.name) is None else ()
-        return left
+        ways = [pair for pair in pairwise(self.problem.states) if self.event_to(pair[1].name) is None]
+        arrivals = [gap for before, state in ways for gap in self.off_arrival(before, state)]
+        if untold and not arrivals:
+            raise NotConfirmed(untold)
+        return left + arrivals
 
     def only_later(self, state: State) -> bool:
         """Whether a state tells nothing but how much later it is: the motion leads to it, so that none of its lines tests anything."""
@@ -485,25 +492,34 @@ class Inquiry(Rigs):
         from rotsolve.confirm.space.flight import Flight
 
         asked = self.problem.sought
-        lines = [line for line in state.conditions if line.path is not None and line.value is not None]
-        for line in (line for line in lines if line.path is not None and line.path.quantity == "angle"):
-            paced = Lines(self.rig, state, {}).line(line.path.owner, "angular_velocity")  # type: ignore[union-attr]
-            ways = self.ways(before.name) if paced is not None and paced.value is not None else []
-            if (
-                paced is None
-                or paced.value is None
-                or len(ways) != 1
-                or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds)
-            ):
+        for line, paced in self.places_with_rates(state):
+            ways = self.ways(before.name)
+            if len(ways) != 1 or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds):
                 continue
             rig = self.rig_since(before.name)
             there, paced_there = (Flight(rig, ways[0].worlds[0], state) for _ in range(2))
             if there.rate_of(line) is None:
                 continue
-            if self.rig.value(paced.value):  # else it turns back there, and does not pass through
-                yield there.gap_of(paced)(there.arrival(line))
+            if paced.value is not None and self.rig.value(paced.value):  # else it turns back there, and does not pass through
+                yield there.gap_of(paced)(there.arrival(signs=True))
             if line.value is not None and line.value.symbols() & asked:
                 yield paced_there.gap_of(line)(paced_there.arrival(paced))
+
+    def places_with_rates(self, state: State) -> Iterator[tuple[Condition, Condition]]:
+        """The lines of a state about an angle, or about a sought place on what turns, each with that about how fast it changes there."""
+        lines, asked, placed = Lines(self.rig, state, {}), self.problem.sought, set[str]()
+        for line in state.conditions:
+            path, paced = line.path, None
+            if path is None or line.value is None or path.owner in placed:  # one component tells when it is there
+                continue
+            if path.quantity == "angle":
+                paced = lines.line(path.owner, "angular_velocity")
+            elif path.quantity == "position" and line.relative and line.value.symbols() & asked:
+                paced = lines.line(path.owner, "velocity", path.component or "", path.point)
+                paced = paced if paced is not None and paced.relative == line.relative else None
+            if paced is not None and paced.value is not None:
+                placed.add(path.owner)
+                yield line, paced
 
     def off_lines(self, standing: Moving, state: State | None) -> Iterator[float]:
         """By how much lines that are no ties do not hold."""
