@@ -12,7 +12,7 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from rotsolve.confirm import NotConfirmed, Unfit, Unfollowed
+from rotsolve.confirm import NotConfirmed, TooFar, Unfit, Unfollowed
 from rotsolve.confirm.space.alone import gains_alone
 from rotsolve.confirm.space.arrows import (
     ALONG,
@@ -147,7 +147,7 @@ class Flight:
         """One more look at the equations; no more than a limit."""
         self.looks += 1
         if self.looks > self.most:
-            raise NotConfirmed(self.missed or TOO_FAR)
+            raise TooFar(self.missed or TOO_FAR)
 
     def rows(self, number: int, name: str, numbers: Numbers) -> Turned:
         """How a body is turned."""
@@ -373,7 +373,7 @@ class Flight:
             raise Unfit("its time is before that of the state that leads to it")
         count = max(1, math.ceil(time / self.stride()))
         if count * BOTH > TWICE * self.limit:
-            raise NotConfirmed(TOO_FAR)
+            raise TooFar(TOO_FAR)
 
         def carried() -> Numbers:
             numbers = self.first()

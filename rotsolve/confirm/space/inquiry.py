@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
-from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm import NotConfirmed, TooFar, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product, less
@@ -92,19 +92,13 @@ class Inquiry(Rigs):
     def check_senses(self, state: State) -> None:
         """Refuse rates that a later state tells in a sense in which the motion from the one before never comes there: what is kept on the
         way knows their squares alone."""
-        from rotsolve.confirm.space.flight import SIGNS, Flight, is_told_rate
+        from rotsolve.confirm.space.flight import SIGNS, is_told_rate
 
         place = self.problem.states.index(state)
         rated = any(is_told_rate(line) and self.rig.value(line.value) for line in state.conditions if line.value is not None)
         if not (place and rated and self.follows) or state.steady or self.event_to(state.name) is not None or self.by_time(state.name):
             return
-        before = self.problem.states[place - 1].name
-        try:
-            starts = [world for way in self.ways(before) for world in by_velocities(way.worlds)]
-        except (NotConfirmed, Unfit):
-            return
-        if len(starts) == 1 and not (starts[0].stance.open or self.driven):
-            flight = Flight(self.rig_since(before), starts[0], state)
+        for flight in () if self.driven else self.flights_as_told(self.problem.states[place - 1], state):
             flight.exact = SIGNS
             flight.arrival(signs=True)
 
@@ -234,6 +228,15 @@ class Inquiry(Rigs):
         several = passed is not None or len(by_velocities(before[0].worlds)) > 1
         starts = by_velocities(before[0].worlds)[: 2 if several else 1]
         return [Flight(self.rig_since(name), world, state, passed) for world in starts]
+
+    def flights_as_told(self, before: State, state: State) -> list[Flight]:
+        """The motion from one state to the next, by choices of what nothing tells; nothing where what is told leaves several."""
+        try:
+            return self.flights(before.name, state, None)
+        except TooFar:
+            raise
+        except NotConfirmed:
+            return []
 
     def lasting(self, start: str, end: str) -> float:
         """The time from one state to a later one, by the motion from each to the next."""
@@ -489,21 +492,16 @@ class Inquiry(Rigs):
     def off_arrival(self, before: State, state: State) -> Iterator[float]:
         """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it, and by
         how much it has that rate at another angle the first time."""
-        from rotsolve.confirm.space.flight import Flight
-
         asked = self.problem.sought
         for line, paced in self.places_with_rates(state):
-            ways = self.ways(before.name)
-            if len(ways) != 1 or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds):
-                continue
-            rig = self.rig_since(before.name)
-            there, paced_there = (Flight(rig, ways[0].worlds[0], state) for _ in range(2))
-            if there.rate_of(line) is None:
-                continue
-            if paced.value is not None and self.rig.value(paced.value):  # else it turns back there, and does not pass through
-                yield there.gap_of(paced)(there.arrival(signs=True))
-            if line.value is not None and line.value.symbols() & asked:
-                yield paced_there.gap_of(line)(paced_there.arrival(paced))
+            flights = self.flights_as_told(before, state), self.flights_as_told(before, state)
+            for there, paced_there in zip(*flights, strict=True):
+                if there.rate_of(line) is None:
+                    continue
+                if paced.value is not None and self.rig.value(paced.value):  # else it turns back there, and does not pass
+                    yield there.gap_of(paced)(there.arrival(signs=True))
+                if line.value is not None and line.value.symbols() & asked:
+                    yield paced_there.gap_of(line)(paced_there.arrival(paced))
 
     def places_with_rates(self, state: State) -> Iterator[tuple[Condition, Condition]]:
         """The lines of a state about an angle, or about a sought place on what turns, each with that about how fast it changes there."""
