@@ -222,6 +222,12 @@ class Search(Struct, dict=True):
         fitting = [number for number in fitting if roots[number] not in passed]
         if passed and len(fitting) == 1:
             return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
+        if self.scene.configuration.problem.space and len(fitting) > 1:
+            from rotsolve.search.ways_on_joints import only_sense
+
+            alone = only_sense(name, [roots[number] for number in fitting], self)
+            if alone is not None:
+                return PickedRoot(fitting[alone], ("in the other sense it never comes there",))
         picked = choice.choose(name, [roots[number] for number in fitting], period)
         return picked and nearest_turn(name, among(fitting, picked), roots, period, self)
 

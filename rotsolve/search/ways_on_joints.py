@@ -7,12 +7,13 @@ turns. By numbers this is looked at between the places where nothing drives it; 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from typing import TYPE_CHECKING, cast
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.balls import Undefined
@@ -21,7 +22,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, call
 from rotsolve.core.faults import NeverReached
-from rotsolve.core.symbols import has_quantities
+from rotsolve.core.symbols import has_quantities, key_of
 from rotsolve.core.ways import PLACE, WayEnd, WayOnJoint
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.endings import Endings, never_reached
@@ -56,6 +57,26 @@ def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[
     why = "" if looked is None else looked.objection()
     if why:
         yield never_reached(interval, configuration, why.format(way.body), sure=True)
+
+
+def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | None:
+    """Which of several roots for a rate, of which a later state tells the place alone, is that with which the motion comes there; None where
+    several are, or it is no such rate."""
+    from rotsolve.space.roots import rate_told_by
+    from rotsolve.space.ways import ways_on_joints
+
+    told = rate_told_by(name, search.scene)
+    phases = search.scene.configuration.timeline.intervals if told is not None else ()
+    for interval in (phase for phase in phases if told is not None and phase.end == key_of(told).when):
+        if interval.event is not None:
+            continue
+        for way in ways_on_joints(cast("SpaceEquations", search.scene), interval):
+            if way.last is None or name not in way.last.symbols() or name in way.end.symbols():
+                continue
+            looked = [way_looked_at(replace(way, last=way.last.substitute({name: root})), search) for root in roots]
+            coming = [k for k, one in enumerate(looked) if one is None or not one.objection()]
+            return coming[0] if len(coming) == 1 else None
+    return None
 
 
 def way_looked_at(way: WayOnJoint, search: Search) -> LookedAt | None:
