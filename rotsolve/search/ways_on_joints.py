@@ -60,8 +60,7 @@ def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[
 
 
 def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | None:
-    """Which of several roots for a rate, of which a later state tells the place alone, is that with which the motion comes there; None where
-    several are, or it is no such rate."""
+    """Which of several roots for a rate is that with which alone the motion comes to where a later state tells it; None of all else."""
     from rotsolve.space.roots import rate_told_by
     from rotsolve.space.ways import ways_on_joints
 

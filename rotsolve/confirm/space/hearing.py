@@ -198,7 +198,8 @@ class Hearing:
             return True
         least = SAME_NUMBER * max(map(abs, own), default=0.0)
         return any(
-            len(other) != len(own) or any(abs(a - b) > least for a, b in zip(own, other, strict=True)) for other in others
+            len(other) != len(own) or any(abs(a - b) > least for a, b in zip(own, other, strict=True))
+            for other in others
         )
 
     @cached_property

@@ -95,8 +95,15 @@ class Inquiry(Rigs):
         from rotsolve.confirm.space.flight import SIGNS, is_told_rate
 
         place = self.problem.states.index(state)
-        rated = any(is_told_rate(line) and self.rig.value(line.value) for line in state.conditions if line.value is not None)
-        if not (place and rated and self.follows) or state.steady or self.event_to(state.name) is not None or self.by_time(state.name):
+        rated = any(
+            is_told_rate(line) and self.rig.value(line.value) for line in state.conditions if line.value is not None
+        )
+        if (
+            not (place and rated and self.follows)
+            or state.steady
+            or self.event_to(state.name) is not None
+            or self.by_time(state.name)
+        ):
             return
         for flight in () if self.driven else self.flights_as_told(self.problem.states[place - 1], state):
             flight.exact = SIGNS
@@ -498,7 +505,9 @@ class Inquiry(Rigs):
             for there, paced_there in zip(*flights, strict=True):
                 if there.rate_of(line) is None:
                     continue
-                if paced.value is not None and self.rig.value(paced.value):  # else it turns back there, and does not pass
+                if paced.value is not None and self.rig.value(
+                    paced.value
+                ):  # else it turns back there, and does not pass
                     yield there.gap_of(paced)(there.arrival(signs=True))
                 if line.value is not None and line.value.symbols() & asked:
                     yield paced_there.gap_of(line)(paced_there.arrival(paced))
