@@ -12,6 +12,10 @@ class Unfollowed(NotConfirmed):
     """A motion that is told whole, and that nothing here follows."""
 
 
+class TooFar(NotConfirmed):
+    """A way too long to be followed, with what is known of it: what lies at its end is neither tested nor refuted."""
+
+
 class Unfit(Exception):
     """What a state in space tells is no motion, with the reason."""
 

@@ -20,7 +20,7 @@ class WayEnd(Struct, frozen=True):
 
 
 class WayOnJoint(Struct, frozen=True):
-    """The way of a body on a joint in a phase: its place and rate at the start, its place at the end.
+    """The way of a body on a joint in a phase: its place and rate at the start, its place at the end and the rate there, where it is told.
 
     By any place it has what is left for ½ M q̇²: the `gap` of the energy without forces that have no potential, and the `effort` of those.
     At its `ends`, the lower and the upper one, it runs off.
@@ -34,6 +34,7 @@ class WayOnJoint(Struct, frozen=True):
     gap: Formula
     effort: Formula = ZERO
     ends: tuple[WayEnd | None, WayEnd | None] = (None, None)
+    last: Formula | None = None
 
     def left_at(self, place: Formula) -> Formula:
         """E + ∫ Q dq − W at a place."""

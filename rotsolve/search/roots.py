@@ -298,6 +298,16 @@ def among(fitting: Sequence[int], picked: PickedRoot) -> PickedRoot:
     return replace(picked, root=fitting[picked.root], alike=tuple(fitting[index] for index in picked.alike))
 
 
+def by_motion(name: str, roots: Sequence[Formula], search: Search) -> PickedRoot | None:
+    """The rate at a later state of a scene in space with whose sense alone the motion comes there."""
+    if len(roots) < 2 or not search.scene.configuration.problem.space:
+        return None
+    from rotsolve.search.ways_on_joints import only_sense
+
+    alone = only_sense(name, roots, search)
+    return None if alone is None else PickedRoot(alone, ("in the other sense it never comes there",))
+
+
 def nearest_turn(
     name: str, picked: PickedRoot, roots: Sequence[Formula], period: Formula | None, search: Search
 ) -> PickedRoot:

@@ -207,7 +207,7 @@ class Search(Struct, dict=True):
 
     def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
-        from rotsolve.search.roots import RootChoice, among, nearest_turn
+        from rotsolve.search.roots import RootChoice, among, by_motion, nearest_turn
 
         if self.ground is not None:
             self.ground.chose = True
@@ -222,7 +222,8 @@ class Search(Struct, dict=True):
         fitting = [number for number in fitting if roots[number] not in passed]
         if passed and len(fitting) == 1:
             return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
-        picked = choice.choose(name, [roots[number] for number in fitting], period)
+        left = [roots[number] for number in fitting]
+        picked = by_motion(name, left, self) or choice.choose(name, left, period)
         return picked and nearest_turn(name, among(fitting, picked), roots, period, self)
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:

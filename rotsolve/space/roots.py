@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate, sqrt
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
-from rotsolve.core.symbols import SymbolKey, is_key, key_of
+from rotsolve.core.symbols import SymbolKey, is_key, is_quantity, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.language.problem import EXTREMES, Problem
 from rotsolve.solver.steps import PickedRoot
@@ -257,7 +258,8 @@ def way_on_hinge(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[Fo
     """
     timeline = scene.configuration.timeline
     phases = [interval for interval in timeline.intervals if interval.event is None]
-    ways = [(phase.start, phase.end, setting_out) for phase in phases]
+    setting = partial(setting_out, scene=scene)
+    ways = [(phase.start, phase.end, setting) for phase in phases]
     for origin, end, going in ways + [(phase.end, phase.start, going_back) for phase in phases]:
         for line in timeline.state(end).conditions:
             path, told = line.path, line.value
@@ -278,14 +280,26 @@ def going_back(owner: str, last: SpaceMoment, before: SpaceMoment, numbers: Numb
     return -ended if ended and begun in (0, ended) else 0
 
 
-def setting_out(owner: str, before: SpaceMoment, after: SpaceMoment, numbers: Numbers) -> int:
+def setting_out(owner: str, before: SpaceMoment, after: SpaceMoment, numbers: Numbers, scene: SceneEquations) -> int:
     """Which way a body on a hinge sets out: as it turns at first, else as it is pushed; 0 where nothing tells, or it comes back."""
     joint = before.held.main(owner)
     if joint is None or not joint.turning:
         return 0
     rate, faster = before.driven(owner, joint, "angular_velocity")
-    way, told = numbers.sign((rate, numbers.push(faster))), after.told(owner, "angular_velocity")
+    way = coming_to(owner, before, scene, numbers) if is_quantity(rate) else 0
+    way = way or numbers.sign((rate, numbers.push(faster)))
+    told = after.told(owner, "angular_velocity")
     return 0 if told is not None and numbers.side(told) == -way else way
+
+
+def coming_to(owner: str, there: SpaceMoment, scene: SceneEquations, numbers: Numbers) -> int:
+    """Which way a body on a hinge comes to the angle of a later state the first time: that in which it is; 0 where nothing tells."""
+    phase = scene.configuration.timeline.before(there.when)
+    if phase is None or phase.event is not None:
+        return 0
+    moments = [scene.dynamics[phase.start].moment, there]  # type: ignore[attr-defined]
+    first, last = stood_at(owner, "angle", moments)
+    return 0 if first is None or last is None else numbers.side(add(last, negate(first))) or 0
 
 
 def tilted(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> PickedRoot | None:

@@ -43,8 +43,9 @@ def ways_on_joints(scene: SpaceEquations, interval: Interval) -> Iterator[WayOnJ
             continue
         left = left_by_place(own, others, motions, now)
         if left is not None:
+            rate = Symbol(own.rate)
             ends = now(own.letter), then(own.letter)
-            yield WayOnJoint(joint.body.owner, bool(joint.turning), *ends, now(Symbol(own.rate)), *left)
+            yield WayOnJoint(joint.body.owner, bool(joint.turning), *ends, now(rate), *left, last=then(rate))
 
 
 def joint_along(q: GeneralizedCoordinate, motions: MotionsInSpace) -> Joint | None:

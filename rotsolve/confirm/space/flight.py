@@ -10,7 +10,9 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
-from rotsolve.confirm import NotConfirmed, Unfit, Unfollowed
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed, TooFar, Unfit, Unfollowed
 from rotsolve.confirm.space.alone import gains_alone
 from rotsolve.confirm.space.arrows import (
     ALONG,
@@ -49,12 +51,13 @@ WRITTEN_OUT = 3  # times as many where they are written out: a look costs a seve
 ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a time, and how nearly both have to agree
 BOTH = 80  # looks that a step takes at least, both ways
 TWICE = 6  # times as many looks where it is
-EXACT = (
-    1e-11  # up to which a finer step has to agree, before it is taken: beside a turning point a rate goes by its root
-)
+# up to which a finer step has to agree, before it is taken: beside a turning point a rate goes by its root
+EXACT = 1e-11
+SIGNS = 1e-5  # where nothing but signs is looked for
 CLOSE = 1e-8  # of a place: how nearly it is what it was at the start
 MET = 1e-13  # of a step: how nearly the moment is found
 HOLDS = 1e-7
+RATES = ("angular_velocity", "velocity", "nutation")
 NEVER = "its motion never comes there"
 TOO_FAR = "the way to its state is too long to be followed"
 
@@ -146,7 +149,7 @@ class Flight:
         """One more look at the equations; no more than a limit."""
         self.looks += 1
         if self.looks > self.most:
-            raise NotConfirmed(self.missed or TOO_FAR)
+            raise TooFar(self.missed or TOO_FAR)
 
     def rows(self, number: int, name: str, numbers: Numbers) -> Turned:
         """How a body is turned."""
@@ -230,7 +233,7 @@ class Flight:
         return self.step(self.step(numbers, size / 2), size / 2)
 
     def stride(self) -> float:
-        """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I."""
+        """A step in which nothing goes far: the axis of no body turns far, nor nods by more than part of |L|/I, nor swings far."""
         slides = [joint.carrier.owner for joint in self.rig.joints.values() if joint.sliding]
         rates = [
             1e-6,
@@ -247,20 +250,23 @@ class Flight:
             middle = moments_and_axes(tensor)[1][0]
             rates.append(arrow_length(crossed(omega, third)))
             rates.append(math.sqrt(arrow_length(self.start.found.arrow(TURNING, name))))
-            rates.append(arrow_length(times_arrow(tensor, omega)) / middle if middle > 0.0 else 0.0)
+            if middle > 0.0:
+                rates.append(arrow_length(times_arrow(tensor, omega)) / middle)
+                rates.append(math.sqrt(own.mass * self.rig.gravity * arrow_length(arm) / middle))  # as it swings
         return STRIDE / max(rates)
 
     # arrival
 
-    def arrival(self, only: Condition | None = None) -> World:
-        """The world in which the lines of the later state, or one of them, are so for the first time."""
+    def arrival(self, only: Condition | None = None, *, signs: bool = False) -> World:
+        """The world in which the lines of the later state, or one of them, are so for the first time; the first of them, and of the others
+        their `signs`."""
         if self.passed is not None:
             return self.after(self.passed)
         lines = [line for line in self.state.conditions if line.path is not None and only in (None, line)]
         if not lines:
             raise NotConfirmed("when its state is")
         numbers, size, clock = self.first(), self.stride(), 0.0
-        lines.sort(key=lambda line: self.off_already(line, numbers))
+        lines.sort(key=lambda line: (self.off_already(line, numbers), is_told_rate(line)))
         gap, ways = self.gap_of(lines[0]), ways_through(lines[0])
         start = gap(self.world(numbers))
         before = start if abs(start) > CLOSE else 0.0
@@ -269,14 +275,13 @@ class Flight:
             there = gap(self.world(later))
             self.refuse_elsewhere(lines[0], numbers, later)
             through = self.passage(lines[0], (numbers, later), size, (before, there))
-            if through is not None and (through[1] > before) in ways:
-                there_numbers, gone = self.crossing(numbers, through[0], before, through[1], gap)
+            lasts, there, later = through or (size, there, later)
+            if through is not None and (there > before) in ways:
+                there_numbers, gone = self.crossing(numbers, lasts, before, there, gap)
                 world, self.clock = self.world(there_numbers), clock + gone
                 about = self.gone + self.round_vertical(numbers, there_numbers)
-                others = (
-                    line for line in lines[1:] if abs(self.gap_of(line)(world)) > HOLDS * self.size_of(line, world)
-                )
-                off = next(others, None)
+                fails = self.has_other_sign if signs else self.does_not_hold
+                off = next((line for line in lines[1:] if fails(line, world)), None)
                 if off is None:
                     self.gone = about
                     return world
@@ -284,7 +289,15 @@ class Flight:
                     self.missed or f"{line_in_words(off)} does not hold where {line_in_words(lines[0])} first does"
                 )
             self.gone += self.round_vertical(numbers, later)
-            numbers, before, clock = later, there, clock + size
+            numbers, before, clock = later, there, clock + lasts
+
+    def does_not_hold(self, line: Condition, world: World) -> bool:
+        return abs(self.gap_of(line)(world)) > HOLDS * self.size_of(line, world)
+
+    def has_other_sign(self, line: Condition, world: World) -> bool:
+        """Whether what a line tells is nearer to its opposite than to what is told."""
+        gap, told = self.gap_of(line)(world), 0.0 if line.value is None else self.rig.value(line.value)
+        return abs(gap) > abs(gap + 2 * told)
 
     def off_already(self, line: Condition, numbers: Numbers) -> bool:
         """Whether a component of a place is what it was at the start, which does not tell when its state is."""
@@ -303,10 +316,11 @@ class Flight:
 
     def passage(
         self, line: Condition, ends: tuple[Numbers, Numbers], size: float, gaps: tuple[float, float]
-    ) -> tuple[float, float] | None:
-        """The time within a step up to which a gap closes, and the gap then: all of it, or up to where what is told turns back."""
+    ) -> tuple[float, float, Numbers] | None:
+        """The time within a step up to which a gap closes, with the gap and the numbers then: all of it, or up to where what is told turns
+        back."""
         if gaps[0] * gaps[1] < 0 and not self.wraps(line, gaps):
-            return size, gaps[1]
+            return size, gaps[1], ends[1]
         rate = self.rate_of(line)
         if rate is None or not gaps[0]:
             return None
@@ -315,7 +329,7 @@ class Flight:
             return None
         turned, time = self.crossing(ends[0], size, rates[0], rates[1], rate)
         middle = self.gap_of(line)(self.world(turned))
-        return (time, middle) if gaps[0] * middle < 0 else None
+        return (time, middle, turned) if gaps[0] * middle < 0 else None
 
     def wraps(self, line: Condition, gaps: tuple[float, float]) -> bool:
         """Whether an angle has only passed the place from which it counts the other way round."""
@@ -325,12 +339,15 @@ class Flight:
         return angle and abs(gaps[0] - gaps[1]) > ROUND / 2
 
     def rate_of(self, line: Condition) -> Gap | None:
-        """How fast an angle or a tilt changes that a line tells; None of all else."""
+        """How fast an angle, a tilt or a place on what turns changes that a line tells; None of all else."""
         path = line.path
         if path is None or line.word in EXTREMES:
             return None
         if path.quantity == "angle" and self.swings(path.owner):
             return partial(self.swung_rate, path.owner)
+        if path.quantity == "position" and line.relative in self.rig.bodies:
+            speed = Term(replace(path, quantity="velocity"), axes=line.relative, relative=line.relative)
+            return lambda world: Reading(world).number(speed)
         return (lambda world: world.now.one("euler", path.owner, 1)) if path.quantity == "tilt" else None
 
     def swung_rate(self, name: str, world: World) -> float:
@@ -358,7 +375,7 @@ class Flight:
             raise Unfit("its time is before that of the state that leads to it")
         count = max(1, math.ceil(time / self.stride()))
         if count * BOTH > TWICE * self.limit:
-            raise NotConfirmed(TOO_FAR)
+            raise TooFar(TOO_FAR)
 
         def carried() -> Numbers:
             numbers = self.first()
@@ -442,9 +459,10 @@ class Flight:
             return lambda world: world.now.one("euler", path.owner, 1)
         if line.value is not None and path.quantity == "position" and line.relative in self.rig.bodies:
             return partial(self.off_place, line)
-        if line.value is None or line.relative:
+        if line.value is None or (line.relative and path.quantity != "velocity"):
             raise NotConfirmed(f"a line about `{path.quantity}` on the way")
-        told, term = self.rig.value(line.value), Term(path, axes=line.axes or None)
+        frame = line.relative or None
+        told, term = self.rig.value(line.value), Term(path, axes=line.axes or frame, relative=frame)
         if path.quantity == "angle" and self.swings(path.owner):
             return lambda world: world.stance.swung[path.owner] - told
         if path.quantity == "angle" and (joint := self.carried_hinge(path.owner)) is not None:
@@ -488,6 +506,11 @@ class Flight:
 def ways_through(line: Condition) -> tuple[bool, ...]:
     """Whether a gap closes upwards or downwards at a line: at a largest tilt its rate falls to nothing."""
     return {"largest": (False,), "smallest": (True,)}.get(line.word or "", (False, True))
+
+
+def is_told_rate(line: Condition) -> bool:
+    """Whether a line tells a rate of which what is kept on the way tells the square alone."""
+    return line.path is not None and line.path.quantity in RATES
 
 
 def line_in_words(line: Condition) -> str:

@@ -26,6 +26,7 @@ from rotsolve.language.limited import limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Problem
 
 STEP = 1e-5  # by how much an answer that is put in is changed, to see what it changes
+CHANGED, SAME_NUMBER = 0.3, 1e-9  # the same, to see whether a question hangs on it at all
 SURE = 1e-7  # of what such a change leaves over: beside it that is something
 TRAVELLING = (
     1e-5  # of v over the largest length: a rate beside which 1e-9 is still more than a float's rounding of that
@@ -85,10 +86,11 @@ class Hearing:
         """What the assembly has for a part of an answer, in each way in which the scene may move."""
         if finds[0].extreme and (found := self.extreme_over_letter(finds[0])) is not None:
             return [found]
-        if self.corrections and max(map(abs, self.corrections), default=0.0) > STEP:
-            raise NotConfirmed("answers that it hangs on are not confirmed")
         own = next((find for find in finds if find.name == f"{name}_{part}"), None)
-        return self.inquiry.numbers(own, "") if own is not None else self.inquiry.numbers(finds[0], part)
+        asked = (finds[0], part) if own is None else (own, "")
+        if self.doubt is not None and self.hangs_on_put_in(*asked):
+            raise self.doubt
+        return self.inquiry.numbers(*asked)
 
     def extreme_over_letter(self, find: Find) -> float | None:
         """`largest Q` over a letter; None of what is asked otherwise."""
@@ -115,14 +117,17 @@ class Hearing:
 
     def left(self, changes: Mapping[int, float]) -> list[float]:
         """What the equations leave over with changed answers."""
+        return self.changed({self.places[place]: change for place, change in changes.items()}).left_over()
+
+    def changed(self, changes: Mapping[tuple[str, str, str] | str, float]) -> Inquiry:
+        """The scene with changed answers."""
         told, known = dict(self.told), dict(self.known)
-        for place, change in changes.items():
-            key = self.places[place]
+        for key, change in changes.items():
             if isinstance(key, str):
                 known[key] += change
             else:
                 told[key] += change
-        return Inquiry(self.problem, known, told).left_over()
+        return Inquiry(self.problem, known, told)
 
     def steps(self) -> list[float]:
         return [STEP * (self.size(place) or 1.0) for place in self.places]
@@ -170,6 +175,33 @@ class Hearing:
         if max(map(abs, after), default=0.0) > 0.2 * most and max(map(abs, base)) > 0.2 * most:
             return [math.inf] * count  # no number near it makes them hold
         return [value * STEP for value in found.values]
+
+    @cached_property
+    def doubt(self) -> NotConfirmed | None:
+        """Why what is put in is not confirmed; None where it is."""
+        try:
+            sure = max(map(abs, self.corrections), default=0.0) <= STEP
+        except NotConfirmed as reason:
+            return reason
+        return None if sure else NotConfirmed("answers that it hangs on are not confirmed")
+
+    @cached_property
+    def with_others(self) -> list[Inquiry]:
+        """The scene with another number of each answer that is put in."""
+        return [self.changed({place: CHANGED * self.size(place)}) for place in self.places]
+
+    def hangs_on_put_in(self, find: Find, part: str) -> bool:
+        """Whether a question has other numbers where what is put in has others, or none: not what lies before it on the way."""
+        try:
+            own = self.inquiry.numbers(find, part)
+            others = [inquiry.numbers(find, part) for inquiry in self.with_others]
+        except (NotConfirmed, Unfit, ArithmeticError, ValueError):
+            return True
+        least = SAME_NUMBER * max(map(abs, own), default=0.0)
+        return any(
+            len(other) != len(own) or any(abs(a - b) > least for a, b in zip(own, other, strict=True))
+            for other in others
+        )
 
     @cached_property
     def other_sets(self) -> list[dict[str, float]]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
-from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm import NotConfirmed, TooFar, Unfit
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.arriving import gaps_at, hold_lines
@@ -83,8 +83,32 @@ class Inquiry(Rigs):
         """The ways in which all moves at a state, in which all its lines hold."""
         key = name or ""
         if key not in self._ways:
-            self._ways[key] = self._found(self.state(name))
+            state = self.state(name)
+            found = self._found(state)
+            if state is not None:
+                self.check_senses(state)
+            self._ways[key] = found
         return self._ways[key]
+
+    def check_senses(self, state: State) -> None:
+        """Refuse rates that a later state tells in a sense in which the motion from the one before never comes there: what is kept on the
+        way knows their squares alone."""
+        from rotsolve.confirm.space.flight import SIGNS, is_told_rate
+
+        place = self.problem.states.index(state)
+        rated = any(
+            is_told_rate(line) and self.rig.value(line.value) for line in state.conditions if line.value is not None
+        )
+        if (
+            not (place and rated and self.follows)
+            or state.steady
+            or self.event_to(state.name) is not None
+            or self.by_time(state.name)
+        ):
+            return
+        for flight in () if self.driven else self.flights_as_told(self.problem.states[place - 1], state):
+            flight.exact = SIGNS
+            flight.arrival(signs=True)
 
     def stance_at(self, name: str | None) -> Stance:
         return self.ways(name)[0].worlds[0].stance
@@ -221,6 +245,15 @@ class Inquiry(Rigs):
         several = passed is not None or len(by_velocities(before[0].worlds)) > 1
         starts = by_velocities(before[0].worlds)[: 2 if several else 1]
         return [Flight(self.rig_since(name), world, state, passed) for world in starts]
+
+    def flights_as_told(self, before: State, state: State) -> list[Flight]:
+        """The motion from one state to the next, by choices of what nothing tells; nothing where what is told leaves several."""
+        try:
+            return self.flights(before.name, state, None)
+        except TooFar:
+            raise
+        except NotConfirmed:
+            return []
 
     def lasting(self, start: str, end: str) -> float:
         """The time from one state to a later one, by the motion from each to the next."""
@@ -435,8 +468,10 @@ class Inquiry(Rigs):
     # what answers that are put in leave over
 
     def left_over(self) -> list[float]:
-        """What is left of all equations of all states: nothing where the answers that are put in are right."""
+        """What is left of all equations of all states, as far as these are told, and of the ways between them: nothing where the answers
+        that are put in are right."""
         left: list[float] = []
+        untold = ""
         for state in self.problem.states or (None,):
             standing = self.moving_at(state)
             why = OPEN if standing.stance.open else HANGING if standing.hangs_on_rates() else ""
@@ -445,13 +480,16 @@ class Inquiry(Rigs):
             if why and state is not None and (told_in_time or self.only_later(state)):
                 continue
             if why:
-                raise NotConfirmed(why)
+                untold = why
+                continue
             left += standing.moving.left
             left += standing.over([0.0] * len(standing.moving.free))
             left += self.off_lines(standing, state)
-        for before, state in pairwise(self.problem.states):
-            left += self.off_arrival(before, state) if self.event_to(state.name) is None else ()
-        return left
+        ways = [pair for pair in pairwise(self.problem.states) if self.event_to(pair[1].name) is None]
+        arrivals = [gap for before, state in ways for gap in self.off_arrival(before, state)]
+        if untold and not arrivals:
+            raise NotConfirmed(untold)
+        return left + arrivals
 
     def only_later(self, state: State) -> bool:
         """Whether a state tells nothing but how much later it is: the motion leads to it, so that none of its lines tests anything."""
@@ -482,28 +520,34 @@ class Inquiry(Rigs):
     def off_arrival(self, before: State, state: State) -> Iterator[float]:
         """By how much a body on a hinge comes to the angle of a state at another rate than that tells, where it passes through it, and by
         how much it has that rate at another angle the first time."""
-        from rotsolve.confirm.space.flight import Flight
-
         asked = self.problem.sought
-        lines = [line for line in state.conditions if line.path is not None and line.value is not None]
-        for line in (line for line in lines if line.path is not None and line.path.quantity == "angle"):
-            paced = Lines(self.rig, state, {}).line(line.path.owner, "angular_velocity")  # type: ignore[union-attr]
-            ways = self.ways(before.name) if paced is not None and paced.value is not None else []
-            if (
-                paced is None
-                or paced.value is None
-                or len(ways) != 1
-                or any(world.now is not ways[0].worlds[0].now for world in ways[0].worlds)
-            ):
+        for line, paced in self.places_with_rates(state):
+            flights = self.flights_as_told(before, state), self.flights_as_told(before, state)
+            for there, paced_there in zip(*flights, strict=True):
+                if there.rate_of(line) is None:
+                    continue
+                if paced.value is not None and self.rig.value(
+                    paced.value
+                ):  # else it turns back there, and does not pass
+                    yield there.gap_of(paced)(there.arrival(signs=True))
+                if line.value is not None and line.value.symbols() & asked:
+                    yield paced_there.gap_of(line)(paced_there.arrival(paced))
+
+    def places_with_rates(self, state: State) -> Iterator[tuple[Condition, Condition]]:
+        """The lines of a state about an angle, or about a sought place on what turns, each with that about how fast it changes there."""
+        lines, asked, placed = Lines(self.rig, state, {}), self.problem.sought, set[str]()
+        for line in state.conditions:
+            path, paced = line.path, None
+            if path is None or line.value is None or path.owner in placed:  # one component tells when it is there
                 continue
-            rig = self.rig_since(before.name)
-            there, paced_there = (Flight(rig, ways[0].worlds[0], state) for _ in range(2))
-            if there.rate_of(line) is None:
-                continue
-            if self.rig.value(paced.value):  # else it turns back there, and does not pass through
-                yield there.gap_of(paced)(there.arrival(line))
-            if line.value is not None and line.value.symbols() & asked:
-                yield paced_there.gap_of(line)(paced_there.arrival(paced))
+            if path.quantity == "angle":
+                paced = lines.line(path.owner, "angular_velocity")
+            elif path.quantity == "position" and line.relative and line.value.symbols() & asked:
+                paced = lines.line(path.owner, "velocity", path.component or "", path.point)
+                paced = paced if paced is not None and paced.relative == line.relative else None
+            if paced is not None and paced.value is not None:
+                placed.add(path.owner)
+                yield line, paced
 
     def off_lines(self, standing: Moving, state: State | None) -> Iterator[float]:
         """By how much lines that are no ties do not hold."""

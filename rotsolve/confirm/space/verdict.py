@@ -9,7 +9,7 @@ from fractions import Fraction
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.confirm import NotConfirmed, Unfit
+from rotsolve.confirm import NotConfirmed, TooFar, Unfit
 from rotsolve.confirm.course.samples import Numbers, holding, sets_of_numbers, sets_wanted, with_givens
 from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.course.sizes import letters_open
@@ -280,6 +280,8 @@ def tested(
     letter = hearing.letter(find)
     try:
         off = hearing.correction(find)
+    except TooFar:  # another root may be one to which the motion does not come
+        raise
     except NotConfirmed:
         from rotsolve.confirm.space.rivals import beside_untested
 
