@@ -99,7 +99,7 @@ def comes_to_states(inquiry: Inquiry) -> bool:
 def told_at_first(inquiry: Inquiry) -> bool:
     """Whether a scene in space tells how all bodies stand and move at first, and of what comes after when it is, so that the laws tell the
     rest, however long it takes to follow."""
-    from rotsolve.confirm.space.inquiry import by_velocities
+    from rotsolve.confirm.space.motions import by_velocities
 
     problem = inquiry.problem
     sought = any(given.asked for given in problem.givens) or any(

@@ -15,7 +15,7 @@ from rotsolve.confirm.course.scans import Scans
 from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.confirm.space.hearing import Hearing, Put, answers_put_in
-from rotsolve.confirm.space.inquiry import SEVERAL
+from rotsolve.confirm.space.motions import SEVERAL
 from rotsolve.confirm.space.rig import NOW
 from rotsolve.confirm.verdicts import (
     NO_CASE,
