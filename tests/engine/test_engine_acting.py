@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.pipeline import solve
 
 WHEEL = """
@@ -53,7 +54,7 @@ def test_it_is_a_size_in_what_is_made_of_it() -> None:
     assert found.value is not None and found.value.float == pytest.approx(4.0)
 
 
-def test_in_letters_it_is_against_the_way_of_its_body() -> None:
+def test_in_letters_it_is_named_as_they_are_meant() -> None:
     found = solve(
         """
 given: {m: kg, R: m, tau: N m}
@@ -65,7 +66,9 @@ find: {f: grip.friction_force}
 """
     )
     (answer,) = found.derivation.answers
-    assert "friction f, left" in " ".join(found.to("text").split()) and answer.direction == "right"
+    assert answer.direction == "right" and answer.formula is not None and to_text(answer.formula) == "2*tau/(3*R)"
+    page = " ".join(found.to("text").split())
+    assert "friction f, right" in page and "τ > 0" in page
 
 
 def test_a_brake_that_holds_either_way() -> None:
