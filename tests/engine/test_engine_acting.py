@@ -66,7 +66,7 @@ find: {f: grip.friction_force}
 """
     )
     (answer,) = found.derivation.answers
-    assert answer.direction == "right" and answer.formula is not None and to_text(answer.formula) == "2*tau/(3*R)"
+    assert answer.direction == "right" and answer.formula is not None and to_text(answer.formula) == "2 τ/(3 R)"
     page = " ".join(found.to("text").split())
     assert "friction f, right" in page and "τ > 0" in page
 
