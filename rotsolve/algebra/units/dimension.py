@@ -238,7 +238,7 @@ def printed_dimension(formula: Formula, symbols: Mapping[str, Dimension]) -> Dim
     without any: ω + v/R in rad/s, v + ω R in m/s, 1 + θ² is a pure number."""
     whole = dimension_of(formula, symbols)
     terms = [dimension_of(term, symbols) for term in formula.terms] if isinstance(formula, Sum) else [whole]
-    most = max(terms, key=lambda term: abs(term.angle))
+    most = max(terms, key=lambda term: term.angle**2)
     return most if any(kind.dimension == most for kind in KINDS) else whole / ANGLE**whole.angle
 
 
