@@ -126,7 +126,7 @@ class Textbook(Struct, kw_only=True):
         if value.holds("atan2"):
             value = simplify(value.transform(self.angle_of_ratio, "atan2"), order=self.order, positive=self.positive)
             value = value.transform(self.within_half_a_turn, "atan2")
-        value = value.transform(self._exponential, "exp", "log")
+        value = value.transform(self.of_one_root, "sin", "cos").transform(self._exponential, "exp", "log")
         return in_powers(value, TIME, order=self.order, positive=self.positive)
 
     def shortest(self, value: Formula) -> Formula:
@@ -157,6 +157,12 @@ class Textbook(Struct, kw_only=True):
             return root
 
         return value.transform(change, "sqrt")
+
+    def of_one_root(self, node: Formula) -> Formula:
+        """A sine with its angle in textbook form: sin(w √(2 h/g)) for sin(w √(2 h) √g/g)."""
+        if not isinstance(node, Call) or node.function not in ("sin", "cos") or not node.arguments[0].holds("sqrt"):
+            return node
+        return Call(node.function, (simplify(node.arguments[0], order=self.order, positive=self.positive),))
 
     def _exponential(self, node: Formula) -> Formula:
         """An exponential with its exponent in textbook form, 1 − exp(−x) where there is a choice; ln(a b) for ln a + ln b."""
