@@ -126,6 +126,7 @@ class Textbook(Struct, kw_only=True):
         if value.holds("atan2"):
             value = simplify(value.transform(self.angle_of_ratio, "atan2"), order=self.order, positive=self.positive)
             value = value.transform(self.within_half_a_turn, "atan2")
+        value = value.transform(self.angle_of_sine, "asin")
         value = value.transform(self.of_one_root, "sin", "cos").transform(self._exponential, "exp", "log")
         return in_powers(value, TIME, order=self.order, positive=self.positive)
 
@@ -229,6 +230,15 @@ class Textbook(Struct, kw_only=True):
             case Call("atan2", (Call("sin", (angle,)), Call("cos", (same,)))) if angle == same:
                 inside = all(self.signs.decide(self.with_answers(gap)) == 1 for gap in (PI - angle, PI + angle))
                 return angle if inside else node
+        return node
+
+    def angle_of_sine(self, node: Formula) -> Formula:
+        """α for arcsin(sin α) where that is taken to lie between −π/2 and π/2."""
+        match node:
+            case Call("asin", (Call("sin", (angle,)),)) if all(
+                self.signs.taken(self.with_answers(gap)) == 1 for gap in (PI / 2 - angle, PI / 2 + angle)
+            ):
+                return angle
         return node
 
     def with_answers(self, value: Formula) -> Formula:
