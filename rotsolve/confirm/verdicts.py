@@ -261,8 +261,10 @@ def not_so(name: str, why: str, problem: Problem, numbers: Numbers) -> AnswerCon
 
 
 def numbers_told(numbers: Numbers, problem: Problem) -> str:
-    """m = 0.806, R = 1.01 in SI units, θ = 57.9°: the letters that have no number in the scene."""
-    told = [given for given in letters_open(problem) if given.name in numbers]
+    """m = 0.806, R = 1.01 in SI units, θ = 57.9°: the letters that have no number in the scene; those that nobody wrote only where there
+    are no others."""
+    known = [given for given in letters_open(problem) if given.name in numbers]
+    told = [given for given in known if not given.automatic] or known
     sizes = [f"{name_to_text(one.name)} = {numbers[one.name]:g}" for one in told if one.dimension != ANGLE]
     angles = [
         f"{name_to_text(one.name)} = {math.degrees(numbers[one.name]):.4g}°" for one in told if one.dimension == ANGLE

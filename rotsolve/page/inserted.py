@@ -26,8 +26,8 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension, DimensionError, base_unit_text, dimension_of
-from rotsolve.algebra.units.quantities import parse_unit
+from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension, DimensionError, dimension_of, printed_dimension
+from rotsolve.algebra.units.quantities import parse_unit, unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
@@ -106,7 +106,7 @@ class InsertedNumbers:
     def worth(self, one: Equality) -> tuple[Amount, ...]:
         """The number of a sum in givens, with its unit; nothing where letters have none."""
         try:
-            dimension = dimension_of(one.right, self.dimensions)
+            dimension = printed_dimension(one.right, self.dimensions)
             number, note = certified_digits(self.coherent.number(self.number(one.right), dimension), self.digits)
         except (NotShown, Undefined, DimensionError):
             return ()
@@ -301,7 +301,7 @@ class CoherentUnits(Struct, frozen=True):
             from rotsolve.algebra.units.systems import unit_in
 
             found = unit_in(self.system, dimension)
-        return found or (None if dimension == NONE else parse_unit(base_unit_text(dimension)))
+        return found or (None if dimension == NONE else unit_for(dimension))
 
     def scale(self, dimension: Dimension) -> Fraction:
         """How many SI units that is."""

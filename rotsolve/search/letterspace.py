@@ -206,10 +206,12 @@ class LetterSpace(LetterSigns):
                 yield Proviso(part if side > 0 else simplify(negate(part)), sign > 0)
 
     def beyond(self, value: Formula) -> tuple[Formula, ...]:
-        """What has the sign of a logarithm ln u, u − 1, and that of a + b √c where a < 0 < b, b² c − a², with what is not negative then, c;
-        nothing of anything else, nor where the value is told by one of its letters."""
+        """What has the sign of a logarithm ln u, u − 1, of atan2(y, x), y, and of a + b √c where a < 0 < b, b² c − a², with what is not
+        negative then, c; nothing of anything else, nor where the value is told by one of its letters."""
         if isinstance(value, Call) and value.function == "log":
             return (value.arguments[0] - ONE,)
+        if isinstance(value, Call) and value.function == "atan2":
+            return (value.arguments[0],)
         parts = self.rooted(value)
         if parts is None or any(degree(value, name) == 1 for name in value.symbols() & self.letters.keys()):
             return ()

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import partial, reduce
+from math import prod
 
 from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import in_powers
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import Fractions, is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import (
     ELLIPTIC,
     ONE,
+    PI,
+    ZERO,
     Call,
     Formula,
     Integral,
@@ -35,6 +38,7 @@ from rotsolve.solver.steps import Found
 
 LONGEST = 1000  # nodes under a root, beyond which no form is one that a page would hold
 SEEN_THROUGH = 200  # nodes of a formula with elliptic functions
+IN_RATIOS = ("sin", "cos", "tan", "abs")  # functions beside which a common factor is looked for
 LONGEST_INTEGRAL = 150  # nodes of an integral of which the antiderivative is written at its ends
 
 
@@ -119,7 +123,11 @@ class Textbook(Struct, kw_only=True):
         value = simplify(value, order=self.order, positive=self.positive)
         if value.holds("abs"):
             value = simplify(value.transform(self.without_bars, "abs"), order=self.order, positive=self.positive)
-        value = value.transform(self._exponential, "exp", "log")
+        if value.holds("atan2"):
+            value = simplify(value.transform(self.angle_of_ratio, "atan2"), order=self.order, positive=self.positive)
+            value = value.transform(self.within_half_a_turn, "atan2")
+        value = value.transform(self.angle_of_sine, "asin")
+        value = value.transform(self.of_one_root, "sin", "cos").transform(self._exponential, "exp", "log")
         return in_powers(value, TIME, order=self.order, positive=self.positive)
 
     def shortest(self, value: Formula) -> Formula:
@@ -151,6 +159,12 @@ class Textbook(Struct, kw_only=True):
 
         return value.transform(change, "sqrt")
 
+    def of_one_root(self, node: Formula) -> Formula:
+        """A sine with its angle in textbook form: sin(w √(2 h/g)) for sin(w √(2 h) √g/g)."""
+        if not isinstance(node, Call) or node.function not in ("sin", "cos") or not node.arguments[0].holds("sqrt"):
+            return node
+        return Call(node.function, (simplify(node.arguments[0], order=self.order, positive=self.positive),))
+
     def _exponential(self, node: Formula) -> Formula:
         """An exponential with its exponent in textbook form, 1 − exp(−x) where there is a choice; ln(a b) for ln a + ln b."""
         tidy = partial(simplify, order=self.order, positive=self.positive)
@@ -181,6 +195,51 @@ class Textbook(Struct, kw_only=True):
         sign = self.signs.decide(inside)
         sign = self.signs.as_meant(inside) if sign is None else sign
         return node.arguments[0] * sign if sign is not None else node
+
+    def angle_of_ratio(self, node: Formula) -> Formula:
+        """atan2(y, x) without a common factor whose sign is told: atan2(sin α, cos α) for (m sin α, m cos α)."""
+        if not (isinstance(node, Call) and node.function == "atan2") or ZERO in node.arguments:
+            return node
+        y, x = node.arguments
+        calls = (inner for side in (y, x) for inner in side.walk(Call))
+        if any(isinstance(inner, Call) and inner.function not in IN_RATIOS for inner in calls):
+            return node
+        ratio = Fractions([y / x], order=self.order, positive=self.positive)
+        above, below = map(ratio.shaper.poly, ratio.field.cancel(ratio.ratio()))
+        sign = self.sign_of_factors(self.simplify(x / below))
+        shorter = call("atan2", above * sign, below * sign) if sign else node
+        return shorter if length(shorter) < length(node) else node
+
+    def sign_of_factors(self, value: Formula) -> int | None:
+        """The sign of a product by those of its factors: by their numbers, or that letters without one stand for positive values."""
+        if isinstance(value, (Product, Quotient, Negative)):
+            signs = [self.sign_of_factors(child) for child in value.children()]
+            known = None if None in signs else prod(sign for sign in signs if sign is not None)
+            return -known if known is not None and isinstance(value, Negative) else known
+        if isinstance(value, Power):
+            base, exponent = self.sign_of_factors(value.base), value.exponent
+            even = isinstance(exponent, Number) and exponent.value % 2 == 0
+            return base if base in (0, 1) else 1 if base and even else None
+        inside = self.with_answers(value)
+        sign = self.signs.decide(inside)
+        return self.signs.as_meant(inside) if sign is None else sign
+
+    def within_half_a_turn(self, node: Formula) -> Formula:
+        """α for atan2(sin α, cos α) where that is told to lie between −π and π."""
+        match node:
+            case Call("atan2", (Call("sin", (angle,)), Call("cos", (same,)))) if angle == same:
+                inside = all(self.signs.decide(self.with_answers(gap)) == 1 for gap in (PI - angle, PI + angle))
+                return angle if inside else node
+        return node
+
+    def angle_of_sine(self, node: Formula) -> Formula:
+        """α for arcsin(sin α) where that is taken to lie between −π/2 and π/2."""
+        match node:
+            case Call("asin", (Call("sin", (angle,)),)) if all(
+                self.signs.taken(self.with_answers(gap)) == 1 for gap in (PI / 2 - angle, PI / 2 + angle)
+            ):
+                return angle
+        return node
 
     def with_answers(self, value: Formula) -> Formula:
         """Answers found before put in."""

@@ -35,9 +35,11 @@ from rotsolve.algebra.units.dimension import (
     describe,
     dimension_of,
     is_positive,
+    printed_dimension,
     product_rank,
     word_of,
 )
+from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.core.quantity import QUANTITIES
 
 SYMBOLS = {
@@ -192,3 +194,32 @@ def test_a_kind_tells_its_rank_sign_and_word() -> None:
         "energy",
     ]
     assert product_rank(None) == product_rank(DIMENSIONS["density"]) and word_of(DIMENSIONS["length"] ** 7) is None
+
+
+@pytest.mark.parametrize(
+    "text, unit",
+    [
+        ("v + w*R", "m/s"),
+        ("w*R + v", "m/s"),
+        ("w*R - 2*w*R", "m/s"),
+        ("a*R - w^2*R", "m/s²"),
+        ("w + v/R", "rad/s"),
+        ("v/R + w", "rad/s"),
+        ("w^2 - g/R", "1/s²"),
+        ("a + g/R", "rad/s²"),
+        ("2*cos(q) - 2 + 2*q*sin(q) - q^2", ""),
+        ("q + v/(w*R)", "rad"),
+        ("F*R + T", "N m"),
+        ("J + m*R^2", "kg m²"),
+        ("J*w + m*v*R", "kg m²/s"),
+        ("m*v^2 + J*w^2", "J"),
+        ("F - m*g", "N"),
+    ],
+)
+def test_a_sum_of_givens_is_told_in_a_unit_of_a_known_kind(text: str, unit: str) -> None:
+    """With its radians where such a quantity has a name, else without: a velocity is in m/s, whichever of its terms comes first."""
+    letters = {
+        **{"v": VELOCITY, "w": ANGULAR_VELOCITY, "R": LENGTH, "a": ANGULAR_ACCELERATION, "g": ACCELERATION, "q": ANGLE},
+        **{"F": FORCE, "T": TORQUE, "J": INERTIA, "m": MASS},
+    }
+    assert unit_for(printed_dimension(parse(text), letters)).text == unit

@@ -233,6 +233,15 @@ def dimension_of(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimensio
     return _dimension(formula, LetterDimensions(symbols)) or NONE
 
 
+def printed_dimension(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimension:
+    """The dimension by whose unit a number of a formula is told: with the angle of its terms, if there is a kind of such quantities, else
+    without any: ω + v/R in rad/s, v + ω R in m/s, 1 + θ² is a pure number."""
+    whole = dimension_of(formula, symbols)
+    terms = [dimension_of(term, symbols) for term in formula.terms] if isinstance(formula, Sum) else [whole]
+    most = max(terms, key=lambda term: term.angle**2)
+    return most if any(kind.dimension == most for kind in KINDS) else whole / ANGLE**whole.angle
+
+
 def fits_everything(formula: Formula, symbols: Mapping[str, Dimension]) -> bool:
     """Whether a formula whose parts fit together is a zero as it is written, 0 or 0·m, which has any dimension."""
     return _dimension(formula, LetterDimensions(symbols)) is None

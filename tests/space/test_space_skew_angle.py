@@ -1,0 +1,47 @@
+"""The angle between two vectors is told without what both have in common, where its sign is known; how the rod leans is what it comes to.
+
+Two masses at ±l (cos α, 0, sin α) about z: L = 2 m l² ω cos α (−sin α, 0, cos α), which is at α from the axis.
+"""
+
+from __future__ import annotations
+
+from math import radians
+
+import pytest
+
+from rotsolve import Unsolvable, solve
+from rotsolve.algebra.notation.text import to_text
+
+SKEW = """up: z
+gravity: none
+given: {GIVEN}
+bodies:
+  rod: {parts: {one: {mass: m, at: [l*cos(a), 0, l*sin(a)]}, two: {mass: m, at: [-l*cos(a), 0, -l*sin(a)]}}}
+connections: {shaft: {hinge: rod, along: z, angular_velocity: w}}
+find: {q: angle of rod.angular_momentum from rod.angular_velocity}
+"""
+CASES = {
+    "m: kg, l: m, a: 40 deg, w: 3 rad/s": ("a", 40),
+    "m: 2 kg, l: 1 m, a: 40 deg, w: rad/s": ("a", 40),
+    "m: kg, l: m, a: 40 deg, w: -3 rad/s": ("a", 40),
+    "m: kg, l: m, a: 140 deg, w: 3 rad/s": ("atan2(sin a, −cos a)", 40),
+    "m: kg, l: m, a: -40 deg, w: 3 rad/s": ("−a", 40),
+    "m: kg, l: m, a: rad, w: rad/s": ("atan2(|cos a| |sin a|, cos² a)", None),
+}
+
+
+@pytest.mark.parametrize("given", CASES)
+def test_what_both_vectors_have_in_common_falls_out(given: str) -> None:
+    form, value = CASES[given]
+    found = solve(SKEW.replace("GIVEN", given)).answers["q"]
+    assert found.formula is not None
+    assert to_text(found.formula) == form
+    if value is not None:
+        assert found.float == pytest.approx(radians(value), rel=1e-9)
+
+
+@pytest.mark.parametrize("given", ["m: 2 kg, l: 1 m, a: 40 deg, w: 0 rad/s", "m: 2 kg, l: 1 m, a: 90 deg, w: 2 rad/s"])
+def test_a_common_factor_that_is_nothing_stays(given: str) -> None:
+    """No angle from a vector that is nothing, though without the factor there would be one."""
+    with pytest.raises(Unsolvable, match="has no value"):
+        solve(SKEW.replace("GIVEN", given))
