@@ -227,6 +227,12 @@ class Inquiry(Rigs):
 
     def led_on(self, name: str, state: State, passed: float | None) -> Manner:
         """Where the motion from one state leads: to a later one, or for a time; by every choice of what is open, where time alone tells."""
+        if passed is not None and self.driven:
+            from rotsolve.confirm.space.led import manner_as_led
+
+            way = manner_as_led(self, name, state, passed)
+            if way is not None:
+                return way
         return Manner(tuple(flight.arrival() for flight in self.flights(name, state, passed)), 0.0)
 
     def flights(self, name: str, state: State, passed: float | None) -> list[Flight]:
@@ -408,12 +414,22 @@ class Inquiry(Rigs):
         try:
             found = distinct([told_by(way, term) for way in ways(name)])
         except LeftOpen:
-            found = distinct([told_by(way, term) for way in self.followed(name)])
+            found = self.by_motion(name, term)
         except Unfit:
             if not self.of_mass(term):
                 raise
             return self.of_body(term)
         return self.modified(found, term)
+
+    def by_motion(self, name: str | None, term: Term) -> list[float]:
+        """The numbers to which the motion leads; where what stays on the way leaves them open, NotConfirmed by why that is not followed."""
+        try:
+            return distinct([told_by(way, term) for way in self.followed(name)])
+        except LeftOpen:
+            why = self._kept.get(f"{name} by motion")
+            if isinstance(why, NotConfirmed):
+                raise why from None
+            raise
 
     def of_mass(self, term: Term) -> bool:
         """Whether a question is of what a body has however it moves."""
