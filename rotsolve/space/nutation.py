@@ -77,7 +77,9 @@ class Nutation:
             )
         if not held.vanishes(turning.rates[1]):
             message = f"`{name}` nods at `{moment.when}`: how long its nutation takes is solved from a tilt at which it does not"
-            raise NotYet(message, help=f"tell `{name}.nutation: 0 rad/s` in the first state; `rotsolve simulate`")
+            rates = f"`{name}.precession`, `{name}.nutation: 0 rad/s`"
+            help = f"ask for its largest `tilt` and its rates there, and begin with them, {rates}; `rotsolve simulate`"
+            raise NotYet(message, help=help)
 
     def side(self, value: Formula, what: str) -> int:
         """The sign on which it hangs how it nods; refused by name where letters leave it open."""

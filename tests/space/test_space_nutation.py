@@ -197,6 +197,28 @@ def test_what_is_no_nutation_from_end_to_end_is_refused_by_name(name: str) -> No
     assert said in str(caught.value)
 
 
+def test_both_ends_of_a_top_that_nods_at_first_have_scenes_of_their_own() -> None:
+    """From its largest tilt, with the precession there, it rises as far as from the start: what the help says leads there."""
+    low, high = "low: {top.tilt: largest}", "high: {top.tilt: smallest}"
+
+    def nodding(states: str, find: str) -> str:
+        return let_go("5 rad/s", states, find).replace("nutation: 0 rad/s", "nutation: 1 rad/s")
+
+    for find, said in {
+        "th: top.tilt at high": "in which `high` follows `start` with no state between",
+        "t: time from low to high": "ask for its largest `tilt` and its rates there, and begin with them",
+    }.items():
+        with pytest.raises(Unsolvable) as caught:
+            solve(f"title: T\nup: z\n{nodding(f'{low}, {high}', find)}")
+        assert said in str(caught.value)
+    lowest = answers(nodding(low, "th: top.tilt at low, W: top.precession at low"))
+    highest = answers(nodding(high, "th: top.tilt at high"))
+    begun = let_go(f"{lowest['W']} rad/s", high, "th: top.tilt at high, t: time from start to high")
+    found = answers(begun.replace("top.tilt: theta", f"top.tilt: {lowest['th']} rad"))
+    assert found["th"] == pytest.approx(highest["th"], rel=1e-7)
+    assert found["t"] > 0
+
+
 COMES_BACK = """
 title: A top on its way back
 up: z
