@@ -139,7 +139,10 @@ class Nutation:
             value = multiply(self.from_end(self.tilt), sqrt(multiply(self.pull, self.never) / 2))
         else:
             value = sqrt(self.root / 2) if self.nearer else sqrt(add(self.middle, self.root)) / 2
-        return self.letter("pace", "p", ANGULAR_VELOCITY, value, "rate of the argument of the elliptic functions")
+        words = "rate of the argument of the elliptic functions"
+        if self.never is not None:
+            words = "rate at which its angle to the vertical dies away"
+        return self.letter("pace", "p", ANGULAR_VELOCITY, value, words)
 
     @cached_property
     def parameter(self) -> Formula:
@@ -227,7 +230,7 @@ class Nutation:
     def up_to(self, tilt: Formula, state: str) -> Formula:
         """The time from the start to a tilt on the way to the other end, F(arcsin x, m)/p, or arcosh y/p where it never comes there."""
         if self.never is not None:
-            words = "cosh p t, by the sines of half its angle to the vertical at first and then"
+            words = "ratio of the sines of half its angles to the vertical, cosh p t"
             near = self.from_end(self.tilt) / self.from_end(tilt)
             return acosh(self.letter("cosh of the argument", "y", NONE, near, words, state)) / self.pace
         words = "sine of the amplitude, by how far it has nodded"
