@@ -123,7 +123,8 @@ def spatial_lines(scope: Scope, state: str, line: Text, node: Node) -> list[Cond
         if path.quantity in EXTREME:
             return [Condition(path, word=word, span=line.span)]
         message = f"where `{text}` is {word} is no line of a state in space"
-        scope.fault(node, message, "tell what holds there: what turns back has the rate 0", "form")
+        help = f"what turns back has the rate 0: tell that, and as `{text}` a letter that is `unknown`"
+        scope.fault(node, message, help, "form")
         return []
     if not isinstance(node, List) or path.component or path.quantity not in DIRECTED:
         found = value_condition(scope, state, path, line, node)

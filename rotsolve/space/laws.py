@@ -411,7 +411,11 @@ class SpaceLaws:
         if not isinstance(tilt, Symbol) or ZERO in (left, right) or sine == ZERO:
             return left, right, ()
         upright = {tilt.name: ZERO}
-        if not all(is_zero(side.substitute(upright)) for side in (left, right)):
+        try:
+            multiples = all(is_zero(side.substitute(upright)) for side in (left, right))
+        except ZeroDivisionError:  # a told rate has no value at θ = 0
+            multiples = False
+        if not multiples:
             return left, right, ()
         tidy = self.moment.tidy
         return tidy(left / sine), tidy(right / sine), (sine, " ≠ 0 divided out")

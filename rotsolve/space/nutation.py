@@ -7,6 +7,7 @@ about the vertical leave u̇² = v (sin² θ₀ q − 2 h v − b v²) (Whittake
 
 The tilt goes to v₁ = sin² θ₀ q/(h + R), and back. Where b q ≥ 0, p² = R/2 and m = (R − h)/2 R; else p² = (h + R)/4 and m = (h − R)/(h + R).
 Half a nutation takes K(m)/p, the way to a tilt before that F(arcsin x, m)/p with x² = v/v₁, where b q ≥ 0 times 2 R/(h + R + b v).
+Where it comes ever nearer to the vertical, R = 0, m = 1 and F(arcsin x, 1) = artanh x = arcosh y, y = sin ½θ₀/sin ½θ, below cosines.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, add, call, formula, multiply, negate, sqrt, total
+from rotsolve.algebra.notation.derived import acosh
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension
 from rotsolve.core.equation import PART_IN_TIME, Equation
 from rotsolve.core.quantity import QUANTITIES
@@ -43,7 +45,9 @@ class Nutation:
         self.laws: dict[Equation, None] = {}
         self.check()
         moment = laws.moment
-        turning, tilt = moment.nodding(name), heading(moment.nodding(name).angles[1])
+        turning = moment.nodding(name)
+        self.tilt = turning.angles[1]
+        tilt = heading(self.tilt)
         axial, across, lift = top_of(laws, name)
         self.cosine, self.sine, self.rate = tilt.cos(), square(tilt.sin()), turning.rates[0]
         self.spin, self.pull = multiply(axial, moment.attitude(name).omega[2]) / across, 2 * lift / across
@@ -77,7 +81,9 @@ class Nutation:
             )
         if not held.vanishes(turning.rates[1]):
             message = f"`{name}` nods at `{moment.when}`: how long its nutation takes is solved from a tilt at which it does not"
-            raise NotYet(message, help=f"tell `{name}.nutation: 0 rad/s` in the first state; `rotsolve simulate`")
+            rates = f"`{name}.precession`, `{name}.nutation: 0 rad/s`"
+            help = f"ask for its largest `tilt` and its rates there, and begin with them, {rates}; `rotsolve simulate`"
+            raise NotYet(message, help=help)
 
     def side(self, value: Formula, what: str) -> int:
         """The sign on which it hangs how it nods; refused by name where letters leave it open."""
@@ -129,18 +135,24 @@ class Nutation:
     @cached_property
     def pace(self) -> Formula:
         """p."""
-        value = sqrt(self.root / 2) if self.nearer else sqrt(add(self.middle, self.root)) / 2
-        return self.letter("pace", "p", ANGULAR_VELOCITY, value, "rate of the argument of the elliptic functions")
+        if self.never is not None:  # h + R = b (± 1 − u₀), with no root of what is nothing
+            value = multiply(self.from_end(self.tilt), sqrt(multiply(self.pull, self.never) / 2))
+        else:
+            value = sqrt(self.root / 2) if self.nearer else sqrt(add(self.middle, self.root)) / 2
+        words = "rate of the argument of the elliptic functions"
+        if self.never is not None:
+            words = "rate at which its angle to the vertical dies away"
+        return self.letter("pace", "p", ANGULAR_VELOCITY, value, words)
 
     @cached_property
     def parameter(self) -> Formula:
         """m."""
+        if self.never is not None:
+            message = f"`{self.name}` comes ever nearer to the vertical, and never back: it has no nutation that ends"
+            raise NotYet(message, help="`time` to a state with a `tilt` on the way; `rotsolve simulate`")
         h, root = self.middle, self.root
         gap = add(root, negate(h))
         value = gap / (2 * root) if self.nearer else negate(gap) / add(h, root)
-        if any(self.beside_vertical(end) == 0 for end in VERTICAL):
-            message = f"`{self.name}` comes ever nearer to the vertical, and never back: it has no nutation that ends"
-            raise NotYet(message, help="`rotsolve simulate`")
         return self.letter("parameter", "m", NONE, value, "parameter m = k²")
 
     def told(self, value: Formula) -> Formula:
@@ -153,6 +165,8 @@ class Nutation:
     @cached_property
     def depth(self) -> Formula:
         """v₁ = sin² θ₀ q/(h + R), by how much cos θ grows less up to the other end."""
+        if self.never is not None:
+            return add(self.cosine, negate(self.never))
         return multiply(self.sine, self.start) / add(self.middle, self.root)
 
     @cached_property
@@ -169,6 +183,16 @@ class Nutation:
             return None
         gap = multiply(self.pull, add(self.cosine, negate(end)))
         return self.side(add(gap, multiply(square(self.rate), self.sine)), "whether it passes through the vertical")
+
+    @cached_property
+    def never(self) -> Formula | None:
+        """The end u = ± 1 to which it comes ever nearer; None where it comes back."""
+        return next((end for end in VERTICAL if self.beside_vertical(end) == 0), None)
+
+    def from_end(self, tilt: Formula) -> Formula:
+        """√(½ (1 ∓ u)), the sine of half the angle from the end to which it comes ever nearer."""
+        half = heading(tilt / 2)
+        return half.sin() if self.never == ONE else half.cos()
 
     def refuse_through_vertical(self, what: str) -> None:
         """Refuse what has no meaning where the axis passes through the vertical."""
@@ -204,7 +228,11 @@ class Nutation:
         return None if beyond else 1
 
     def up_to(self, tilt: Formula, state: str) -> Formula:
-        """The time from the start to a tilt on the way to the other end, F(arcsin x, m)/p."""
+        """The time from the start to a tilt on the way to the other end, F(arcsin x, m)/p, or arcosh y/p where it never comes there."""
+        if self.never is not None:
+            words = "ratio of the sines of half its angles to the vertical, cosh p t"
+            near = self.from_end(self.tilt) / self.from_end(tilt)
+            return acosh(self.letter("cosh of the argument", "y", NONE, near, words, state)) / self.pace
         words = "sine of the amplitude, by how far it has nodded"
         sine = self.letter("sine of the amplitude", "x", NONE, sqrt(self.share(tilt)), words, state)
         return call("ellipf", call("asin", sine), self.parameter) / self.pace
@@ -333,6 +361,8 @@ def time_between(dynamics: Mapping[str, SpaceLaws], timeline: Timeline, term: Te
     nutation, places = places_of(dynamics, chain, names[0])
     gone = simplify(add(time_up_to(nutation, places[end]), negate(time_up_to(nutation, places[start]))))
     label = "time of the nutation, K(m)/p from end to end"
+    if nutation.never is not None:
+        label = "time on the way to the vertical, which it never reaches, arcosh y/p"
     laws = (*nutation.laws, *nutation.before.tensors.behind(nutation.told(gone)))
     return Meaning(gone, QUANTITIES["time"].dimension, label=label, laws=laws), end
 

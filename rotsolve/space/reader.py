@@ -380,7 +380,10 @@ class SpaceReader(VectorReader):
         """How far a body is turned about its hinge."""
         found = self.moment.stood(path.owner, "angle") if self.moment.hangs_on_hinge(path.owner) else None
         if found is None:
-            raise NotYet(f"`{path_text(path)}` is not told at `{self.moment.when}`", path.span)
+            what, when = path_text(path), self.moment.when
+            told = f"tell a letter there, `{what}: q` with `q: unknown`, and what holds there, and ask for `q`"
+            help = told if self.moment.state.time_told is None else "`rotsolve simulate` follows it"
+            raise NotYet(f"`{what}` is not told at `{when}`", path.span, help)
         return found
 
     def freedoms(self, path: Path, term: Term) -> Formula:

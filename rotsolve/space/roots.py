@@ -312,6 +312,9 @@ def tilted(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: 
         problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
         message = f"which of several tilts of `{key.owner}` is meant at `{key.when}` hangs on what is not known yet"
         help = "tell what comes before in a scene of its own"
+        names = [state.name for state in problem.states]
+        if key.when in names[2:] and not problem.events:
+            help = f"ask for it in a scene of its own, in which `{key.when}` follows `{names[0]}` with no state between"
         raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
     if not values or (len(within) < 2 and len(values) < len(roots)):
         return PickedRoot(within[0], ("a tilt lies from 0 to 180°",)) if len(within) == 1 else None

@@ -161,3 +161,60 @@ def test_the_clock_shows_nothing_at_the_first_state_unless_it_tells_its_time(sta
         3 * (9.8 * math.cos(angle) + pushed * math.sin(angle)) / 1.2
     )
     assert derivation.confirmed[0].holds is True
+
+
+ROTOR = """up: z
+gravity: none
+given: {m: 15 kg, r: 5 cm, w: 330 rad/s, c: 3 rad/s^2, phi: 60 deg, T: 1 s, t1: 0.37 s}
+bodies:
+  frame: {mass: 0, points: {O: [0, 0, 0], C: [0.1 m, 0.2 m, 0.05 m]}}
+  disc: {shape: disc, mass: m, radius: r, points: {P: [r, 0, 0]}}
+connections: {hang: {hinge: frame.O, along: x, FRAME}, axle: {axle: [frame.C, disc], along: y, DISC}}
+states: {now: {time: 0 s, disc.angle: 40 deg}, end: {time: t1}}
+find: {v: disc.P.velocity at end}
+"""
+SWUNG = "angle: phi*sin(2*pi*time/T)"
+WAYS = {  # how far the frame and the disc have turned, and how fast they turn
+    (SWUNG, "angular_velocity: w"): lambda t: (
+        math.pi / 3 * math.sin(2 * math.pi * t),
+        2 * math.pi**2 / 3 * math.cos(2 * math.pi * t),
+        330 * t,
+        330,
+    ),
+    ("angular_velocity: c*time", "angular_velocity: w"): lambda t: (1.5 * t * t, 3 * t, 330 * t, 330),
+    ("angular_velocity: c*time", "angular_velocity: c*time^2/T"): lambda t: (1.5 * t * t, 3 * t, t**3, 3 * t * t),
+    ("angular_velocity: 2*c*T", "angular_velocity: w"): lambda t: (6 * t, 6, 330 * t, 330),
+}
+
+
+@pytest.mark.parametrize(("frame", "disc"), WAYS)
+def test_points_of_what_is_led_round_in_time_are_confirmed(frame: str, disc: str) -> None:
+    """v = A′ x̂ × (c + d) + B′ ŷ × d in the axes of the frame, d = r (cos B, 0, −sin B), turned by A about x."""
+    solution = solve(ROTOR.replace("FRAME", frame).replace("DISC", disc)).complete()
+    tilt, rate, turned, spin = WAYS[frame, disc](0.37)
+    angle = turned + math.radians(40)
+    x, z = 0.05 * math.cos(angle), -0.05 * math.sin(angle)
+    y, up = -rate * (0.05 + z), rate * 0.2 - spin * x
+    expected = [
+        spin * z,
+        y * math.cos(tilt) - up * math.sin(tilt),
+        y * math.sin(tilt) + up * math.cos(tilt),
+    ]
+    (answer,) = solution.derivation.answers
+    assert [part.value.float for part in answer.components if part.value] == pytest.approx(expected, rel=1e-9)
+    assert [item.holds for item in solution.derivation.confirmed] == [True]
+
+
+def test_what_is_too_far_to_be_followed_says_so() -> None:
+    """What stays on the way tells the rate after 41 turns, and not where the fork stands."""
+    scene = """up: z
+gravity: none
+bodies: {fork: {shape: cuboid, mass: 2 kg, sides: [0.4 m, 0.1 m, 0.2 m]}, disc: {shape: disc, mass: 1.5 kg, radius: 0.15 m}}
+connections: {post: {hinge: fork.center, along: z}, ax: {axle: [fork.center, disc], along: z}}
+actions: {push: {couple: [0, 0, 4 N m], on: fork}}
+states: {start: {fork.angular_velocity: 1 rad/s, fork.angle: 0 rad, disc.spin: 300 rad/s}, end: {time: 3 s}}
+find: {th: fork.angle at end}
+"""
+    (told,) = solve(scene).complete().derivation.confirmed
+    assert told.holds is None
+    assert "too long to be followed" in told.why

@@ -119,6 +119,13 @@ def test_motors_that_are_refused(old: str, new: str, words: str) -> None:
     assert words in str(caught.value)
 
 
+def test_a_told_couple_is_two_actions() -> None:
+    connections = ONE.replace("ALONG", "x").replace("[sat, wheel]}}", "[sat, wheel], couple: 3 N m}}")
+    with pytest.raises(Unsolvable) as caught:
+        solve(START + connections + TOLD + ASKED)
+    assert "[x, y, z] on `wheel`, [-x, -y, -z] on `sat`" in str(caught.value)
+
+
 def test_lagrange_knows_no_work_of_a_motor() -> None:
     with pytest.raises(Unsolvable):
         solve(START + ONE.replace("ALONG", "x") + TOLD + ASKED, law="lagrange")

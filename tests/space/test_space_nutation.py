@@ -189,12 +189,61 @@ REFUSED = {  # a scene, and what is said of it
 }
 
 
+@pytest.mark.parametrize(("first", "then"), [(60, 30), (60, 1), (37, 5), (90, 60), (150, 100)])
+@pytest.mark.parametrize("hangs", [False, True])
+def test_a_top_that_comes_ever_nearer_to_the_vertical_takes_a_time_up_to_a_tilt(
+    first: int, then: int, hangs: bool
+) -> None:
+    """cosh p t = sin ½θ₀/sin ½θ, p = sin ½θ₀ √(M g l/I₁); upside down the same by cosines."""
+    told = f"theta: {180 - first if hangs else first} deg, w3: {'-' if hangs else ''}sqrt(2*M*g*l*I1*(1 END cos(theta)))/I3"
+    scene = TOP.replace("theta: 25 deg", told).replace("w3: 300 rad/s, ", "").replace(", w3: 300 rad/s", "")
+    rate, state = "sqrt(2*M*g*l/(I1*(1 END cos(theta))))", f"low: {{top.tilt: {180 - then if hangs else then} deg}}"
+    scene = let_go(
+        rate, state, "t: time from start to low", scene.replace("[0, 0, -l]", "[0, 0, l]") if hangs else scene
+    )
+    half, sine = (math.sin(math.radians(angle) / 2) for angle in (first, then))
+    time = math.acosh(half / sine) / (half * math.sqrt(M * G * LENGTH / I1))
+    assert answers(scene.replace("END", "-" if hangs else "+"))["t"] == pytest.approx(time, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "states", ["low: {top.tilt: 0 deg}", "low: {top.tilt: smallest}", "a: {top.tilt: 30 deg}, low: {top.tilt: 40 deg}"]
+)
+def test_it_takes_none_to_the_vertical_or_back(states: str) -> None:
+    with pytest.raises(Unsolvable) as caught:
+        solve(f"title: T\nup: z\n{let_go(NEVER[1], states, 't: time from start to low', NEVER[0])}")
+    assert "comes ever nearer to the vertical, and never back" in str(caught.value)
+    assert "`time` to a state with a `tilt` on the way" in str(caught.value)
+
+
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_is_no_nutation_from_end_to_end_is_refused_by_name(name: str) -> None:
     scene, said = REFUSED[name]
     with pytest.raises(Unsolvable) as caught:
         solve(f"title: T\nup: z\n{scene}")
     assert said in str(caught.value)
+
+
+def test_both_ends_of_a_top_that_nods_at_first_have_scenes_of_their_own() -> None:
+    """From its largest tilt, with the precession there, it rises as far as from the start: what the help says leads there."""
+    low, high = "low: {top.tilt: largest}", "high: {top.tilt: smallest}"
+
+    def nodding(states: str, find: str) -> str:
+        return let_go("5 rad/s", states, find).replace("nutation: 0 rad/s", "nutation: 1 rad/s")
+
+    for find, said in {
+        "th: top.tilt at high": "in which `high` follows `start` with no state between",
+        "t: time from low to high": "ask for its largest `tilt` and its rates there, and begin with them",
+    }.items():
+        with pytest.raises(Unsolvable) as caught:
+            solve(f"title: T\nup: z\n{nodding(f'{low}, {high}', find)}")
+        assert said in str(caught.value)
+    lowest = answers(nodding(low, "th: top.tilt at low, W: top.precession at low"))
+    highest = answers(nodding(high, "th: top.tilt at high"))
+    begun = let_go(f"{lowest['W']} rad/s", high, "th: top.tilt at high, t: time from start to high")
+    found = answers(begun.replace("top.tilt: theta", f"top.tilt: {lowest['th']} rad"))
+    assert found["th"] == pytest.approx(highest["th"], rel=1e-7)
+    assert found["t"] > 0
 
 
 COMES_BACK = """

@@ -40,6 +40,28 @@ CASES = {  # a scene, what is said of it, and what would be right
         "no body has this inertia tensor",
         "can't be negative",
     ),
+    "where a hinge turns back, by a word": (
+        HEAD
+        + ROD.replace("{ball: b.start}", "{hinge: b.start, along: -y}")
+        + "states: {s: {b.angle: 1 rad, b.angular_velocity: 0 rad/s}, e: {b.angle: smallest}}\nfind: {x: b.angle at e}\n",
+        "where `b.angle` is smallest is no line of a state in space",
+        "has the rate 0: tell that, and as `b.angle` a letter that is `unknown`",
+    ),
+    "an angle where a rate alone is told": (
+        HEAD
+        + ROD.replace("{ball: b.start}", "{hinge: b.start, along: -y}")
+        + "states: {s: {b.angle: 1 rad, b.angular_velocity: 0 rad/s}, e: {b.angular_velocity: 0 rad/s}}\n"
+        + "find: {x: b.angle at e}\n",
+        "`b.angle` is not told at `e`",
+        "`b.angle: q` with `q: unknown`",
+    ),
+    "an angle of what swings, by the time alone": (
+        HEAD
+        + ROD.replace("{ball: b.start}", "{hinge: b.start, along: -y}")
+        + "states: {s: {b.angle: 1 rad, b.angular_velocity: 0 rad/s}, e: {time: 1 s}}\nfind: {x: b.angle at e}\n",
+        "`b.angle` is not told at `e`",
+        "`rotsolve simulate` follows it",
+    ),
     "a direction of length 0": (
         HEAD + BOX + "connections: {h: {hinge: b, along: [0, 0, 0], angular_velocity: w}}\nfind: {tau: h.torque}\n",
         "`along` is a direction of length 0",

@@ -134,12 +134,22 @@ class Inquiry(WaysOfMoving):
         try:
             found = distinct([told_by(way, term) for way in ways(name)])
         except LeftOpen:
-            found = distinct([told_by(way, term) for way in self.followed(name)])
+            found = self.by_motion(name, term)
         except Unfit:
             if not self.of_mass(term):
                 raise
             return self.of_body(term)
         return self.modified(found, term)
+
+    def by_motion(self, name: str | None, term: Term) -> list[float]:
+        """The numbers to which the motion leads; where what stays on the way leaves them open, NotConfirmed by why that is not followed."""
+        try:
+            return distinct([told_by(way, term) for way in self.followed(name)])
+        except LeftOpen:
+            why = self._kept.get(f"{name} by motion")
+            if isinstance(why, NotConfirmed):
+                raise why from None
+            raise
 
     def of_mass(self, term: Term) -> bool:
         """Whether a question is of what a body has however it moves."""

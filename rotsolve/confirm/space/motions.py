@@ -218,6 +218,12 @@ class WaysOfMoving(Rigs):
 
     def led_on(self, name: str, state: State, passed: float | None) -> Manner:
         """Where the motion from one state leads: to a later one, or for a time; by every choice of what is open, where time alone tells."""
+        if passed is not None and self.driven:
+            from rotsolve.confirm.space.led import manner_as_led
+
+            way = manner_as_led(self, name, state, passed)
+            if way is not None:
+                return way
         return Manner(tuple(flight.arrival() for flight in self.flights(name, state, passed)), 0.0)
 
     def flights(self, name: str, state: State, passed: float | None) -> list[Flight]:

@@ -102,7 +102,11 @@ class MutualDrive(Connection, frozen=True):
     def motor_in_space(self) -> tuple[PointRef, PointRef]:
         carrier, body = self.drives
         if self.couple is not None:
-            help = "leave it out: what it gives is asked of the axle, `axle.torque`"
+            help = (
+                f"tell two opposite `actions`, each a `couple` along the axle in space: [x, y, z] on `{body.owner}`, "
+                f"[-x, -y, -z] on `{carrier.owner}`; where it is told how `{body.owner}` turns, leave `couple` out, and ask "
+                "`axle.torque` what it gives"
+            )
             raise Unsolvable(
                 f"`{self.name}` drives with a `couple`, which is not solved in space", span=body.span, help=help
             )

@@ -185,6 +185,18 @@ def how_long_a_top_nods(n: Numbers) -> Answers:
     return {"theta_1": np.degrees(tilt), "t": down, "T": down + up, "phi": np.degrees(back[6])}
 
 
+def top_that_creeps_to_the_vertical(n: Numbers) -> Answers:
+    """ω₃ keeps L along the vertical as it is when upright, L = I₃ ω₃, with the energy of that; followed down to the second tilt."""
+    axis = sin(n.theta) * -Y + cos(n.theta) * Z
+    turning = sqrt(2 * n.M * n.g * n.l / n.I1 / (1 + cos(n.theta)))
+    axial = n.I1 * turning * (1 + cos(n.theta)) / n.I3
+    momentum = n.I3 * axial * axis + n.I1 * turning * (Z - cos(n.theta) * axis)
+    slope, step = nods(n), 0.05 * sqrt(n.I1 / (n.M * n.g * n.l))
+    far = cos(n.theta_1)
+    time, _ = first_passage(slope, np.concatenate([axis, momentum]), lambda state: float(state[2]) - far, step)
+    return {"w3": axial, "t": time}
+
+
 def linearized(n: Numbers, axis: Any, momentum: Any, turning: float) -> Any:
     """The derivative of the rates of (e, L) by (e, L), in axes that turn about the vertical."""
     slope, step = nods(n), 1e-30
@@ -307,6 +319,7 @@ CALCULATIONS = {
     "spherical-pendulum-nods": spherical_pendulum_nods,
     "top-let-go": top_let_go,
     "top-on-a-smooth-table": top_on_a_smooth_table,
+    "top-that-creeps-to-the-vertical": top_that_creeps_to_the_vertical,
     "top-that-trembles": top_that_trembles,
     "wheel-let-go": wheel_let_go,
     "wheel-on-a-string": wheel_on_a_string,
