@@ -51,8 +51,8 @@ WRITTEN_OUT = 3  # times as many where they are written out: a look costs a seve
 ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a time, and how nearly both have to agree
 BOTH = 80  # looks that a step takes at least, both ways
 TWICE = 6  # times as many looks where it is
-# up to which a finer step has to agree, before it is taken: beside a turning point a rate goes by its root
-EXACT = 1e-11
+# up to which a finer step has to agree, before it is taken: beside a turning point, where a rate goes by its root, that is not much
+EXACT = 1e-8
 SIGNS = 1e-5  # where nothing but signs is looked for
 CLOSE = 1e-8  # of a place: how nearly it is what it was at the start
 MET = 1e-13  # of a step: how nearly the moment is found
