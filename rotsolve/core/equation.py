@@ -154,7 +154,7 @@ WORK_AND_ENERGY = Law("work and energy", "work and energy, K₁ + U₁ + W = K�
 TURNING_FRAME = Law(
     "energy in a turning frame", "energy in the frame that turns with {driven}, K′₁ + U′₁{work} = K′₂ + U′₂", ENERGY, 4
 )
-POWER = Law("power", "power and kinetic energy", ENERGY, 12)
+POWER = Law("power", "power and kinetic energy", ENERGY, 8)
 DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
 WORK = Law("work", "work of {owner}", cost=3)
 
