@@ -34,6 +34,9 @@ BOX = """
 """
 
 
+LOSING = {"stone-from-a-tower": 1e-7}  # sin x − x cos x of a small x: floats lose half of their digits
+
+
 @pytest.mark.sampled(3)
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_the_numbers_of_the_scene_come_back(file: Path) -> None:
@@ -50,7 +53,8 @@ def test_the_numbers_of_the_scene_come_back(file: Path) -> None:
         return
     for name, answer in single_answers(solution.derivation.answers):
         own = answer.value.float if answer.value is not None else None
-        assert own is None or abs(found[name][0] - own) <= ALIKE * max(abs(own), 1.0), name
+        alike = LOSING.get(file.stem, ALIKE)
+        assert own is None or abs(found[name][0] - own) <= alike * max(abs(own), 1.0), name
 
 
 def test_vectors_for_other_numbers_are_those_of_the_scene_solved_anew() -> None:
