@@ -52,7 +52,7 @@ SOLVED_ANEW = {  # why its closed forms are not evaluated for many sets
         ("how-long-a-top-nods", "tennis-racket", "tennis-racket-in-the-hand", "wing-nut"), "elliptic functions"
     ),
     "gyroscope-on-a-string": "an angle without a closed form",
-    "shell-fired-east": "terms that are nearly each other",
+    **dict.fromkeys(("shell-fired-east", "stone-from-a-tower"), "terms that are nearly each other"),
     "stability-of-three-axes": "a word is asked",
 }
 

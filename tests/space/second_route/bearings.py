@@ -151,7 +151,7 @@ def masses_that_balance_a_rotor(n: Numbers) -> Answers:
     near = -sum(m * (3 * n.d - r[2]) * (r[0] + 1j * r[1]) for m, r in lumps) / (3 * n.d)
     far = -sum(m * r[2] * (r[0] + 1j * r[1]) for m, r in lumps) / (3 * n.d)
     masses = {name: abs(p) / n.r for name, p in (("mN", near), ("mF", far))}
-    return {**masses, "qN": np.angle(near), "qF": np.angle(far)}
+    return {**masses, "qN": np.angle(near, deg=True), "qF": np.angle(far, deg=True)}
 
 
 def gyrocompass_let_go(n: Numbers) -> Answers:

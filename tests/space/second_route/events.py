@@ -58,7 +58,7 @@ def meteorite_that_stays_in_a_probe(n: Numbers) -> Answers:
 def hinged_plates_that_are_struck(n: Numbers) -> Answers:
     """Both go as one, and the second besides about the hinge; a blow is a heavy point's velocity of its own."""
     one, two = rectangle(n.m, n.a, n.b), rectangle(n.m, n.a, n.b).moved(n.a * X)
-    corner, light = np.array([-n.a / 2, n.b / 2, 0]), 1e-9 * n.m
+    corner, light = np.array([-n.a / 2, n.b / 2, 0]), 1e-11 * n.m
     whole = together(one, two, points((light, corner)))
     before = np.zeros_like(whole.places)
     before[-1] = n.J / light * Z

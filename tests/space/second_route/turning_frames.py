@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from second_route.following import cross, followed
+from second_route.numbers import UNITS
 from second_route.particles import (
     Cloud,
     Motion,
@@ -201,7 +202,7 @@ def fallen_on_the_earth(start: Any, axis: Any, n: Numbers, time: float) -> Any:
 
 def stone_from_a_tower(n: Numbers) -> Answers:
     start = np.concatenate([n.h * Z, 0 * Z])
-    return {"x": fallen_on_the_earth(start, Y, n, np.sqrt(2 * n.h / n.g))[0]}
+    return {"x": 1000 * fallen_on_the_earth(start, Y, n, np.sqrt(2 * n.h / n.g))[0]}  # in mm
 
 
 def shell_fired_east(n: Numbers) -> Answers:
@@ -225,7 +226,7 @@ def disc_in_a_fork_spun_up(n: Numbers) -> Answers:
     faster = n.M0 / pushes(0.0, 1.0)[1][2]
     force, torque = pushes(faster * n.T, faster)
     lower, upper = two_bearings(force, torque, Z, -n.c, n.c)
-    return {"w": faster * n.T, "D": lower, "C": upper}
+    return {"w": faster * n.T, "D": lower / UNITS["lbf"], "C": upper / UNITS["lbf"]}
 
 
 def disc_on_an_axle_that_sways(n: Numbers) -> Answers:
