@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.effort import Exhausted, Purse
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Call, Formula, Symbol
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Unsolvable
 from rotsolve.core.letters import letters_of
@@ -226,11 +226,17 @@ def refuse_undefined(search: Search, find: Find) -> None:
     """Unsolvable where an angle has no value: between vectors of which one is nothing, atan2(0, 0), or with a cosine beyond 1."""
     for answered in search.answered if not find.runs else ():
         formula = answered.found.formula if answered.asked.find.name == find.name and not answered.aside else None
-        if formula is None or not formula.holds("atan2", "acos", "asin") or search.signs.lacking(formula):
+        if formula is None or not formula.holds("atan2", "acos", "asin"):
             continue
-        if search.signs.number(formula) is None:
+        lacking = search.signs.lacking(formula)
+        if without_direction(formula.substitute(search.values)) if lacking else search.signs.number(formula) is None:
             message = f"`{find.name}` has no value: what it is the angle of has no direction there"
             raise unsolvable(search.scene.configuration.problem, message, find.span)
+
+
+def without_direction(formula: Formula) -> bool:
+    """Whether an angle in a formula is atan2(0, 0) whatever its letters are."""
+    return any(isinstance(node, Call) and all(map(is_zero, node.arguments)) for node in formula.walk("atan2"))
 
 
 def refuse_unreal(search: Search, find: Find) -> None:

@@ -13,7 +13,7 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.arriving import gaps_at
-from rotsolve.confirm.space.arrows import arrow_length, crossed, inner_product
+from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.motions import (
     CHANGE,
@@ -28,6 +28,7 @@ from rotsolve.confirm.space.motions import (
     WaysOfMoving,
     told_by,
 )
+from rotsolve.confirm.space.readings import angle_from
 from rotsolve.confirm.space.rig import AXES, NOW, Lines, Rig
 from rotsolve.confirm.space.rigs import OPEN, time_after
 from rotsolve.confirm.space.stance import Stance
@@ -118,7 +119,7 @@ class Inquiry(WaysOfMoving):
         """The angle of a vector at one state from one at another, by their components along the axes that are named."""
         x, y = ([only_one(self.of_term(for_part(term, axis))) for axis in AXES] for term in (one, two))
         a, b = (x[0], x[1], x[2]), (y[0], y[1], y[2])
-        return math.atan2(arrow_length(crossed(a, b)), inner_product(a, b))
+        return angle_from(a, b)
 
     def at(self, term: Term, name: str | None) -> list[float]:
         if term.path.quantity == "freedoms":

@@ -40,6 +40,14 @@ ROUNDING = 1e-9
 STEADILY = 4e-15  # of ω²: what rounding alone makes of an angular acceleration
 
 
+def angle_from(one: Arrow, other: Arrow) -> float:
+    """The angle of an arrow from another one; NotConfirmed where one of them is nothing, which has no direction."""
+    across, along = arrow_length(crossed(one, other)), inner_product(one, other)
+    if across == along == 0.0:
+        raise NotConfirmed("the direction of a vector that is nothing")
+    return math.atan2(across, along)
+
+
 class Reading:
     """Reads paths in one world."""
 
@@ -53,9 +61,9 @@ class Reading:
         path = term.path
         if term.modifier == ANGLE_OF and term.other is not None:
             one, two = self.vector(path, term), self.vector(term.other.path, term.other)
-            across, along = arrow_length(crossed(one, two)), inner_product(one, two)
+            angle = angle_from(one, two)
             free = {path.quantity, term.other.path.quantity}.intersection(EITHER_WAY)
-            return math.atan2(across, abs(along) if free else along)
+            return min(angle, math.pi - angle) if free else angle
         if path.quantity in DIRECTED:
             vector = self.seen(term)
             last = (path.component or "").split()[-1:]
