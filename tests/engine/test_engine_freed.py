@@ -18,7 +18,6 @@ from compositions import freed  # noqa: E402
 FILES = sorted([*(ROOT / "problems").glob("*/*.yaml"), *(Path(__file__).parent / "scenes").glob("*.yaml")])
 WITHHELD = {  # in space, answered in numbers; in letters refused by name, or withheld since the assembly contradicts them with some
     "kowalevskaya-top": "that its vertical is a direction of length 1 its letters do not tell",
-    "rod-swung-out-by-a-shaft": "beside a turning point, where a rate goes by its root, the motion is not followed nearly enough",
     "how-long-a-top-nods": "on what its angle hangs is too long to print in letters",
 }
 WRONG_WAY = """

@@ -51,8 +51,7 @@ WRITTEN_OUT = 3  # times as many where they are written out: a look costs a seve
 ROUGH, FINE, AGREES = 1e-9, 1e-12, 1e-4  # how exactly a way is followed for a time, and how nearly both have to agree
 BOTH = 80  # looks that a step takes at least, both ways
 TWICE = 6  # times as many looks where it is
-# up to which a finer step has to agree, before it is taken: beside a turning point, where a rate goes by its root, that is not much
-EXACT = 1e-8
+EXACT = 1e-8  # up to which a finer step has to agree, before it is taken
 SIGNS = 1e-5  # where nothing but signs is looked for
 CLOSE = 1e-8  # of a place: how nearly it is what it was at the start
 MET = 1e-13  # of a step: how nearly the moment is found
@@ -71,7 +70,9 @@ Passing = tuple[
 class Flight:
     """A rig on its way from a world, for bodies that a later state calls by their tilt too."""
 
-    def __init__(self, rig: Rig, start: World, state: State, passed: float | None = None) -> None:
+    def __init__(
+        self, rig: Rig, start: World, state: State, passed: float | None = None, *, finely: bool = False
+    ) -> None:
         self.rig, self.start, self.state = rig, start, state
         self.passed = passed  # the time up to the state, where it is told
         if any(TIME in part.symbols() for joint in rig.joints.values() for _, part in joint.drive):
@@ -97,6 +98,8 @@ class Flight:
         self.gone = 0.0  # how far that has gone
         self.missed = ""  # what did not hold where its state was looked for
         self.looks, self.most, self.exact = 0, self.limit, EXACT
+        if finely:
+            self.most, self.exact = TWICE * self.limit, FINE
 
     def drawn_on_slide(self, joint: Joint) -> Arrow:
         """Where the point that slides is at the start, from where it is held, in the axes of what carries it: its ways count from there."""

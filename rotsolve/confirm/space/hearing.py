@@ -64,6 +64,8 @@ def answers_put_in(problem: Problem) -> Put:
 class Hearing:
     """A scene at one set of numbers; `told` are answers put in for what tells how bodies stand."""
 
+    finely = False  # whether motions are followed as nearly as floats allow
+
     def __init__(self, problem: Problem, known: Mapping[str, float], told: Told, scans: Scans | None = None) -> None:
         self.problem, self.known, self.told, self.scans = problem, known, told, scans or Scans()
         sought = {find.formula for find in problem.finds if find.where is not None}
@@ -72,7 +74,15 @@ class Hearing:
 
     @cached_property
     def inquiry(self) -> Inquiry:
-        return Inquiry(self.problem, self.known, self.told)
+        inquiry = Inquiry(self.problem, self.known, self.told)
+        inquiry.finely = self.finely
+        return inquiry
+
+    def more_finely(self) -> Hearing:
+        """The same, with its motions followed as nearly as floats allow."""
+        other = Hearing(self.problem, self.known, self.told, self.scans)
+        other.finely = True
+        return other
 
     def is_put_in(self, find: Find) -> bool:
         return find.group in self.put.values() or self.letter(find) is not None

@@ -66,7 +66,7 @@ class WaysOfMoving(Rigs):
 
     def __init__(self, problem: Problem, numbers: Mapping[str, float], put: Told) -> None:
         super().__init__(problem, numbers)
-        self.put = put
+        self.put, self.finely = put, False  # whether motions are followed as nearly as floats allow
         self._ways: dict[str, list[Manner]] = {}
         self._kept: dict[str, Any] = {}  # what comes of following a motion, or why nothing does
 
@@ -241,7 +241,7 @@ class WaysOfMoving(Rigs):
             raise NotConfirmed(SEVERAL)
         several = passed is not None or len(by_velocities(before[0].worlds)) > 1
         starts = by_velocities(before[0].worlds)[: 2 if several else 1]
-        return [Flight(self.rig_since(name), world, state, passed) for world in starts]
+        return [Flight(self.rig_since(name), world, state, passed, finely=self.finely) for world in starts]
 
     def flights_as_told(self, before: State, state: State) -> list[Flight]:
         """The motion from one state to the next, by choices of what nothing tells; nothing where what is told leaves several."""

@@ -39,6 +39,7 @@ SAME = 2e-6  # of the size of what is compared
 FAR = 0.5  # of its size, as far as an approximation may be from what it stands for
 ROUGHLY = "the scene asks for an approximation"
 NOTHING = 1e-9  # of the size that a quantity has in the scene, for what is nothing
+NEARLY = 1e-4  # of the same, for squares that are compared again with the motion followed more finely
 SQUARED = 1e-8  # of the square of that size, for the square of a rate at which a motion that is followed turns back
 RATES = ("angular_velocity", "velocity", "speed", "precession", "nutation", "spin")
 ROUNDED = 1e-14  # of the same, for a float that should be nothing
@@ -327,8 +328,11 @@ def compared_in_space(
         for row in rows
         if close(answered, row, natural)
         or (loose and close(answered, turned_round(row), natural))
-        or (at_turning(finds[0], hearing) and by_squares(answered, row, natural))
+        or (at_turning(finds[0], hearing) and by_squares(answered, row, natural, SQUARED))
     ]
+    nearly = at_turning(finds[0], hearing) and any(by_squares(answered, row, natural, NEARLY) for row in rows)
+    if not fits and nearly and not hearing.finely:
+        return compared_in_space(finds, answer, parts, hearing.more_finely(), numbers)
     if fits and len(fits) < len(rows) and not hearing.problem.assume:
         return AnswerConfirmation(answer.name, None, SEVERAL, answered, fits[0])
     slow = hearing.inquiry.slowest(finds[0]) if hearing.problem.assume and len(rows) > 1 and not fits else None
@@ -363,11 +367,11 @@ def at_turning(find: Find, hearing: Hearing) -> bool:
     return len(find.terms) == 1 and any(term.at not in (None, first) for term in rated)
 
 
-def by_squares(answered: Sequence[float], own: Sequence[float], natural: float) -> bool:
+def by_squares(answered: Sequence[float], own: Sequence[float], natural: float, share: float) -> bool:
     """Whether the squares of numbers of one sense are the same beside that of the size of such quantities in the scene; of small ones the
     sense is not known.
     """
-    room = SQUARED * natural**2
+    room = share * natural**2
     pairs = list(zip(answered, own, strict=True))
     return all(abs(a * a - b * b) <= room and (a * b >= 0 or max(a * a, b * b) <= room) for a, b in pairs)
 
