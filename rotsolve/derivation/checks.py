@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.normal import is_zero, without_direction
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Call, Formula, Quotient, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, MASS, NONE, TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
@@ -79,12 +79,8 @@ def limit(formula: Formula, name: str, search: Search) -> Formula | None:
     try:
         if any(is_zero(node.denominator) for node in put.walk() if isinstance(node, Quotient)):
             return None
-        if any(
-            all(map(is_zero, node.arguments))
-            for node in put.walk("atan2")
-            if isinstance(node, Call) and node.function == "atan2"
-        ):
-            return None  # what is nothing has no direction
+        if without_direction(put):
+            return None
         return search.solver.simplify(put)
     except (ZeroDivisionError, ValueError):
         return None

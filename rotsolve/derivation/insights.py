@@ -251,18 +251,16 @@ def energy_lost(search: Search) -> Iterator[Words]:
             continue
         share = search.solver.simplify((first - last) / first)
         numbers = [search.signs.number(value) for value in (first, last, 100 * share)]
-        said = f"in the {spoken(interval.name)} the kinetic energy "
+        said, lost = f"in the {spoken(interval.name)} the kinetic energy ", search.signs.sign(share) == 1
         if search.signs.sign(share) == 0:
             yield (f"{said}stays the same",)
         elif all(number is not None and number.sign in (0, 1) for number in numbers):
             unit, scale = unit_of_energy(search)
-            (one, two), lost = [digits_in(number, scale) for number in numbers[:2]], digits_in(numbers[2], ONE)
-            yield (f"{said}falls from {one} {unit} to {two} {unit}, by {lost} %",)
-        elif any(item.found.formula == share for item in search.wholes()):  # it is asked
-            pass
-        elif search.signs.sign(share) == 1 and length(share) <= SHORT:
+            (one, two), percent = [digits_in(number, scale) for number in numbers[:2]], digits_in(numbers[2], ONE)
+            yield (f"{said}falls from {one} {unit} to {two} {unit}, by {percent} %",)
+        elif lost and length(share) <= SHORT and all(item.found.formula != share for item in search.wholes()):
             yield ("of the kinetic energy the share ", share, f" is lost in the {spoken(interval.name)}")
-        if interval.event.heats and not search.scene.facts(interval.start).given and search.signs.sign(share) == 1:
+        if lost and interval.event.heats and not search.scene.facts(interval.start).given:
             yield (f"what is lost in the {spoken(interval.name)} becomes heat",)
 
 

@@ -12,8 +12,8 @@ from typing import TypeVar
 from msgspec.structs import replace
 
 from rotsolve.algebra.effort import Exhausted, Purse
-from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.exact.normal import is_zero, without_direction
+from rotsolve.algebra.formula import Symbol
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Unsolvable
 from rotsolve.core.letters import letters_of
@@ -232,11 +232,6 @@ def refuse_undefined(search: Search, find: Find) -> None:
         if without_direction(formula.substitute(search.values)) if lacking else search.signs.number(formula) is None:
             message = f"`{find.name}` has no value: what it is the angle of has no direction there"
             raise unsolvable(search.scene.configuration.problem, message, find.span)
-
-
-def without_direction(formula: Formula) -> bool:
-    """Whether an angle in a formula is atan2(0, 0) whatever its letters are."""
-    return any(isinstance(node, Call) and all(map(is_zero, node.arguments)) for node in formula.walk("atan2"))
 
 
 def refuse_unreal(search: Search, find: Find) -> None:

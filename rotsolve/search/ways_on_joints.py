@@ -64,7 +64,7 @@ def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | Non
     from rotsolve.space.roots import rate_told_by
     from rotsolve.space.ways import ways_on_joints
 
-    told = rate_told_by(name, search.scene)
+    told = rate_told_by(name, search.scene, components=True)
     phases = search.scene.configuration.timeline.intervals if told is not None else ()
     for interval in (phase for phase in phases if told is not None and phase.end == key_of(told).when):
         if interval.event is not None:

@@ -237,14 +237,15 @@ def refuse_either_sense(
     raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
-def rate_told_by(name: str, scene: SceneEquations) -> str | None:
-    """The rate that a state tells by a letter alone of which no largest or smallest value is asked; None of other letters."""
+def rate_told_by(name: str, scene: SceneEquations, *, components: bool = False) -> str | None:
+    """The rate, perhaps a component of one, that a state tells by a letter alone of which no largest or smallest value is asked; None of
+    other letters."""
     problem, asked = scene.configuration.problem, Symbol(name)
     if any(find.modifier in EXTREMES for find in problem.finds if find.formula == asked):
         return None
     for state in problem.states:
         for line in state.conditions:
-            if line.path is None or line.path.component is not None:
+            if line.path is None or (line.path.component is not None and not components):
                 continue
             if line.value == asked and line.path.quantity in SIGNED:
                 return SymbolKey(line.path.quantity, line.path.owner, "", state.name).name

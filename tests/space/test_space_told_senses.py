@@ -157,3 +157,26 @@ def test_a_turning_point_after_a_state_on_the_way() -> None:
     assert turn.value.float == pytest.approx(-3.08799, rel=1e-4)
     assert force.value.float == pytest.approx(-43.739, rel=1e-4)
     assert [item.holds for item in solution.derivation.confirmed] == [True, None]
+
+
+LEVEL = """
+up: z
+gravity: none
+given: {m: 0.1 kg, w: 4 rad/s, V: unknown}
+bodies: {arm: {mass: 0, points: {O: [0, 0, 0], P: [-0.3 m, 0, 0]}}, bead: {shape: particle, mass: m}}
+connections: {shaft: {hinge: arm.O, along: -z, angular_velocity: w}, guide: {slide: [arm.P, bead], along: ALONG}}
+states:
+  start: {bead.velocity relative to arm: [-2 m/s, 0, 0]}
+  later: {bead.position relative to arm: [-0.9 m, 0, 0], bead.velocity relative to arm: [V, 0, 0]}
+find: {V: V}
+"""
+
+
+@pytest.mark.parametrize("along", ["x", "-x"])
+def test_a_component_told_by_a_letter_has_the_only_sense_in_which_the_motion_comes_there(along: str) -> None:
+    """v² = u² + w² (r₁² − r₀²) outwards, however the slide is drawn; inwards it goes through the axis and on."""
+    solution = solve(LEVEL.replace("ALONG", along))
+    assert solution.answers["V"].float == pytest.approx(-math.sqrt(4 + 16 * 0.72))
+    assert all(item.holds for item in solution.derivation.confirmed)
+    with pytest.raises(NeverReached, match="never turns back"):
+        solve(LEVEL.replace("ALONG", along).replace("[-2 m/s", "[2 m/s"))

@@ -115,6 +115,12 @@ def _is_zero(f: Formula, positive: frozenset[str]) -> bool:
     return not len(problem.field.reduce(num))
 
 
+def without_direction(f: Formula) -> bool:
+    """Whether a formula holds atan2(0, 0), the angle of what is nothing, whatever its letters are."""
+    angles = (node for node in f.walk("atan2") if isinstance(node, Call) and node.function == "atan2")
+    return any(all(map(is_zero, angle.arguments)) for angle in angles)
+
+
 def equal(a: Formula, b: Formula, positive: Collection[str] = frozenset()) -> bool:
     """Whether two formulas are equal wherever both are defined."""
     if a == b:

@@ -271,7 +271,8 @@ class Inquiry(WaysOfMoving):
                     yield paced_there.gap_of(line)(paced_there.arrival(paced))
 
     def places_with_rates(self, state: State) -> Iterator[tuple[Condition, Condition]]:
-        """The lines of a state about an angle, or about a sought place on what turns, each with that about how fast it changes there."""
+        """The lines of a state about an angle, or about a place on what turns where that or its rate is sought, each with that about how
+        fast it changes there."""
         lines, asked, placed = Lines(self.rig, state, {}), self.problem.sought, set[str]()
         for line in state.conditions:
             path, paced = line.path, None
@@ -279,9 +280,11 @@ class Inquiry(WaysOfMoving):
                 continue
             if path.quantity == "angle":
                 paced = lines.line(path.owner, "angular_velocity")
-            elif path.quantity == "position" and line.relative and line.value.symbols() & asked:
+            elif path.quantity == "position" and line.relative:
                 paced = lines.line(path.owner, "velocity", path.component or "", path.point)
-                paced = paced if paced is not None and paced.relative == line.relative else None
+                told = (line.value, None if paced is None or paced.relative != line.relative else paced.value)
+                if told[1] is None or not any(part is not None and part.symbols() & asked for part in told):
+                    continue
             if paced is not None and paced.value is not None:
                 placed.add(path.owner)
                 yield line, paced
