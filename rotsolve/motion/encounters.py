@@ -71,23 +71,12 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
             )
         )
     check_rails(meetings, event, first)
-    needs = tuple(impulsive_need(need, first) for need in facts.requirements if need.owner in lasting)
-    about = supports(involved, points, event, first)
-    needs = tuple(need for need in needs if need.left != ZERO)
+    impulsive = (impulsive_need(need, first) for need in facts.requirements if need.owner in lasting)
+    needs = tuple(need for need in impulsive if need.left != ZERO)
+    about, why = supports(involved, points, event, first), event.no_torque(first)
     bounce, closing = event.bounce(first, last), event.closing(first, last)
     joined = joined_on_an_axis(involved, last, last_facts)
-    return Encounter(
-        interval.name,
-        event.about,
-        tuple(meetings),
-        about,
-        needs,
-        bounce,
-        closing,
-        stuck,
-        joined,
-        event.no_torque(first),
-    )
+    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck, joined, why)
 
 
 def joined_on_an_axis(

@@ -352,19 +352,14 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
 
         limits += [gap for tilt in tilts_with(name, search.scene) for gap in (tilt, PI - tilt)]
     passed = () if search.ground is None else search.ground.passed_over.get(name, ())
-    able = [
-        index
-        for index, root in enumerate(roots)
-        if numbers.of(root) is not None
-        and root not in passed
-        and not any(
-            numbers.side(numbers.with_answers(gap.substitute({name: root}))) in (-1, 0 if gap in strict else -1)
-            for gap in limits
-        )
-    ]
-    placed = any(
-        name in ref.argument.symbols() for ref in references(search.scene.configuration.problem) if ref.argument
-    )
+
+    def beyond(root: Formula, gap: Formula) -> bool:
+        return numbers.side(numbers.with_answers(gap.substitute({name: root}))) in (-1, 0 if gap in strict else -1)
+
+    real = [index for index, root in enumerate(roots) if numbers.of(root) is not None and root not in passed]
+    able = [index for index in real if not any(beyond(roots[index], gap) for gap in limits)]
+    arguments = (ref.argument for ref in references(search.scene.configuration.problem) if ref.argument)
+    placed = any(name in argument.symbols() for argument in arguments)
     bodily = given.dimension in BODILY and not (placed or signed)
     if bodily:  # without a length, or a mass, there is no body; a place is at an end too
         able = [index for index in able if numbers.side(roots[index]) == 1] or able

@@ -283,14 +283,7 @@ class Pushes:
         own = self.moment.axes(ref.owner)
         strength, way = action.strength(), getattr(action, "direction", None)
         if way is not None and isinstance(strength, (str, tuple)):
-            kind = "couple" if action.twists() else "force"
-            help = f"leave `direction` out, or give its size: `{kind}: F` with `F: unknown` under `given` where it is sought"
-            said = (
-                f"`{kind}: any` is one in whatever direction it takes"
-                if isinstance(strength, str)
-                else "its components tell that"
-            )
-            raise Unsolvable(f"`{action.name}` has a `direction`, and {said}", span=ref.span, help=help)
+            raise told_twice(action)
         vector: Triple | None
         if isinstance(strength, str):  # whatever it takes
             word = "torque" if action.twists() else "force"
@@ -323,6 +316,15 @@ class Pushes:
                 help="give it `direction: [x, y, z]`",
             )
         return ForceInSpace(action.name, ref.owner, vector, IN_SPACE, self.moment.arm(ref), own)
+
+
+def told_twice(action: Action) -> Unsolvable:
+    """What is said of a force or couple whose direction is told, and follows from what it is as well."""
+    kind = "couple" if action.twists() else "force"
+    any_ = f"`{kind}: any` is one in whatever direction it takes"
+    said = any_ if isinstance(action.strength(), str) else "its components tell that"
+    help = f"leave `direction` out, or give its size: `{kind}: F` with `F: unknown` under `given` where it is sought"
+    return Unsolvable(f"`{action.name}` has a `direction`, and {said}", span=action.touches()[0].span, help=help)
 
 
 def force_of_floor(joint: Joint) -> str:
