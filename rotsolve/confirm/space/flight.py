@@ -56,7 +56,7 @@ SIGNS = 1e-5  # where nothing but signs is looked for
 CLOSE = 1e-8  # of a place: how nearly it is what it was at the start
 MET = 1e-13  # of a step: how nearly the moment is found
 HOLDS = 1e-7
-RATES = ("angular_velocity", "velocity", "nutation")
+TOLD_RATES = ("angular_velocity", "velocity", "nutation")  # of which what is kept on the way tells the squares
 NEVER = "its motion never comes there"
 TOO_FAR = "the way to its state is too long to be followed"
 
@@ -513,7 +513,7 @@ def ways_through(line: Condition) -> tuple[bool, ...]:
 
 def is_told_rate(line: Condition) -> bool:
     """Whether a line tells a rate of which what is kept on the way tells the square alone."""
-    return line.path is not None and line.path.quantity in RATES
+    return line.path is not None and line.path.quantity in TOLD_RATES
 
 
 def line_in_words(line: Condition) -> str:
