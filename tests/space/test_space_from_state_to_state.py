@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rotsolve import SceneError, Unsolvable, simulate, solve
-from rotsolve.confirm.space.verdict import by_squares
+from rotsolve.confirm.space.verdict import SQUARED, by_squares
 
 WHEEL = """up: z
 given: {m: 2 kg, R: 0.5 m, M: 0.5 kg, g: 9.8 m/s^2}
@@ -104,9 +104,9 @@ def test_a_top_rises_after_its_largest_tilt() -> None:
 
 
 def test_the_comparison_of_rates_knows_their_sense() -> None:
-    assert by_squares((5.597,), (5.597,), 1.0)
-    assert not by_squares((5.597,), (-5.597,), 1.0)
-    assert by_squares((1e-6,), (-1e-6,), 1.0)
+    assert by_squares((5.597,), (5.597,), 1.0, SQUARED)
+    assert not by_squares((5.597,), (-5.597,), 1.0, SQUARED)
+    assert by_squares((1e-6,), (-1e-6,), 1.0, SQUARED)
 
 
 def test_a_way_back_in_letters_is_on_condition() -> None:
