@@ -175,14 +175,15 @@ class Answer(Struct, frozen=True):
 class Check(Struct, frozen=True):
     """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed.
 
-    What is said of a letter that is `vanishing` goes for a case that holds however small it is. A second way goes by a `law` of FAMILIES.
-    `more` says that letters have more cases, which are not worked out.
+    What is said of a letter that is `vanishing` goes for a case that holds however small it is, of one that is `growing` however large.
+    A second way goes by a `law` of FAMILIES. `more` says that letters have more cases, which are not worked out.
     """
 
     words: Words
     holds: bool | None = True
     label: str = ""
     vanishing: str = ""
+    growing: str = ""
     law: str = ""
     more: bool = False
 

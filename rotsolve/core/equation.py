@@ -154,9 +154,10 @@ WORK_AND_ENERGY = Law("work and energy", "work and energy, K₁ + U₁ + W = K�
 TURNING_FRAME = Law(
     "energy in a turning frame", "energy in the frame that turns with {driven}, K′₁ + U′₁{work} = K′₂ + U′₂", ENERGY, 4
 )
-POWER = Law("power", "power and kinetic energy", ENERGY, 8)
+POWER = Law("power", "power and kinetic energy", ENERGY, 12)
 DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
 WORK = Law("work", "work of {owner}", cost=3)
+WORK_OF_SLIP = Law("work of an even slip", WORK.words, cost=3, steady="slip")
 
 # momentum and angular momentum
 

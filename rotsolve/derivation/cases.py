@@ -60,9 +60,9 @@ class CaseTeller(Struct, frozen=True):
         return replace(main, answers=answers, insights=insights, **changes)
 
     def goes_for(self, check: Check, case: Solved) -> bool:
-        """Whether what is said of a letter that is next to nothing is said of a case that holds there."""
-        name = check.vanishing
-        place = {**case.point, name: case.point.get(name, Fraction(1)) * NOTHING} if name else {}
+        """Whether what is said of a letter that is next to nothing, or beyond all measure, is said of a case that holds there."""
+        name, share = (check.growing, 1 / NOTHING) if check.growing else (check.vanishing, NOTHING)
+        place = {**case.point, name: case.point.get(name, Fraction(1)) * share} if name else {}
         return not name or not Glance(self.space, place).fails(case.conditions)
 
     def headings(self, full: Sequence[Solved]) -> dict[tuple[Equality, ...], Solved]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import is_zero, without_direction
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Formula, Quotient, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, MASS, NONE, TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
@@ -18,6 +18,7 @@ from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
 from rotsolve.language.problem import TimeValue
 from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
+from rotsolve.search.answers import Answered
 from rotsolve.search.consistency import KnownBalls
 from rotsolve.search.openings import stops
 from rotsolve.search.search import Search, is_unreal
@@ -42,6 +43,7 @@ def dimensions(search: Search) -> Iterator[Check]:
 
 
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
+SHORT_FAR = 9  # and this one, ½ m v², of what lies ever further out
 FEW, LONGEST = 6, 120  # nodes of a formula of which limits are looked at: shorter ones show them, longer ones take long
 
 
@@ -51,10 +53,12 @@ def limit_checks(search: Search) -> Iterator[Check]:
     for dimensions, least in ((MASS,), 1), ((NONE, ANGLE), 0):
         found = [item for item in vanishing_letters(search, dimensions) if item[0] >= least] if least or plain else []
         if found:
-            yield min(found, key=lambda item: item[0])[1]
+            _, check, answered = min(found, key=lambda item: item[0])
+            yield check
+            yield from spread_out(answered, check.vanishing, search)
 
 
-def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterator[tuple[int, Check]]:
+def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterator[tuple[int, Check, Answered]]:
     """What the first answers come to without a letter of some dimensions, by how long that is: 0 is nothing, 1 a letter."""
     for answered in search.wholes()[:2]:
         formula = answered.found.formula
@@ -70,7 +74,18 @@ def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterat
             if is_unreal(value, search):  # there is no such motion without it
                 continue
             words: Words = (Symbol(given.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
-            yield length(value) if value != ZERO else 0, Check(words, vanishing=given.name)
+            yield length(value) if value != ZERO else 0, Check(words, vanishing=given.name), answered
+
+
+def spread_out(answered: Answered, name: str, search: Search) -> Iterator[Check]:
+    """What becomes of an answer as a pure number of moments of inertia grows, β in β m R²: the mass lies ever further out."""
+    formula, given = answered.found.formula, search.givens[name]
+    inertias = [body.inertia for body in search.scene.configuration.problem.bodies if body.inertia is not None]
+    if formula is None or given.dimension != NONE or all(name not in inertia.symbols() for inertia in inertias):
+        return
+    far = limit(search.solver.simplify(formula.substitute({name: ONE / Symbol(name)})), name, search)
+    if far is not None and length(far) <= SHORT_FAR:
+        yield Check((Symbol(name), " → ∞ gives ", Symbol(answered.asked.find.name), " = ", far), growing=name)
 
 
 def limit(formula: Formula, name: str, search: Search) -> Formula | None:

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import PI, Call, Formula, Number, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import (
@@ -310,13 +310,18 @@ class DerivationComposer:
             return Cited(Symbol(mark_name(ref, self.letters.names)))
         if ref[0] == "step":
             return Cited(self.letters.printed(self._steps[int(ref[1])].chain[-1].left), mark)
-        others = {name for other in (step.target, *step.sources) if other != ref for name in self._told_by(other)}
-        left = step.chain[0].left.symbols() | step.chain[0].right.symbols()
-        gone = [name for name in sorted(self._told_by(ref) & others - left) if is_key(name)]
+        elsewhere = [self._gone(other, step) for other in step.sources if other != ref]
+        gone = [name for name in self._gone(ref, step) if [name] not in elsewhere]  # each letter is told by one of them
         equation = self.pool[int(ref[1])]
         alone = [name for name in gone if Symbol(name) in (equation.left, equation.right)]
         told = alone if len(alone) == 1 else gone
         return Cited(self.letters.printed(Symbol(told[0])) if len(told) == 1 else None, mark)
+
+    def _gone(self, ref: Ref, step: Step) -> list[str]:
+        """The letters of an equation which others in a step have as well, and which are gone behind it."""
+        others = {name for other in (step.target, *step.sources) if other != ref for name in self._told_by(other)}
+        left = step.chain[0].left.symbols() | step.chain[0].right.symbols()
+        return [name for name in sorted(self._told_by(ref) & others - left) if is_key(name)]
 
     def _told_by(self, ref: Ref) -> frozenset[str]:
         """The letters of an equation that is cited."""
@@ -401,13 +406,22 @@ class DerivationComposer:
             if words:
                 yield (f"{spoken(event.name)}: ", *words)
 
-    def _conventions(self) -> tuple[Words, ...]:
-        kinds = {key_of(name).kind for name in self.letters.names}
-        angles = COORDINATE + "angle" in kinds or any(
-            key_of(name).kind == "angle" for name in self.scene.registry.quantities
+    def _angles(self) -> bool:
+        """Whether the page speaks of the angle of a body, and not only of one that is level, at 0."""
+        if self.problem.space:
+            return False
+        told = [line for state in self.problem.states for line in state.conditions if line.value != ZERO]
+        asked = [term.path for find in self.problem.finds for term in find.terms]
+        spoken_of = [*asked, *(line.path for line in told if line.path is not None)]
+        kinds = {key_of(name).kind for name in self.letters.names} | {path.quantity for path in spoken_of}
+        return not kinds.isdisjoint(("angle", COORDINATE + "angle")) or any(
+            swing.turns for swing in self.scene.swings.values()
         )
-        angles = angles and not self.problem.space
-        said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
+
+    def _conventions(self) -> tuple[Words, ...]:
+        said: list[Words] = (
+            [("angles from the rightward horizontal, counterclockwise positive",)] if self._angles() else []
+        )
         used = [self.pool[index] for draft in self.drafts for index in draft.laws]
         said += map(self.letters.words, self.scene.conventions(used))
         configuration = self.scene.configuration

@@ -21,12 +21,13 @@ from rotsolve.core.equation import ABOUT_CONTACT, RATE, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import system_told
-from rotsolve.core.symbols import has_quantities, is_key
+from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
+from rotsolve.search.planning import FORCES
 from rotsolve.search.search import Search
 
 SIZES = (MASS, LENGTH, INERTIA)  # of which it is told what grows with them
@@ -52,7 +53,7 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from energy_lost(search)
     yield from opposite_energies(told)
     yield from beside_a_ring(told, search)
-    yield from about_contacts(told, search)
+    yield from list(by_point_of_contact(told, search)) or about_contacts(told, search)
     yield from by_friction_alone(alone, told, search)
 
 
@@ -284,6 +285,34 @@ def opposite_energies(told: Sequence[Answered]) -> Iterator[Words]:
             same = asked == {("", "work"), ("lost", "kinetic_energy")}
             yield (called(other), " = −", called(one), *((": the work is what is lost",) if same else ()))
             return
+
+
+def by_point_of_contact(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """The same rate by Newton's law for rotation about the point of contact, where that took those about the centre of mass."""
+    for item in told:
+        laws = list(behind(item, search))
+        printed, sections = {name for law in laws for name in law.symbols()}, {law.section for law in laws}
+        if item.asked.dimension not in (ACCELERATION, ANGULAR_ACCELERATION) or any(
+            law.law == ABOUT_CONTACT for law in laws
+        ):
+            continue
+        for law in search.planner.pool:
+            if law.law != ABOUT_CONTACT or law.section not in sections or not law.symbols() <= printed:
+                continue
+            alone = len(of_kinds(law.symbols(), (*ACCELERATIONS, *FORCES))) == 1
+            if alone and is_zero(search.solver.with_found(law.left - law.right)):
+                told_at_once = (
+                    law.left,
+                    " = ",
+                    law.right,
+                    " gives the same ",
+                    called(item),
+                    " at once (",
+                    *law.remark,
+                    ")",
+                )
+                yield ("a second way: about the point of contact ", *told_at_once)
+                return
 
 
 def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:

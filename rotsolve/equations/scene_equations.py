@@ -302,7 +302,9 @@ class SceneEquations(Struct, dict=True):
             start = over.start.state
             thought = self.facts(start, generic=True, virtual=True)
             lasts = {rate.name: travel.after for travel, rate in self.thought_rates(over)}
-            found[name] = OverPhase(over, name, tuple(self.leading_to(start)), thought, self.changes(over), lasts)
+            end = self.configuration.timeline.state(over.end.state)
+            before, held = tuple(self.leading_to(start)), tuple(self._held(end))
+            found[name] = OverPhase(over, name, before, thought, self.changes(over), lasts, held)
         return found
 
     def _during(self, interval: Interval) -> Iterator[Equation]:

@@ -6,12 +6,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import HALF, ZERO, Formula, Integral, Sum, Symbol, total
+from rotsolve.algebra.formula import HALF, ZERO, Formula
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import CONSERVATION, WORK, WORK_AND_ENERGY, Equation
+from rotsolve.core.equation import CONSERVATION, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
 from rotsolve.core.passage import Passage
-from rotsolve.core.symbols import is_key, key_of
 from rotsolve.core.vectors.heading import UP, Vector
 from rotsolve.core.writing import flat, is_negative, moved, positive_first, spoken
 from rotsolve.laws.table import OverPhase
@@ -69,31 +68,6 @@ def energy(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
     """K + U of a group at an end of a phase, term by term."""
     bodies = (passage.start, passage.end)[end].bodies
     return [*kinetic(body for body in bodies if body.name in group), *potential(passage, group, end)]
-
-
-def works_spelled(over: OverPhase) -> Iterator[Equation]:
-    """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own."""
-    for work in over.passage.works:
-        if work.spelled is not None and work.spelled != work.amount:
-            spelled, words = by_way_of_its_point(work.spelled)
-            yield WORK.equation(work.amount, spelled, over.section, work.bodies, words, owner=spoken(work.owner))
-
-
-def by_way_of_its_point(work: Formula) -> tuple[Formula, Words]:
-    """F s + F r θ as F (s + r θ): the force times the way of the point on which it acts, which is not that of the body."""
-    terms = work.terms if isinstance(work, Sum) else ()
-    ways = [name for name in work.symbols() if is_key(name) and key_of(name).kind == "displacement"]
-    if len(ways) != 1 or len(terms) != 2 or work.holds(Integral):
-        return work, ()
-    along = Symbol(ways[0])
-    one, other = sorted(terms, key=lambda term: ways[0] not in term.symbols())
-    force = simplify(one / along)
-    turned = simplify(other / force)
-    if ways[0] in (force.symbols() | turned.symbols()):
-        return work, ()
-    way = total([along, turned])
-    turns = "back" if is_negative(turned) else "on"
-    return force * way, (f"the rim on which it acts turns {turns} meanwhile: its point goes ", way, ", not ", along)
 
 
 def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formula]:

@@ -66,10 +66,11 @@ from rotsolve.core.equation import (
     UNPRESSED,
     WORK,
     WORK_AND_ENERGY,
+    WORK_OF_SLIP,
     Equation,
     Law,
 )
-from rotsolve.core.facts import Facts
+from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.passage import Encounter, Passage
 
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ class OverPhase(Struct, frozen=True):
     """A phase; `earlier` are those that lead to it with no event between.
 
     `thought` are facts in its midst with velocities that are only thought of, for whose letters `changes` has displacements and angles
-    turned: in the whole phase, or up to any moment.
+    turned: in the whole phase, or up to any moment. What rolls or sticks from its end on is `held` there by rules.
     """
 
     passage: Passage
@@ -122,6 +123,7 @@ class OverPhase(Struct, frozen=True):
     thought: Facts
     changes: Mapping[str, Formula]
     lasts: Mapping[str, Formula]
+    held: tuple[Rule, ...] = ()
 
 
 class ThroughEvent(Struct, frozen=True):
@@ -202,7 +204,7 @@ LAWS = (
     Principle((POWER,), (SWINGING,), "groups:power_of_forces"),
     Principle((CONSERVATION, WORK_AND_ENERGY), (PHASE,), "energy:conservation"),
     Principle((TURNING_FRAME,), (PHASE,), "energy:in_turning_frames"),
-    Principle((WORK,), (PHASE,), "energy:works_spelled"),
+    Principle((WORK, WORK_OF_SLIP), (PHASE,), "works:works_spelled"),
     Principle(
         (*STEADY_ACCELERATION, IN_TIME, BY_PLACE, SUMMED_OVER_WAY, COORDINATE, TIME_ELAPSED),
         (PHASE,),

@@ -278,14 +278,15 @@ def answer_with_condition(search: Search, find: Find) -> bool:
 
 def with_newton(search: Search, name: str, attempt: Callable[[], Got], error: Exception) -> Got:
     """What an attempt gives with Newton's laws beside the law asked for, which is noted; the first error where that fails too."""
-    laws = search.families
+    laws, dear = search.families, search.planner.dear
     search.families = (*laws, NEWTON)
+    search.planner.dear = dear | {index for index, law in enumerate(search.planner.pool) if law.family == NEWTON}
     try:
         got = attempt()
     except (NotYet, NoAnswer):
         raise error from None
     finally:
-        search.families = laws
+        search.families, search.planner.dear = laws, dear
     search.helped += [name] if name not in search.helped else []
     return got
 

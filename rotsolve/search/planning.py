@@ -54,7 +54,9 @@ class LawChoice(Struct, frozen=True, dict=True):
 
     def best(self) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
-        if self.momentary and NEWTON in self.families and not self.spare:
+        if (
+            self.momentary and self.families[0] == NEWTON and not self.spare
+        ):  # behind a law asked for they only help out
             laws = self._of_families(self._first_choice(), ("", NEWTON))
             plan = self._from(laws)
             if plan is not None:

@@ -124,6 +124,10 @@ class String(Connection, frozen=True):
             yield Requirement(self.name, TAUT, tension, ZERO, "the string stays taut", "the string goes slack")
             for leg in strand:
                 yield from self.pulls_of(leg, tension, instant)
+        first, *others = course.strands()
+        alike = self.over_one_wheel(course)
+        yield from self.rules(course.legs if alike else first, instant, alike=alike)
+        for strand in others:
             yield from self.rules(strand, instant)
         for part in course.to_rims():
             yield from self.rules(part, instant)
@@ -158,9 +162,26 @@ class String(Connection, frozen=True):
                 name = instant.host(ref.owner)
                 yield Force(self.name, TENSION, name, tension, push, arm, "tension", way, place, internal=True)
 
-    def rules(self, strand: tuple[Leg, ...], instant: Moment) -> Iterator[Rule]:
-        """Σ over the legs of (rate of the second end − rate of the first end) along the leg = 0."""
+    def over_one_wheel(self, course: Routing) -> bool:
+        """Whether a wheel with inertia turns on an axle at rest between two bodies that do not turn: these move alike."""
+        strands, instant = course.strands(), course.instant
+        if len(strands) != len(course.legs) or len(strands) != 2:
+            return False
+        before, after = course.legs
+        ends = [ref.owner for ref in (before.first, after.second)]
+        if any(end not in instant.configuration.bodies or instant.motion(end).turns for end in ends):
+            return False
+        wheel = instant.motion(before.second.owner)
+        rims = [wheel.velocity_of(arm) for arm in (before.arms[1], after.arms[0])]
+        return rims[0].dot(before.along) == rims[1].dot(after.along)
+
+    def rules(self, strand: tuple[Leg, ...], instant: Moment, *, alike: bool = False) -> Iterator[Rule]:
+        """Σ over the legs of (rate of the second end − rate of the first end) along the leg = 0; of ends that move `alike` without the
+        wheel between."""
         ends = [(leg, *end) for leg in strand for end in ((leg.second, leg.arms[1], 1), (leg.first, leg.arms[0], -1))]
+        if alike:
+            first, last = strand[0], strand[-1]
+            ends = [(first, first.first, first.arms[0], 1), (last, last.second, last.arms[1], -1)]
         ends = [end for end in ends if end[1].owner in instant.configuration.bodies]  # the ground is at rest
         sides = []
         # a rim's centripetal part does not feed the string, which leaves it on a tangent
@@ -171,6 +192,7 @@ class String(Connection, frozen=True):
         bodies = tuple(dict.fromkeys(owner for owner in named if owner in instant.configuration.bodies))
         turning = any(instant.motion(name).turns for name in bodies) and len(strand) == 1
         label = "the string does not slip" if turning else "the string does not stretch"
+        label = "both ends of the string move alike" if alike else label
         others = [name for name in bodies if not instant.motion(name).turns] if len(self.string) > 2 else []
         label += f", {spoken(others[0])}" if len(others) == 1 else ""
         linear = self.pace(instant.configuration, instant.state) == "constant"

@@ -1,0 +1,95 @@
+"""Works that have a letter of their own: W = F s, W = τ θ or ∫ of them, s the way of the point on which the force acts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from msgspec import Struct
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import HALF, ZERO, Formula, Integral, Sum, Symbol, total
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import WORK, WORK_OF_SLIP, Equation
+from rotsolve.core.facts import Rule
+from rotsolve.core.symbols import CONSTANT, is_key, key_of
+from rotsolve.core.writing import is_negative, spoken
+from rotsolve.laws.table import OverPhase
+
+
+class ByItsPoint(Struct, frozen=True):
+    """Work as force · (along + turned): the way of the point on which it acts is that of its body, and what the body turns meanwhile."""
+
+    force: Formula
+    along: Symbol
+    turned: Formula
+
+    @property
+    def way(self) -> Formula:
+        """How far the point goes."""
+        return total([self.along, self.turned])
+
+
+def works_spelled(over: OverPhase) -> Iterator[Equation]:
+    """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own."""
+    for work in over.passage.works:
+        if work.spelled is None or work.spelled == work.amount:
+            continue
+        law, spelled = WORK, work.spelled
+        words: Words = ()
+        apart = by_way_of_its_point(work.spelled)
+        if apart is not None:
+            mean = slid(apart, over)
+            law, (way, words) = (WORK_OF_SLIP, mean) if mean is not None else (WORK, gone(apart))
+            spelled = apart.force * way
+        yield law.equation(work.amount, spelled, over.section, work.bodies, words, owner=spoken(work.owner))
+
+
+def by_way_of_its_point(work: Formula) -> ByItsPoint | None:
+    """F s + F r θ as F (s + r θ): the force times the way of the point on which it acts, which is not that of the body."""
+    terms = work.terms if isinstance(work, Sum) else ()
+    ways = [name for name in work.symbols() if is_key(name) and key_of(name).kind == "displacement"]
+    if len(ways) != 1 or len(terms) != 2 or work.holds(Integral):
+        return None
+    along = Symbol(ways[0])
+    one, other = sorted(terms, key=lambda term: ways[0] not in term.symbols())
+    force = simplify(one / along)
+    turned = simplify(other / force)
+    return None if ways[0] in (force.symbols() | turned.symbols()) else ByItsPoint(force, along, turned)
+
+
+def gone(apart: ByItsPoint) -> tuple[Formula, Words]:
+    """s + r θ, by which the point goes."""
+    turns, way = "back" if is_negative(apart.turned) else "on", apart.way
+    return way, (f"the rim on which it acts turns {turns} meanwhile: its point goes ", way, ", not ", apart.along)
+
+
+def slid(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | None:
+    """½ u t, by which the point slides where its slip falls evenly from u to nothing, or grows so from nothing to u."""
+    passage, rates = over.passage, dict[str, tuple[Formula, Formula]]()
+    for travel in passage.travels:
+        if travel.change.symbols() & apart.way.symbols():
+            if travel.pace != CONSTANT or not isinstance(travel.change, Symbol):
+                return None
+            rates[travel.change.name] = (travel.before, travel.after)
+    before = slip(apart, {name: pair[0] for name, pair in rates.items()}, passage.start.rules)
+    after = slip(apart, {name: pair[1] for name, pair in rates.items()}, (*passage.end.rules, *over.held))
+    if (before == ZERO) == (after == ZERO):
+        return None
+    way = HALF * (before + after) * passage.duration
+    change = ("falls evenly from ", before, " to 0") if after == ZERO else ("grows evenly from 0 to ", after)
+    return way, (
+        "the slip ",
+        *change,
+        ": the rim slides by ",
+        way,
+        ", not by ",
+        apart.along,
+        ", since it turns meanwhile",
+    )
+
+
+def slip(apart: ByItsPoint, rates: Mapping[str, Formula], rules: Sequence[Rule]) -> Formula:
+    """How fast the point goes at a moment; 0 where a rule of that moment says so."""
+    rate = simplify(apart.way.substitute(rates))
+    gaps = [rule.velocity[0] - rule.velocity[1] for rule in rules]
+    return ZERO if any(is_zero(rate - gap) or is_zero(rate + gap) for gap in gaps) else rate
