@@ -157,7 +157,7 @@ TURNING_FRAME = Law(
 POWER = Law("power", "power and kinetic energy", ENERGY, 12)
 DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
 WORK = Law("work", "work of {owner}", cost=3)
-WORK_OF_SLIP = Law("work of an even slip", WORK.words, cost=3, steady="slip")
+WORK_OF_SLIP = Law("work of an even slip", WORK.words, cost=2, steady="slip")
 
 # momentum and angular momentum
 

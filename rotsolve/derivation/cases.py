@@ -15,6 +15,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Section, Words, in_a_row
 from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.derivation.closing import Closing, Held, Solved, answer_put, unanswered_in
+from rotsolve.derivation.ranges import at_ends_of_ranges
 from rotsolve.language.problem import Problem
 from rotsolve.search.cases import Needed
 from rotsolve.search.edges import Edge, Edges
@@ -53,7 +54,8 @@ class CaseTeller(Struct, frozen=True):
             sections = tuple(section for key, case in told.items() for section in headed(key, case, main.states))
         refused = tuple(item for item in main.refused if item.name not in named)
         own = [check for check in main.checks if self.goes_for(check, full[0])]
-        checks = (*own, *doubts_besides(main, self.good), *self.failing(set(named)))
+        ends = () if len(full) > 1 else at_ends_of_ranges(answers, self.space)
+        checks = (*own, *ends, *doubts_besides(main, self.good), *self.failing(set(named)))
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
         insights = main.insights if len(told) <= 1 else ()  # else they are of one case
         changes = {"sections": sections, "checks": checks, "conventions": said, "refused": refused}

@@ -10,6 +10,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, MASS, NONE, TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
+from rotsolve.core.letters import Given
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import POSITION, has_quantities
 from rotsolve.core.writing import spoken
@@ -42,6 +43,7 @@ def dimensions(search: Search) -> Iterator[Check]:
         yield Check(("dimensions agree",))
 
 
+AT_CENTRE, FAR_OUT = "all mass at the centre", "all mass far out"
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
 SHORT_FAR = 9  # and this one, ½ m v², of what lies ever further out
 FEW, LONGEST = 6, 120  # nodes of a formula of which limits are looked at: shorter ones show them, longer ones take long
@@ -73,19 +75,27 @@ def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterat
                 continue
             if is_unreal(value, search):  # there is no such motion without it
                 continue
-            words: Words = (Symbol(given.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
+            meant = f" → 0 ({AT_CENTRE}) gives " if spreads(given, search) else " → 0 gives "
+            words: Words = (Symbol(given.name), meant, Symbol(answered.asked.find.name), " = ", value)
             yield length(value) if value != ZERO else 0, Check(words, vanishing=given.name), answered
 
 
 def spread_out(answered: Answered, name: str, search: Search) -> Iterator[Check]:
     """What becomes of an answer as a pure number of moments of inertia grows, β in β m R²: the mass lies ever further out."""
-    formula, given = answered.found.formula, search.givens[name]
-    inertias = [body.inertia for body in search.scene.configuration.problem.bodies if body.inertia is not None]
-    if formula is None or given.dimension != NONE or all(name not in inertia.symbols() for inertia in inertias):
+    formula = answered.found.formula
+    if formula is None or not spreads(search.givens[name], search):
         return
     far = limit(search.solver.simplify(formula.substitute({name: ONE / Symbol(name)})), name, search)
     if far is not None and length(far) <= SHORT_FAR:
-        yield Check((Symbol(name), " → ∞ gives ", Symbol(answered.asked.find.name), " = ", far), growing=name)
+        yield Check(
+            (Symbol(name), f" → ∞ ({FAR_OUT}) gives ", Symbol(answered.asked.find.name), " = ", far), growing=name
+        )
+
+
+def spreads(given: Given, search: Search) -> bool:
+    """Whether a letter is the pure number of a moment of inertia, which tells how far out the mass lies."""
+    inertias = [body.inertia for body in search.scene.configuration.problem.bodies if body.inertia is not None]
+    return given.dimension == NONE and any(given.name in inertia.symbols() for inertia in inertias)
 
 
 def limit(formula: Formula, name: str, search: Search) -> Formula | None:

@@ -37,6 +37,7 @@ from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
 from rotsolve.derivation.headings import section_title
 from rotsolve.derivation.insights import insights
 from rotsolve.derivation.letters import Letters
+from rotsolve.derivation.one_letter import said_alike, told_alike
 from rotsolve.derivation.results import LONG, Results, readable, without_reordered
 from rotsolve.derivation.sought import sought_words
 from rotsolve.language.problem import Condition, Problem, State, TimeValue
@@ -185,9 +186,10 @@ class DerivationComposer:
         self.pool = search.planner.pool
         self.drafts = drafts_of(search)
         self.diagrams = Diagrams(self.scene, self.pool)
-        self.letters = Letters(search, self.drafts, self.diagrams)
         asked = {item.asked.letter: item.find.whole for item in search.answered}
         laws = [index for draft in self.drafts for index in draft.laws]
+        self.tied = told_alike(laws, self.pool, search.solver.steps, frozenset(asked))
+        self.letters = Letters(search, self.drafts, self.diagrams, dict(self.tied.values()))
         self.other_roots, self.alike = (
             dict[int, int](),
             dict[int, int](),
@@ -257,7 +259,7 @@ class DerivationComposer:
 
     def _once(self, laws: Iterable[int]) -> Iterator[int]:
         """The laws that no earlier one says already."""
-        return (index for index in laws if index not in self.other_roots and index not in self.alike)
+        return (index for index in laws if all(index not in said for said in (self.other_roots, self.alike, self.tied)))
 
     def _with_alike(self, index: int, remark: Words) -> Words:
         """The remark at a law, and of what letters it tells the same."""
@@ -367,7 +369,7 @@ class DerivationComposer:
         used = {ref for step in self.search.solver.steps for ref in (step.target, *step.sources) if ref[0] == "step"}
         numbers: dict[Ref, int] = {}
         for draft in self.drafts:
-            for index in draft.laws:
+            for index in (index for index in draft.laws if index not in self.tied):
                 first = self.other_roots.get(index, self.alike.get(index))
                 numbers[("law", index)] = (
                     len(set(numbers.values())) + self.first if first is None else numbers["law", first]
@@ -383,7 +385,8 @@ class DerivationComposer:
         remarks = dict.fromkeys(line for law in laws for line in sentences(law.remark))
         fresh = [line for line in remarks if line not in self.told]
         self.told.update(line for law in laws if len(lines := sentences(law.remark)) > 1 for line in lines)
-        return tuple(map(self.letters.words, fresh))
+        alike = said_alike({index: self.tied[index] for index in draft.laws if index in self.tied}, self.pool)
+        return tuple(map(self.letters.words, (*fresh, *alike)))
 
     # head
 

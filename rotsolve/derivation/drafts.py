@@ -10,7 +10,17 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.core.derivation import ForceLine, Words
-from rotsolve.core.equation import ABOUT_CONTACT, ANGULAR_MOMENTUM, ENERGY, NEWTON, ROTATION, SECOND_LAW, Equation, Law
+from rotsolve.core.equation import (
+    ABOUT_CONTACT,
+    ANGULAR_MOMENTUM,
+    CONSERVATION,
+    ENERGY,
+    NEWTON,
+    ROTATION,
+    SECOND_LAW,
+    Equation,
+    Law,
+)
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import TURNS
@@ -195,7 +205,10 @@ class Diagrams(Struct, frozen=True):
         equations = [self.pool[index] for index in draft.laws]
         if self._ends_a_phase(draft.key) and not any(equation.family == NEWTON for equation in equations):
             return iter(())  # laws of the way to a state: what acts on it has been told
-        names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
+        balanced = [equation for equation in equations if equation.family in WITH_FORCES]
+        if all(equation.law == CONSERVATION for equation in balanced):
+            return iter(())  # the sentence why energy is conserved speaks of what acts
+        names = {name for equation in balanced for name in equation.bodies}
         facts = self._facts(draft)
         return (body for body in (facts.diagrams if facts is not None else ()) if body.name in names)
 

@@ -17,7 +17,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Product, 
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import ABOUT_CONTACT, RATE, SECOND_LAW, Equation
+from rotsolve.core.equation import ABOUT_CONTACT, RATE, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import system_told
@@ -292,9 +292,9 @@ def by_point_of_contact(told: Sequence[Answered], search: Search) -> Iterator[Wo
     for item in told:
         laws = list(behind(item, search))
         printed, sections = {name for law in laws for name in law.symbols()}, {law.section for law in laws}
-        if item.asked.dimension not in (ACCELERATION, ANGULAR_ACCELERATION) or any(
-            law.law == ABOUT_CONTACT for law in laws
-        ):
+        used = {law.law for law in laws}
+        rates = item.asked.dimension in (ACCELERATION, ANGULAR_ACCELERATION)
+        if not rates or ROTATION not in used or ABOUT_CONTACT in used:
             continue
         for law in search.planner.pool:
             if law.law != ABOUT_CONTACT or law.section not in sections or not law.symbols() <= printed:

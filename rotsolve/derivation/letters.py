@@ -18,10 +18,13 @@ from rotsolve.search.search import Search
 
 
 class Letters:
-    """The printed letters of the sections into which a search's derivation is drafted."""
+    """The printed letters of the sections into which a search's derivation is drafted; some go `by` the letter of another."""
 
-    def __init__(self, search: Search, drafts: Sequence[Draft], diagrams: Diagrams) -> None:
+    def __init__(
+        self, search: Search, drafts: Sequence[Draft], diagrams: Diagrams, by: Mapping[str, str] | None = None
+    ) -> None:
         self.search = search
+        self.by = by or {}
         self.drafts = drafts
         self.diagrams = diagrams
         self.problem = search.scene.configuration.problem
@@ -112,7 +115,10 @@ class Letters:
         chosen |= self._running(others, taken | set(chosen.values()), chosen.get(TIME, TIME))
         indices = own_indices(self.problem.bodies)
         taken -= set(chosen.values())
-        names = self.search.scene.registry.letters(self._occurring, taken, chosen, indices, self._placeless)
+        occurring = tuple(key for key in self._occurring if key not in self.by)
+        names = self.search.scene.registry.letters(occurring, taken, chosen, indices, self._placeless)
+        for goes, stays in self.by.items():
+            names[goes] = names.get(stays, stays)
         return names | names_with_dots(self._occurring, names)
 
     @property

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import HALF, ZERO, Formula
-from rotsolve.core.derivation import Words
+from rotsolve.algebra.formula import HALF, ZERO, Formula, Symbol, negate
+from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import CONSERVATION, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
 from rotsolve.core.passage import Passage
@@ -82,7 +82,23 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
     inner = [work for work in passage.works if work.inner and group & set(work.bodies)]
     if inner:
         return (inner[0].amount, " is the work of the inner forces: kinetic energy alone is not conserved.")
-    return () if works else passage.idle[:1]
+    return () if works else (*passage.idle[:1], *up_and_down(passage, group))
+
+
+def up_and_down(passage: Passage, group: frozenset[str]) -> Words:
+    """By how much of two bodies one falls and the other rises, as a sentence of its own: what their weights take and give."""
+    ways: list[tuple[bool, str, Formula]] = []
+    for name in sorted(group):
+        ends = passage.heights.get(name)
+        change = ZERO if ends is None else simplify(ends[1] - ends[0])
+        if change != ZERO:
+            ways.append((not is_negative(change), name, negate(change) if is_negative(change) else change))
+    if len(ways) != 2 or not passage.idle or not all(isinstance(change, Symbol) for _, _, change in ways):
+        return ()
+    words: list[str | Formula] = [NEXT]
+    for rises, name, change in sorted(ways, key=lambda way: way[:2]):
+        words += [f"{', ' if len(words) > 1 else ''}{spoken(name)} {'rises' if rises else 'falls'} by ", change]
+    return tuple(words)
 
 
 def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:

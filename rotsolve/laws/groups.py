@@ -142,9 +142,11 @@ def by_parallel_axes(body: BodyFacts, orbital: Formula, facts: Facts) -> TurnAbo
             ratio = simplify(travel / turning) if along else ONE
             straight = along and not has_quantities(ratio)
             rate = Symbol(name) / ratio if straight else turning
-            so: Words = (", and ", turning, " = ", rate) if straight else ()
+            reason: Words = (f", as {spoken(body.name)} turns about that point",)
+            if straight:
+                reason = (", and ", turning, " = ", rate, f", as {rule.label}")
             inertia = add(body.inertia.letter, multiply(body.mass, share))
-            return TurnAboutPoint(inertia, rate, (*so, f", as {rule.label}"))
+            return TurnAboutPoint(inertia, rate, reason)
     return None
 
 

@@ -215,6 +215,7 @@ LAWS = (
     Principle((MOMENTUM,), (PHASE,), "momentum:momentum_without_force"),
     Principle((MOMENTUM,), (PHASE,), "momentum:turning_without_torque"),
     Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
+    Principle((COMMON_AXIS,), (PHASE,), "past_surfaces:about_points_of_surfaces"),
     Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
     Principle((RULE,), (PHASE,), "rules:rules_to_the_end"),
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),

@@ -20,7 +20,7 @@ from rotsolve.plan import Planner, Shortage
 
 MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
 FORCES = ("tension", "force", "normal_force", "friction_force")
-OF_ONE_MOMENT = ("acceleration", "angular_acceleration", *FORCES)
+OF_ONE_MOMENT = ("acceleration", "angular_acceleration", *FORCES, "work")  # a work by its force, where the way is known
 
 
 def families_for(law: str | None) -> tuple[str, ...]:

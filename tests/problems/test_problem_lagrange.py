@@ -30,7 +30,7 @@ REACTIONS = """triangle-on-hinge ladder-inside plank-on-trestles plank-tips rele
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
 rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed
 fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance two-plane-balancing masses-that-balance-a-rotor"""
-FRICTION = """ball-with-back-spin block-slides-onto-a-plank spinning-cylinder-set-down
+FRICTION = """ball-with-back-spin spinning-cylinder-set-down
 spinning-wheel-set-down spool-largest-pull"""
 NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
