@@ -13,6 +13,7 @@ from fractions import Fraction
 from rotsolve.algebra.formula import Number
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import inner_product, less
+from rotsolve.confirm.space.disturbed import growth_together, open_ways
 from rotsolve.confirm.space.rig import Rig
 from rotsolve.confirm.space.stability import growth_squared
 from rotsolve.confirm.space.ties import TURNING
@@ -42,6 +43,9 @@ def growth_about(world: World, name: str, *, told: bool = True) -> float:
     """λ² of a small disturbance of a steady motion."""
     joint = world.stance.rig.main(name)
     if joint is not None and joint.turning:
+        ways = open_ways(world.stance.rig, name)
+        if told and len(ways) > 1:
+            return growth_together(world, name, ways)
         return growth_on_hinge(world, joint, told=told)
     return growth_squared(world, name)
 
