@@ -40,6 +40,7 @@ NO_STATE = "about which steady motion `{}` swings nothing tells"
 TELL = "tell a state with `{}.angle`, `steady: true`"
 SEEN = "small swings about the hinge in axes that go round with it, I δ̈ = −U″ δ"
 KEPT_BESIDE = "small swings about the hinge, p = ∂T/∂ẋ of {} conserved, I δ̈ = −U″ δ"
+LOCKED = "what moves with `{}` has two axes in one line there: what a small disturbance does is not solved"
 ONE_HINGE = (
     "solved is one body on one hinge with what spins on it, and what carries that driven at an `angular_velocity` that stays, or free "
     "where its momentum is conserved"
@@ -92,12 +93,12 @@ class CarriedSwing(Struct, frozen=True, dict=True):
         return self.now(total([differentiate(part, other.rate) for part in self.motion.momentum(one)]))
 
     def beside_kept(self, rows: Sequence[Sequence[Formula]]) -> Formula:
-        """The last entry of a symmetric form where the other variables make it stationary; what has no inertia takes no part."""
+        """The last entry of a symmetric form where the other variables make it stationary."""
         (pivot, *own), *rest = rows
         if not rest:
             return self.motion.tidy(pivot)
         if self.laws.moment.held.vanishes(self.laws.tensors.spelled(pivot)):
-            return self.beside_kept([row[1:] for row in rest])
+            raise NotYet(LOCKED.format(key_of(self.q.letter.name).owner), self.laws.moment.state.span)
         return self.beside_kept(
             [
                 [part - multiply(row[0], beside) / pivot for part, beside in zip(row[1:], own, strict=True)]

@@ -268,7 +268,24 @@ def rod_on_a_shaft_that_turns_freely(n: Numbers) -> Answers:
     return {"W": rate, "p": sqrt((faster(n.alpha - 1e-4) - faster(n.alpha + 1e-4)) / 2e-4)}
 
 
+def gyroscope_in_gimbals_trembles(n: Numbers) -> Answers:
+    """θ̈ = φ̇ sin θ (φ̇ cos θ − C ω₃/I) + m g h sin θ/I with both momenta kept, let go beside θ = 90°."""
+
+    def nodding(across: float, lift: float) -> float:
+        axial = n.C * n.s
+
+        def faster(tilt: complex) -> Any:
+            rate = (across * lift / axial - axial * np.cos(tilt)) / (across * np.sin(tilt) ** 2)
+            return np.sin(tilt) * (rate * (rate * np.cos(tilt) - axial / across) + lift / across)
+
+        return sqrt(-faster(pi / 2 + 1e-20j).imag / 1e-20)
+
+    lift, across = n.m * n.g * n.h, n.A + n.m * n.h**2
+    return {"W": lift / (n.C * n.s), "w": nodding(across, -lift), "w_0": nodding(n.A, 0.0)}
+
+
 CALCULATIONS = {
+    "gyroscope-in-gimbals-trembles": gyroscope_in_gimbals_trembles,
     "gyrocompass-that-swings": gyrocompass_that_swings,
     "rod-on-a-shaft-that-turns-freely": rod_on_a_shaft_that_turns_freely,
     "disc-on-an-axle-that-sways": disc_on_an_axle_that_sways,
