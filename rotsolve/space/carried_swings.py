@@ -1,4 +1,4 @@
-"""Swings of what hangs on a hinge, as seen from what carries that round at a steady rate: by an effective potential.
+"""Swings of what hangs on a hinge, or nods with a rotor on it, as seen from what carries that round at a steady rate: by an effective potential.
 
 With q the angle on the hinge, T = ½ A q̇² + B(q) q̇ + T₀(q): A is the moment of inertia about the hinge, T₀ = ½ J(q) w² the energy of
 what only goes round with the carrier, and B(q) q̇ the rate of a function of q. So A q̈ = −U′(q) with U = V − T₀, and at U′ = 0 a small
@@ -37,13 +37,15 @@ if TYPE_CHECKING:
     from rotsolve.search.numbers import Numbers
 
 NO_STATE = "about which steady motion `{}` swings nothing tells"
-TELL = "tell a state with `{}.angle`, `steady: true`"
-SEEN = "small swings about the hinge in axes that go round with it, I δ̈ = −U″ δ"
-KEPT_BESIDE = "small swings about the hinge, p = ∂T/∂ẋ of {} conserved, I δ̈ = −U″ δ"
-LOCKED = "what moves with `{}` has two axes in one line there: what a small disturbance does is not solved"
+TELL = "tell a state with `{}.{}`, `steady: true`"
+ON_HINGE, NODDING = "small swings about the hinge", "small nutations"
+SEEN = f"{ON_HINGE} in axes that go round with it, I δ̈ = −U″ δ"
+KEPT_BESIDE = "{}, p = ∂T/∂ẋ of {} conserved, I δ̈ = −U″ δ"
+LOCKED = "two ways in which what moves with `{}` turns are one there: what a small disturbance does is not solved"
+DRIVE = "what spins about the line of another axis may be driven at an `angular_velocity`"
 ONE_HINGE = (
-    "solved is one body on one hinge with what spins on it, and what carries that driven at an `angular_velocity` that stays, or free "
-    "where its momentum is conserved"
+    "solved is one body on one hinge, or at one tilt, with what spins on it, and what carries that driven at an `angular_velocity` that "
+    "stays, or free where its momentum is conserved"
 )
 
 
@@ -58,6 +60,11 @@ class CarriedSwing(Struct, frozen=True, dict=True):
     @property
     def motion(self) -> Lagrangian:
         return self.motions.motion
+
+    @property
+    def word(self) -> str:
+        """What the angle is called: that of a hinge, or a tilt."""
+        return key_of(self.q.letter.name).kind
 
     @cached_property
     def inertia(self) -> Formula:
@@ -98,7 +105,7 @@ class CarriedSwing(Struct, frozen=True, dict=True):
         if not rest:
             return self.motion.tidy(pivot)
         if self.laws.moment.held.vanishes(self.laws.tensors.spelled(pivot)):
-            raise NotYet(LOCKED.format(key_of(self.q.letter.name).owner), self.laws.moment.state.span)
+            raise NotYet(LOCKED.format(key_of(self.q.letter.name).owner), self.laws.moment.state.span, DRIVE)
         return self.beside_kept(
             [
                 [part - multiply(row[0], beside) / pivot for part, beside in zip(row[1:], own, strict=True)]
@@ -142,7 +149,10 @@ class CarriedSwing(Struct, frozen=True, dict=True):
     @property
     def label(self) -> str:
         """What is written of the swings, with what is conserved."""
-        return KEPT_BESIDE.format(and_joined([f"the {x.words}" for x in self.kept])) if self.kept else SEEN
+        if not self.kept:
+            return SEEN
+        swings = NODDING if self.word == "tilt" else ON_HINGE
+        return KEPT_BESIDE.format(swings, and_joined([f"the {x.words}" for x in self.kept]))
 
     def lasts(self) -> bool:
         """Whether T and the pushes are the same however far what is driven has turned, and at all times."""
@@ -170,9 +180,10 @@ def carried_swing(laws: SpaceLaws, name: str, span: Span | None) -> CarriedSwing
             raise NotYet(
                 f"what carries `{name}`, or what it carries, does not go round at a steady rate", span, ONE_HINGE
             )
-    own = [q for q in coordinates if key_of(q.letter.name).owner == name and key_of(q.letter.name).kind == "angle"]
+    keys = {q: key_of(q.letter.name) for q in coordinates}
+    own = [q for q, key in keys.items() if key.owner == name and key.kind in ("angle", "tilt")]
     kept = tuple(q for q in coordinates if q not in own)
-    others = [key_of(q.letter.name).owner for q in kept if not motions.motion.cyclic(q)]
+    others = [keys[q].owner for q in kept if not motions.motion.cyclic(q)]
     if others or not own:
         moves = f"`{others[0]}` moves freely too" if others else "it does not turn on a hinge"
         raise NotYet(f"what a small disturbance does to `{name}` is not solved in space: {moves}", span, ONE_HINGE)
@@ -227,7 +238,7 @@ def of_carried(laws: SpaceLaws, path: Path) -> Meaning:
     name, moment = path.owner, laws.moment
     swing = carried_swing(laws, name, path.span)
     if not moment.state.steady:
-        raise NotYet(NO_STATE.format(name), path.span, TELL.format(name))
+        raise NotYet(NO_STATE.format(name), path.span, TELL.format(name, swing.word))
     refuse_off_balance(swing, name, path)
     return Meaning(
         swing.growth, QUANTITIES["stability"].dimension, label=swing.label, law=SMALL_DISTURBANCE, said=swing.ground
@@ -237,8 +248,10 @@ def of_carried(laws: SpaceLaws, path: Path) -> Meaning:
 def refuse_off_balance(swing: CarriedSwing, name: str, path: Path) -> None:
     """Refuse a body that turns on its hinge, or that does not stay where it is told to be; what the laws are to find they tell."""
     moment, pushed = swing.laws.moment, swing.laws.tensors.spelled(swing.pushed)
-    if not moment.swings_on(name) or not (moment.found_in_balance(pushed) or moment.held.vanishes(pushed)):
-        raise NotYet(f"`{name}` is not in equilibrium at `{moment.when}`", path.span, TELL.format(name))
+    nodding = moment.told(name, "nutation")
+    stands = nodding is None or moment.held.vanishes(nodding) if swing.word == "tilt" else moment.swings_on(name)
+    if not stands or not (moment.found_in_balance(pushed) or moment.held.vanishes(pushed)):
+        raise NotYet(f"`{name}` is not in equilibrium at `{moment.when}`", path.span, TELL.format(name, swing.word))
 
 
 def limit_on_hinge(laws: SpaceLaws, name: str, span: Span | None) -> Equation:

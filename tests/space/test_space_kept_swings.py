@@ -60,6 +60,14 @@ states: {now: {frame.angle: 0 deg, disc.spin: s, steady: true}}
 find: {s: smallest s where now is stable}
 """
 SPUN, DRIVEN = "disc.spin: s", ", angular_velocity: s"
+COUNTERWEIGHT = """given: {M: 1.5 kg, R: 8 cm, l: 12 cm, m: 0.6 kg, c: 15 cm, s: 250 rad/s, g: 9.8 m/s^2}
+bodies:
+  frame: {parts: {w: {mass: m, at: [0, 0, -c]}}, axis: z, points: {O: [0, 0, 0], P: [0, 0, l]}}
+  rotor: {shape: disc, mass: M, radius: R}
+connections: {pivot: {ball: frame.O}, axle: {axle: [frame.P, rotor], along: z, angular_velocity: s}}
+states: {now: {frame.tilt: 60 deg, frame.spin: 5 rad/s, frame.precession: smallest, steady: true}}
+find: {w: angular_frequency of small swings of frame}
+"""
 GIMBALS = """given: {A: 0.02 kg m^2, C: 0.03 kg m^2, M: 2 kg, h: 0.05 m, s: 100 rad/s, g: 9.8 m/s^2, W: unknown}
 bodies: {outer: {mass: 0}, inner: {mass: 0, points: {Q: [0, h, 0]}}, disc: {mass: M, inertia: {principal: [A, A, C]}, axis: z}}
 connections: {post: {hinge: outer, along: z}, pin: {hinge: [outer, inner.center], along: x}, axle: {axle: [inner.Q, disc], along: y}}
@@ -70,11 +78,18 @@ PULL = 9.8 * 0.7 * (2 / 2 + 3)  # of the rod with a wheel at its end
 ROD, OUT = 2 * 0.7**2 / 3, 3 * 0.7**2
 
 
-def gimbals_by_hand(sign: int) -> float:
-    """(I₃ ω₃/I₁ − 2 φ̇ cos θ)² + φ̇² sin² θ of a top about the point of the gimbals; its spin is counted along the axle, upwards."""
-    across, cos, sin = A + 2 * 0.05**2, 0.5, math.sqrt(0.75)
-    rate = (C * 100 + sign * math.sqrt((C * 100) ** 2 - 4 * (across - C) * cos * 0.98)) / (2 * (across - C) * cos)
-    return math.hypot(C * (100 + rate * cos) / across - 2 * rate * cos, rate * sin)
+def nods_by_hand(across: float, axial: float, lift: float, spin: float, sign: int) -> float:
+    """(I₃ ω₃/I₁ − 2 φ̇ cos θ)² + φ̇² sin² θ of a top at 60°, ω₃ = ψ̇ + φ̇ cos θ."""
+    cos, sin = 0.5, math.sqrt(0.75)
+    rate = (axial * spin + sign * math.sqrt((axial * spin) ** 2 - 4 * (across - axial) * cos * lift)) / (
+        2 * (across - axial) * cos
+    )
+    return math.hypot(axial * (spin + rate * cos) / across - 2 * rate * cos, rate * sin)
+
+
+def weighted_by_hand(sign: int) -> float:
+    axial = 1.5 * 0.08**2 / 2
+    return nods_by_hand(axial / 2 + 1.5 * 0.12**2 + 0.6 * 0.15**2, axial, 0.09 * 9.8, 255, sign)
 
 
 def compass(along: str = "y", angle: str = "0 deg", line: str = SPUN, drive: str = "") -> str:
@@ -166,8 +181,13 @@ CASES = {  # a scene, and what is known of it by hand
         WHEEL.replace("ALONG", "[3/5, 4/5, 0]").replace("LINE", "wheel.spin: s,"),
         math.sqrt(PULL / (ROD + OUT + 3 * 0.04 / 4 * 0.36)),
     ),
-    "a gyroscope that leans in its gimbals": (GIMBALS, gimbals_by_hand(-1)),
-    "one that precesses fast": (GIMBALS.replace("largest W", "smallest W"), gimbals_by_hand(1)),
+    "a gyroscope that leans in its gimbals": (GIMBALS, nods_by_hand(A + 2 * 0.05**2, C, 0.98, 100, -1)),
+    "one that precesses fast": (
+        GIMBALS.replace("largest W", "smallest W"),
+        nods_by_hand(A + 2 * 0.05**2, C, 0.98, 100, 1),
+    ),
+    "a frame with a rotor and a counterweight nods": (COUNTERWEIGHT, weighted_by_hand(-1)),
+    "one that goes round fast": (COUNTERWEIGHT.replace("smallest", "largest"), weighted_by_hand(1)),
     "the spin that holds an inverted rotor up": (INVERTED, (0.98 + 9 * (0.004 + 0.01)) / (0.006 * 3) - 3),
 }
 REFUSED = {  # a scene, and what is said of it
@@ -188,11 +208,19 @@ REFUSED = {  # a scene, and what is said of it
         .replace("velocity: W", "velocity: 0 rad/s")
         .replace(", W: unknown", "")
         .replace(", W: largest W", ""),
-        "has two axes in one line there",
+        "two ways in which what moves with `inner` turns are one there",
     ),
     "one that may go round in two ways": (
         GIMBALS.replace(", outer.angular_velocity: W", "").replace(", W: unknown", "").replace(", W: largest W", ""),
         "in which sense `outer` turns at `now` nothing tells",
+    ),
+    "a rotor that is free on a frame that has no inertia about its axis": (
+        COUNTERWEIGHT.replace(", angular_velocity: s}", "}").replace("frame.tilt", "rotor.spin: s, frame.tilt"),
+        "two ways in which what moves with `frame` turns are one there",
+    ),
+    "a frame that stands upright": (
+        COUNTERWEIGHT.replace("60 deg", "0 deg").replace("smallest", "0 rad/s"),
+        "two ways in which what moves with `frame` turns are one there",
     ),
     "a cart on a slope": (
         CART.replace("LINE", "").replace("along: x", "along: [4/5, 0, -3/5]"),

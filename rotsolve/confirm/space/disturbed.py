@@ -15,10 +15,10 @@ from rotsolve.algebra.formula import Number
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.linear import General
 from rotsolve.confirm.space.arrows import Arrow, less, normed, rows_back, scaled, sum_of, times_arrow
-from rotsolve.confirm.space.rig import Lines, Rig
+from rotsolve.confirm.space.rig import ANGLES, Lines, Rig
 from rotsolve.confirm.space.stability import Matrix, eigenvalues, only_square
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.ties import SLIDES, SPINS, Tie
+from rotsolve.confirm.space.ties import EULER, SLIDES, SPINS, Tie
 from rotsolve.confirm.space.worlds import RIGHT, Equations, Moving, World, anyhow, with_rates
 from rotsolve.language.bodies import Joint
 from rotsolve.language.problem import Condition, Path, State
@@ -34,7 +34,7 @@ NOT_TOLD = "what is let go beside its steady motion"
 
 
 class OpenWay(Struct, frozen=True):
-    """One of the ways in which a joint lets its body move: it turns, or slides along one of its directions."""
+    """One of the ways in which a joint lets its body move: it turns, by an Euler angle where it is a ball, or slides along a direction."""
 
     kind: str
     joint: Joint
@@ -46,7 +46,12 @@ class OpenWay(Struct, frozen=True):
 
     @property
     def key(self) -> tuple[str, str, int]:
-        return self.kind, self.joint.owner, self.number
+        return self.kind, self.body if self.kind == EULER else self.joint.owner, self.number
+
+    @property
+    def swings(self) -> bool:
+        """Whether it is that of a hinge, or the tilt."""
+        return self.kind == SPINS or (self.kind == EULER and ANGLES[self.number] == "tilt")
 
 
 def carried_chain(rig: Rig, name: str) -> list[str]:
@@ -70,7 +75,10 @@ def open_ways(rig: Rig, name: str) -> list[OpenWay]:
 
 def open_ways_of(joint: Joint) -> Iterator[OpenWay]:
     """Those of a joint: it turns as nothing drives it, and slides."""
-    if joint.free or joint.rolls or joint.flat or joint.motor or joint.pitch is not None or len(joint.turning) > 1:
+    if joint.free:
+        yield from (OpenWay(EULER, joint, number) for number, _ in enumerate(ANGLES))
+        return
+    if joint.rolls or joint.flat or joint.motor or joint.pitch is not None or len(joint.turning) > 1:
         raise NotConfirmed(OTHERWISE)
     if joint.turning and not joint.drive:
         yield OpenWay(SPINS, joint)
@@ -80,7 +88,7 @@ def open_ways_of(joint: Joint) -> Iterator[OpenWay]:
 def growth_together(world: World, name: str, ways: Sequence[OpenWay]) -> float:
     """λ² of the only disturbance that does not just stay as it is, of all that moves together while a body stands on its hinge."""
     count, here = len(ways), [0.0] * len(ways)
-    stands = [way.kind == SPINS and way.body == name for way in ways]
+    stands = [way.swings and way.body == name for way in ways]
     rates = [0.0 if still else world.now.one(*way.key) for way, still in zip(ways, stands, strict=True)]
     size = max([1.0, *map(abs, rates)])
 
@@ -144,16 +152,19 @@ def stance_beside(stance: Stance, name: str, ways: Sequence[OpenWay], off: Seque
     driven = [
         joint for joint in rig.joints.values() if joint.body.owner in beside and "angular_velocity" in dict(joint.drive)
     ]
-    angles = {joint.body.owner: stance.angle(joint) + further for joint in driven}
+    angles = {(joint.body.owner, "angle"): stance.angle(joint) + further for joint in driven}
     slid: dict[str, Arrow] = {}
     for way, part in zip(ways, off, strict=True):
         if way.kind == SPINS:
-            angles[way.body] = stance.angle(way.joint) + part
+            angles[way.body, "angle"] = stance.angle(way.joint) + part
+        elif way.kind == EULER:
+            angles[way.body, ANGLES[way.number]] = stance.euler(way.body)[way.number] + part
         else:
             along = scaled(part, normed(rig.arrow(way.joint.sliding[way.number])))
             slid[way.body] = sum_of(slid.get(way.body) or slid_as_drawn(stance, way.joint), along)
-    kept = [line for line in lines.lines if line.path is not None and line.path.owner not in {*own, *angles}]
-    told = [Condition(Path(body, "angle"), Number(Fraction(angle))) for body, angle in angles.items()]
+    anew = {body for body, _ in angles}
+    kept = [line for line in lines.lines if line.path is not None and line.path.owner not in own | anew]
+    told = [Condition(Path(*path), Number(Fraction(angle))) for path, angle in angles.items()]
     known = {key: value for key, value in lines.put.items() if key[1] not in own}
     found = Stance(rig, Lines(rig, State(lines.name, (*kept, *told)), known), stance.guess)
     found.slid.update(slid)
