@@ -1,4 +1,4 @@
-"""Swings of what hangs on a hinge, or nods with a rotor on it, as seen from what carries that round at a steady rate: by an effective potential.
+"""Swings of what hangs on a hinge, or nods with a rotor on it, seen from what carries that round steadily: by an effective potential.
 
 With q the angle on the hinge, T = ½ A q̇² + B(q) q̇ + T₀(q): A is the moment of inertia about the hinge, T₀ = ½ J(q) w² the energy of
 what only goes round with the carrier, and B(q) q̇ the rate of a function of q. So A q̈ = −U′(q) with U = V − T₀, and at U′ = 0 a small
