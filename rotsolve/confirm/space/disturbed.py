@@ -128,14 +128,14 @@ def accelerations_beside(stance: Stance, ways: Sequence[OpenWay], rates: Sequenc
     standing = Moving(stance, [Tie(((1.0, way.key),), rate, None) for way, rate in zip(ways, rates, strict=True)])
     count = len(standing.moving.free)
     choices = range(2 if count else 1)
-    found = [told_along(*standing.forced(standing.rates(anyhow(count, number))), ways) for number in choices]
+    found = [joint_accelerations(*standing.forced(standing.rates(anyhow(count, number))), ways) for number in choices]
     apart = [abs(a - b) > RIGHT * (1.0 + abs(a)) for a, b in zip(found[0], found[-1], strict=True)]
     if standing.broken > RIGHT or any(apart):
         raise NotConfirmed(NOT_TOLD)
     return found[0]
 
 
-def told_along(equations: Equations, found: General, ways: Sequence[OpenWay]) -> list[float]:
+def joint_accelerations(equations: Equations, found: General, ways: Sequence[OpenWay]) -> list[float]:
     """The accelerations of joints, which the equations of all bodies have to tell."""
     places = [equations.places[way.key] for way in ways]
     open_too = any(abs(step[place]) > RIGHT for step in found.free for place in places)
