@@ -69,8 +69,8 @@ class CarriedSwing(Struct, frozen=True, dict=True):
     @cached_property
     def inertia(self) -> Formula:
         """A where the body stands: ∂²T/∂q̇² with rates of the kept coordinates by which their momenta stay."""
-        rates = (*self.kept, self.q)
-        return self.beside_kept([[self.mass(one, other) for other in rates] for one in rates])
+        rates = (*self.counted, self.q)
+        return self.beside_kept([[self.now(self.mass(one, other)) for other in rates] for one in rates])
 
     @cached_property
     def carried(self) -> list[Formula]:
@@ -91,27 +91,33 @@ class CarriedSwing(Struct, frozen=True, dict=True):
     @cached_property
     def slope(self) -> Formula:
         """−U″(q) where the body stands: δ(−U′) by δq, with the δẋ by which the momenta ∂T/∂ẋ stay."""
-        along = [self.now(differentiate(self.push, x.rate)) for x in self.kept]  # ∂²T/∂q∂ẋ
-        rows = [[*(self.mass(x, other) for other in self.kept), part] for x, part in zip(self.kept, along, strict=True)]
+        kept = self.counted
+        along = [self.now(differentiate(self.push, x.rate)) for x in kept]  # ∂²T/∂q∂ẋ
+        rows = [[*(self.now(self.mass(x, other)) for other in kept), part] for x, part in zip(kept, along, strict=True)]
         return self.beside_kept([*rows, [*along, self.now(self.motion.slope(self.push, self.q))]])
 
     def mass(self, one: GeneralizedCoordinate, other: GeneralizedCoordinate) -> Formula:
-        """∂²T/∂q̇∂ẋ of two coordinates, where the body stands."""
-        return self.now(total([differentiate(part, other.rate) for part in self.motion.momentum(one)]))
+        """∂²T/∂q̇∂ẋ of two coordinates."""
+        return total([differentiate(part, other.rate) for part in self.motion.momentum(one)])
+
+    @cached_property
+    def counted(self) -> tuple[GeneralizedCoordinate, ...]:
+        """The kept coordinates without those that have no inertia beside the others, however the body stands: of a light frame about the
+        axle of a rotor."""
+        found: tuple[GeneralizedCoordinate, ...] = ()
+        for x in self.kept:
+            both = (*found, x)
+            found = found if is_zero(complement([[self.mass(a, b) for b in both] for a in both])) else both
+        return found
 
     def beside_kept(self, rows: Sequence[Sequence[Formula]]) -> Formula:
-        """The last entry of a symmetric form where the other variables make it stationary."""
-        (pivot, *own), *rest = rows
-        if not rest:
-            return self.motion.tidy(pivot)
-        if self.laws.moment.held.vanishes(self.laws.tensors.spelled(pivot)):
-            raise NotYet(LOCKED.format(key_of(self.q.letter.name).owner), self.laws.moment.state.span, DRIVE)
-        return self.beside_kept(
-            [
-                [part - multiply(row[0], beside) / pivot for part, beside in zip(row[1:], own, strict=True)]
-                for row in rest
-            ]
-        )
+        """The last entry of a symmetric form where the other variables make it stationary; refused where these are not told apart there."""
+        for count in range(1, len(rows)):
+            pivot = complement([row[:count] for row in rows[:count]])
+            if self.laws.moment.held.vanishes(self.laws.tensors.spelled(pivot)):
+                name = key_of(self.q.letter.name).owner
+                raise NotYet(LOCKED.format(name), self.laws.moment.state.span, DRIVE)
+        return self.motion.tidy(complement(rows))
 
     @cached_property
     def growth(self) -> Formula:
@@ -164,6 +170,16 @@ class CarriedSwing(Struct, frozen=True, dict=True):
     def passing(self) -> list[str]:
         """The letters of places that change while it stands on its hinge."""
         return sorted({*self.motion.turned, TIME} - {self.q.letter.name})
+
+
+def complement(rows: Sequence[Sequence[Formula]]) -> Formula:
+    """The last entry of a symmetric form where the other variables make it stationary (Schur)."""
+    (pivot, *own), *rest = rows
+    if not rest:
+        return pivot
+    return complement(
+        [[part - multiply(row[0], beside) / pivot for part, beside in zip(row[1:], own, strict=True)] for row in rest]
+    )
 
 
 def carried_swing(laws: SpaceLaws, name: str, span: Span | None) -> CarriedSwing:

@@ -92,6 +92,16 @@ def weighted_by_hand(sign: int) -> float:
     return nods_by_hand(axial / 2 + 1.5 * 0.12**2 + 0.6 * 0.15**2, axial, 0.09 * 9.8, 255, sign)
 
 
+def heavy_by_hand() -> float:
+    """The same with I₃ ω₃ = I (ψ̇ + φ̇ cos θ) + C (s + ψ̇ + φ̇ cos θ) of frame and rotor, both of which keep their part."""
+    wheel, frame, cos = 1.5 * 0.08**2 / 2, 0.002, 0.5
+    across, lift = wheel / 2 + 1.5 * 0.12**2 + 0.006 + 0.6 * 0.15**2, 0.09 * 9.8
+    fast, square = wheel * 250 + (wheel + frame) * 5, (across - wheel - frame) * cos
+    rate = (fast - math.sqrt(fast**2 - 4 * square * lift)) / (2 * square)
+    axial = fast + (wheel + frame) * rate * cos
+    return math.hypot(axial / across - 2 * rate * cos, rate * math.sin(math.pi / 3))
+
+
 def compass(along: str = "y", angle: str = "0 deg", line: str = SPUN, drive: str = "") -> str:
     scene = GYROCOMPASS.replace("ALONG", along + drive).replace("ANGLE", angle)
     return scene.replace("LINE, ", f"{line}, " if line else "")
@@ -187,6 +197,19 @@ CASES = {  # a scene, and what is known of it by hand
         nods_by_hand(A + 2 * 0.05**2, C, 0.98, 100, 1),
     ),
     "a frame with a rotor and a counterweight nods": (COUNTERWEIGHT, weighted_by_hand(-1)),
+    "one whose rotor is free, on a frame without inertia about its axis": (
+        COUNTERWEIGHT.replace(", angular_velocity: s}", "}").replace("frame.tilt", "rotor.spin: s, frame.tilt"),
+        weighted_by_hand(-1),
+    ),
+    "one whose rotor is free, and the frame heavy": (
+        COUNTERWEIGHT.replace(", angular_velocity: s}", "}")
+        .replace("frame.tilt", "rotor.spin: s, frame.tilt")
+        .replace(
+            "{parts: {w: {mass: m, at: [0, 0, -c]}}", "{mass: m, inertia: {principal: [6 g m^2, 6 g m^2, 2 g m^2]}"
+        )
+        .replace("O: [0, 0, 0], P: [0, 0, l]", "O: [0, 0, c], P: [0, 0, c + l]"),
+        heavy_by_hand(),
+    ),
     "one that goes round fast": (COUNTERWEIGHT.replace("smallest", "largest"), weighted_by_hand(1)),
     "the spin that holds an inverted rotor up": (INVERTED, (0.98 + 9 * (0.004 + 0.01)) / (0.006 * 3) - 3),
 }
@@ -213,10 +236,6 @@ REFUSED = {  # a scene, and what is said of it
     "one that may go round in two ways": (
         GIMBALS.replace(", outer.angular_velocity: W", "").replace(", W: unknown", "").replace(", W: largest W", ""),
         "in which sense `outer` turns at `now` nothing tells",
-    ),
-    "a rotor that is free on a frame that has no inertia about its axis": (
-        COUNTERWEIGHT.replace(", angular_velocity: s}", "}").replace("frame.tilt", "rotor.spin: s, frame.tilt"),
-        "two ways in which what moves with `frame` turns are one there",
     ),
     "a frame that stands upright": (
         COUNTERWEIGHT.replace("60 deg", "0 deg").replace("smallest", "0 rad/s"),

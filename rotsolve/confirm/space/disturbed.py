@@ -124,11 +124,13 @@ def fourth_order(function: Callable[[float], list[float]], h: float) -> list[flo
 
 
 def accelerations_beside(stance: Stance, ways: Sequence[OpenWay], rates: Sequence[float]) -> list[float]:
-    """How fast the rates of joints change, with all of them told, whatever else is open."""
+    """How fast the rates of joints change, with all of them told, whatever else is open; of a thin frame and the rotor on its line, which
+    only together have an inertia about that, the frame spins on as it does."""
     standing = Moving(stance, [Tie(((1.0, way.key),), rate, None) for way, rate in zip(ways, rates, strict=True)])
     count = len(standing.moving.free)
-    choices = range(2 if count else 1)
-    found = [joint_accelerations(*standing.forced(standing.rates(anyhow(count, number))), ways) for number in choices]
+    idle = [Tie(((1.0, way.key),)) for way in ways if way.kind == EULER and ANGLES[way.number] == "spin_angle"]
+    chosen = [standing.rates(anyhow(count, number)) for number in range(2 if count else 1)]
+    found = [joint_accelerations(*standing.forced(now, idle), ways) for now in chosen]
     apart = [abs(a - b) > RIGHT * (1.0 + abs(a)) for a, b in zip(found[0], found[-1], strict=True)]
     if standing.broken > RIGHT or any(apart):
         raise NotConfirmed(NOT_TOLD)
