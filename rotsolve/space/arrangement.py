@@ -391,10 +391,20 @@ class JointedBodies(Struct, frozen=True, dict=True):
         beside = cross_product(way_between(self.centre(name), self.reference(name)), axis)
         return self.symmetric(name, axis) and all(self.vanishes(part) for part in beside)
 
-    def leans_round(self, name: str, way: Triple) -> bool:
-        """Whether turning about a direction through the point that is held changes how a body's mass lies: it is not the same all round."""
-        along = [axis for axis, part in zip((X, Y, Z), way, strict=True) if part != ZERO]
-        return not all(self.turns_round(name, axis) for axis in along)
+    def leans_round(self, joint: Joint) -> bool:
+        """Whether turning a body about its hinge changes how its mass lies, or what it carries: it is not the same all round."""
+        name = joint.body.owner
+        along = [axis for axis, part in zip((X, Y, Z), joint.turning[0], strict=True) if part != ZERO]
+        carried = (item for item in self.joints if item.carrier.owner == name)
+        return not all(self.turns_round(name, axis) for axis in along) or any(self.off_line(joint, x) for x in carried)
+
+    def off_line(self, joint: Joint, carried: Joint) -> bool:
+        """Whether what a body carries is anything but a wheel about the line on which the body itself is hinged."""
+        way, off = joint.turning[0], way_between(self.spot(joint.body), self.spot(carried.carrier))
+        across = (cross_product(part, way) for part in (carried.turning[0], off)) if carried.aligned else ()
+        return not (
+            carried.aligned and self.wheel(carried.body.owner) and all(self.vanishes(x) for way in across for x in way)
+        )
 
     @remembered
     def wheel(self, name: str) -> bool:

@@ -37,6 +37,10 @@ def growth(laws: SpaceLaws, path: Path) -> Meaning:
     """λ² of a free body that turns about one of its principal axes; of one that rolls or is held that of its own steady motion."""
     name, held = path.owner, laws.moment.held
     own = laws.moment.attitude(name)
+    if laws.moment.nods(name) and any(joint.carrier.owner == name for joint in held.joints):
+        from rotsolve.space.carried_swings import of_carried
+
+        return of_carried(laws, path)
     if not laws.moment.hangs_on_hinge(name):
         refuse_pushed(laws, name)
     if rolls_round(laws, name):

@@ -28,7 +28,7 @@ from rotsolve.space.stability import growth
 SMALL = "small swings"
 SOLVED = (
     "solved are a symmetric top on a fixed point about a steady precession or the vertical, what hangs on a hinge "
-    "that is at rest or carried round, "
+    "that is at rest or carried round, with rotors on it, "
     "a wheel that rolls upright, and a free body about one of its own axes"
 )
 

@@ -309,9 +309,11 @@ class TurnedMoment(LeaningMoment):
         return joint is not None and bool(joint.turning)
 
     def swings_on(self, name: str) -> bool:
-        """Whether a body turns on a hinge as what acts on it has it, and nothing drives it there."""
+        """Whether a body stands on a hinge as what acts on it has it: nothing drives it there, and it is not told to turn."""
         joint = self.held.main(name)
-        return joint is not None and bool(joint.turning) and not joint.powered
+        rates = (self.told(name, word) for word in ("angular_velocity", "spin"))
+        stands = all(rate is None or self.held.vanishes(rate) for rate in rates)
+        return joint is not None and bool(joint.turning) and not joint.powered and stands
 
     def found_in_balance(self, pushed: Formula) -> bool:
         """Whether what drives a body holds a letter that the laws tell, since its state is said to stay: it is nothing there."""
@@ -406,7 +408,7 @@ class TurnedMoment(LeaningMoment):
         """Whether a steady state tells that a body on a hinge does not turn against what carries it: its mass would lie otherwise."""
         hinged = bool(joint.turning) and not joint.aligned and not joint.sliding
         carried = self.state.steady and hinged and self.held.carrier(name) != ""
-        return carried and self.held.leans_round(name, joint.turning[0])
+        return carried and self.held.leans_round(joint)
 
     def axes(self, name: str) -> Axes:
         """The axes in which the vectors of a body are written."""

@@ -183,7 +183,8 @@ class Inquiry(WaysOfMoving):
         own = term.path.owner or next(body for body in self.rig.bodies if not self.rig.bodies[body].moved)
         told = bool(term.at or steady)
         ways = self.ways(name)
-        return distinct([rate_of_swings(way.worlds[0], own, term, told=told) for way in ways])
+        worlds = (world for way in ways for world in way.worlds)
+        return distinct([rate_of_swings(world, own, term, told=told) for world in worlds])
 
     def at_any_time(self, term: Term) -> list[float]:
         """A function of time at the moment at which it is looked at: as all is driven then, else as the motion leads to it."""

@@ -162,7 +162,10 @@ class Rig:
         return not own.whole or is_symmetric(own.tensor, own.centre, way)
 
     def leans_round(self, joint: Joint) -> bool:
-        """Whether the mass of a body lies otherwise once it has turned by a right angle about the axis of a joint in its own axes."""
+        """Whether the mass of a body, or of what it carries, lies otherwise once it has turned by a right angle about its joint's axis."""
+        carried = (item for item in self.joints.values() if item.carrier.owner == joint.body.owner)
+        if any(not self.round_line(joint, item) for item in carried):
+            return True
         own, way = self.solid(joint.body.owner), way_along(self, joint.turning[0])
         arm, turn = less(own.centre, self.spot(joint.body)), rotation_about(way, math.pi / 2)
         rows = total_rows(own.tensor, about_point(own.mass, arm))
@@ -171,6 +174,14 @@ class Rig:
         off = arrow_length(crossed(way, arm))
         gaps = [abs(a - b) for one, other in zip(rows, turned, strict=True) for a, b in zip(one, other, strict=True)]
         return max(gaps) > 1e-9 * size or off > 1e-9 * (1.0 + arrow_length(arm))
+
+    def round_line(self, joint: Joint, carried: Joint) -> bool:
+        """Whether what is carried is a wheel about the line on which its carrier is hinged."""
+        if not carried.aligned or self.axis(carried.body.owner) is None:
+            return False
+        way, off = way_along(self, joint.turning[0]), less(self.spot(carried.carrier), self.spot(joint.body))
+        across = crossed(way_along(self, carried.turning[0]), way), crossed(off, way)
+        return all(arrow_length(part) <= 1e-9 * (1.0 + arrow_length(off)) for part in across)
 
     def main(self, name: str) -> Joint | None:
         """The joint that tells how a body is turned: the first that holds a point of it, not one on which it only rolls."""

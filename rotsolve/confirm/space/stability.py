@@ -218,6 +218,11 @@ def growth_squared(world: World, name: str) -> float:
     """λ² of the only disturbance that does not just stay as it is."""
     frame = swaying_rate(world, name)
     found = eigenvalues_of(world, name) if frame is None else found_eigenvalues(world, name, frame)
+    return only_square(found)
+
+
+def only_square(found: Sequence[complex]) -> float:
+    """λ² where ± λ are the only eigenvalues that are not 0."""
     most = max(map(abs, found))
     squares = [root * root for root in found if abs(root) > GROWS * max(most, 1e-9)]
     if not squares or any(abs(one - squares[0]) > 1e-5 * abs(squares[0]) for one in squares):

@@ -13,6 +13,7 @@ from fractions import Fraction
 from rotsolve.algebra.formula import Number
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import inner_product, less
+from rotsolve.confirm.space.disturbed import growth_together, open_ways
 from rotsolve.confirm.space.rig import Rig
 from rotsolve.confirm.space.stability import growth_squared
 from rotsolve.confirm.space.ties import TURNING
@@ -40,8 +41,13 @@ def rate_of_swings(world: World, name: str, term: Term, *, told: bool) -> float:
 
 def growth_about(world: World, name: str, *, told: bool = True) -> float:
     """λ² of a small disturbance of a steady motion."""
-    joint = world.stance.rig.main(name)
-    if joint is not None and joint.turning:
+    rig, joint = world.stance.rig, world.stance.rig.main(name)
+    hinged = joint is not None and bool(joint.turning)
+    carries = any(item.carrier.owner == name for item in rig.joints.values())
+    ways = open_ways(rig, name) if told and joint is not None and (hinged or carries) else []
+    if len(ways) > 1:
+        return growth_together(world, name, ways)
+    if joint is not None and hinged:
         return growth_on_hinge(world, joint, told=told)
     return growth_squared(world, name)
 

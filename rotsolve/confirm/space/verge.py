@@ -71,19 +71,25 @@ def holds_still(inquiry: Inquiry, name: str) -> bool:
     """Whether a small disturbance of a state does not grow, of the one body that nods there."""
     found = inquiry.ways(name)
     world = found[0].worlds[0]
-    nodding = [body for body in inquiry.rig.bodies if world.stance.lines.nods(body) or swings_there(world, body)]
+    nodding = [body for body in inquiry.rig.bodies if nods_there(world, body) or swings_there(world, body)]
     if len(nodding) != 1:
         raise NotConfirmed(
             f"of which of {' and '.join(f'`{body}`' for body in nodding)} the motion at `{name}` is stable"
         )
     if len(found) != 1:
         raise NotConfirmed(f"which of several motions at `{name}` is stable")
-    return (
-        is_stable(world, nodding[0]) if world.stance.lines.nods(nodding[0]) else growth_about(world, nodding[0]) <= 0.0
-    )
+    return is_stable(world, nodding[0]) if nods_there(world, nodding[0]) else growth_about(world, nodding[0]) <= 0.0
+
+
+def nods_there(world: World, name: str) -> bool:
+    """Whether a state tells a tilt or its rates of a body; the spin of a rotor on the axle of another is none of these."""
+    joint = world.stance.rig.main(name)
+    return world.stance.lines.nods(name) and not (joint is not None and joint.turning)
 
 
 def swings_there(world: World, name: str) -> bool:
-    """Whether a state speaks of a body that turns on a hinge, and that nothing drives."""
-    joint = world.stance.rig.main(name)
-    return joint is not None and bool(joint.turning) and not joint.powered and bool(world.stance.lines.of(name))
+    """Whether a state speaks of a body that stands on a hinge: that nothing drives, and that is not told to turn."""
+    joint, lines = world.stance.rig.main(name), world.stance.lines
+    if joint is None or not joint.turning or joint.powered or not lines.of(name):
+        return False
+    return not any(lines.told(name, word) for word in ("angular_velocity", "spin"))

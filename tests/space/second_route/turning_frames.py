@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import cos, pi, sin
+from math import cos, pi, sin, sqrt
 from types import SimpleNamespace as Numbers
 from typing import Any
 
@@ -246,7 +246,48 @@ def disc_on_an_axle_that_sways(n: Numbers) -> Answers:
     return {"F": max(force(n.T * part / 24) for part in range(24))}
 
 
+def gyrocompass_that_swings(n: Numbers) -> Answers:
+    """L = A e × ė + C ω₃ e with ω₃ = s + Ω · e kept as it was in the north: no part of dL/dt along the hinge, the axle let go beside it."""
+    earth, beside = n.W * np.array([0.0, cos(n.phi), sin(n.phi)]), 1e-4
+    axial = n.s + earth[1]
+    axle = turn(Z, beside) @ Y
+    carried = cross(earth, axle)
+    back = n.A * cross(axle, cross(earth, carried))[2] + n.C * axial * carried[2]
+    return {"T": 2 * pi * sqrt(n.A * sin(beside) / back)}
+
+
+def rod_on_a_shaft_that_turns_freely(n: Numbers) -> Answers:
+    """α̈ = Ω² sin α cos α − 3 g sin α/2 l by slices of the rod, with Ω as the angular momentum about the shaft has it."""
+    rate = sqrt(1.5 * n.g / (n.l * cos(n.alpha)))
+    kept = (n.J + n.m * n.l**2 / 3 * sin(n.alpha) ** 2) * rate
+
+    def faster(angle: float) -> float:
+        turned = kept / (n.J + n.m * n.l**2 / 3 * sin(angle) ** 2)
+        return turned**2 * sin(angle) * cos(angle) - 1.5 * n.g / n.l * sin(angle)
+
+    return {"W": rate, "p": sqrt((faster(n.alpha - 1e-4) - faster(n.alpha + 1e-4)) / 2e-4)}
+
+
+def gyroscope_in_gimbals_trembles(n: Numbers) -> Answers:
+    """θ̈ = φ̇ sin θ (φ̇ cos θ − C ω₃/I) + m g h sin θ/I with both momenta kept, let go beside θ = 90°."""
+
+    def nodding(across: float, lift: float) -> float:
+        axial = n.C * n.s
+
+        def faster(tilt: complex) -> Any:
+            rate = (across * lift / axial - axial * np.cos(tilt)) / (across * np.sin(tilt) ** 2)
+            return np.sin(tilt) * (rate * (rate * np.cos(tilt) - axial / across) + lift / across)
+
+        return sqrt(-faster(pi / 2 + 1e-20j).imag / 1e-20)
+
+    lift, across = n.m * n.g * n.h, n.A + n.m * n.h**2
+    return {"W": lift / (n.C * n.s), "w": nodding(across, -lift), "w_0": nodding(n.A, 0.0)}
+
+
 CALCULATIONS = {
+    "gyroscope-in-gimbals-trembles": gyroscope_in_gimbals_trembles,
+    "gyrocompass-that-swings": gyrocompass_that_swings,
+    "rod-on-a-shaft-that-turns-freely": rod_on_a_shaft_that_turns_freely,
     "disc-on-an-axle-that-sways": disc_on_an_axle_that_sways,
     "disc-in-a-fork-spun-up": disc_in_a_fork_spun_up,
     "shell-fired-east": shell_fired_east,
