@@ -55,7 +55,7 @@ def test_it_does_not_turn_back_where_it_would_rest_in_balance() -> None:
 
 @pytest.mark.parametrize("plane", [False, True])
 @pytest.mark.parametrize("rate", ["6 rad/s", "sqrt(6*g/L)"])
-def test_the_edge_itself_is_never_reached(rate: str, plane: bool) -> None:  # noqa: FBT001
+def test_the_edge_itself_is_never_reached(rate: str, plane: bool) -> None:
     scene = SET_GOING.replace("w: RATE", "w: 6 rad/s").replace("angular_velocity: w", f"angular_velocity: {rate}")
     scene = scene.replace("m: kg, L: m", "m: 1 kg, L: 1.5 m").replace("g: m/s^2", "g: 9 m/s^2")
     scene = scene.replace("w: 6 rad/s, ", "") if "sqrt" in rate else scene
