@@ -19,7 +19,7 @@ Told = Mapping[Formula, Symbol]
 
 def told_by_answers(derivation: Derivation) -> Derivation:
     """The derivation with the letters of answers for what these are, in all that stands below them."""
-    letters = {form: letter for answer in derivation.answers for form, letter in single(answer)}
+    letters = {form: letter for answer in derivation.answers for form, letter in long_forms(answer)}
     told: dict[Formula, Symbol] = {}
     sections = []
     for section in derivation.sections:
@@ -33,11 +33,11 @@ def told_by_answers(derivation: Derivation) -> Derivation:
     answers, above = [], dict[Formula, Symbol]()
     for answer in derivation.answers:
         answers.append(told_in_answer(answer, above))
-        above.update(single(answer))
+        above.update(long_forms(answer))
     return replace(derivation, sections=tuple(sections), answers=tuple(answers))
 
 
-def single(answer: Answer) -> Iterator[tuple[Formula, Symbol]]:
+def long_forms(answer: Answer) -> Iterator[tuple[Formula, Symbol]]:
     """The long forms of an answer, or of its components, each with its letter; none of one that is another in other cases."""
     if answer.conditions or answer.otherwise or answer.until:
         return
@@ -45,14 +45,14 @@ def single(answer: Answer) -> Iterator[tuple[Formula, Symbol]]:
     if isinstance(form, (Product, Quotient)) and length(form) >= LONG and isinstance(letter, Symbol):
         yield form, letter
     for part in answer.components:
-        yield from single(part)
+        yield from long_forms(part)
 
 
 def told_in_step(move: Move, told: Told) -> Move:
     """A step with what is told before by letters; a line that so says what the one above it says is left out."""
     if not told:
         return move
-    chain = [Equality(one.left, within(one.right, told), one.relation) for one in move.chain]
+    chain = [Equality(one.left, letters_inside(one.right, told), one.relation) for one in move.chain]
     return replace(move, chain=tuple(dict.fromkeys(chain)))
 
 
@@ -60,15 +60,15 @@ def told_in_answer(answer: Answer, told: Told) -> Answer:
     """An answer by the letters of those above it."""
     if not told:
         return answer
-    form = None if answer.formula is None else within(answer.formula, told)
+    form = None if answer.formula is None else letters_inside(answer.formula, told)
     parts = tuple([told_in_answer(part, told) for part in answer.components])
     others = tuple([told_in_answer(other, told) for other in answer.otherwise])
     return replace(answer, formula=form, components=parts, otherwise=others)
 
 
-def within(side: Formula, told: Told) -> Formula:
+def letters_inside(side: Formula, told: Told) -> Formula:
     """A formula with letters for what is told inside it, outer brackets first."""
     old = side.children()
-    new = tuple([told.get(child) or within(child, told) for child in old])
+    new = tuple([told.get(child) or letters_inside(child, told) for child in old])
     same = all(before is after for before, after in zip(old, new, strict=True))
     return side if same else side.with_children(new)

@@ -124,7 +124,7 @@ class DerivationPage(Page, frozen=True):
 def with_abbreviations(derivation: Derivation) -> tuple[Derivation, tuple[Abbreviation, ...]]:
     """The derivation with letters for long sums that come back, and for long answers in others; what looks for these is loaded where there
     are long ones at all."""
-    if any(form is not None and length(form) >= LONG for form in forms_of(derivation.answers)):
+    if sum(form is not None and length(form) >= LONG for form in all_forms(derivation.answers)) > 1:
         from rotsolve.page.by_answers import told_by_answers
 
         derivation = told_by_answers(derivation)
@@ -137,11 +137,11 @@ def with_abbreviations(derivation: Derivation) -> tuple[Derivation, tuple[Abbrev
     return abbreviated(derivation)
 
 
-def forms_of(answers: Iterable[Answer]) -> Iterator[Formula | None]:
+def all_forms(answers: Iterable[Answer]) -> Iterator[Formula | None]:
     """The forms of answers and of their components."""
     for answer in answers:
         yield answer.formula
-        yield from forms_of(answer.components)
+        yield from all_forms(answer.components)
 
 
 def names_in_answers(derivation: Derivation) -> set[str]:

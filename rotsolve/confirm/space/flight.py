@@ -378,7 +378,12 @@ class Flight:
             raise Unfit("its time is before that of the state that leads to it")
         count = max(1, math.ceil(time / self.stride()))
         if count * BOTH > TWICE * self.limit:
-            raise TooFar(TOO_FAR)
+            from rotsolve.confirm.space.evenly import gained_evenly
+
+            evenly = gained_evenly(self, time)
+            if evenly is None:
+                raise TooFar(TOO_FAR)
+            return self.world(evenly)
 
         def carried() -> Numbers:
             numbers = self.first()
