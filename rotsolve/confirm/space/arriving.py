@@ -19,7 +19,10 @@ from rotsolve.language.problem import Condition, State, Term
 
 HOLDS = 2e-6  # of the size of what a line tells
 LEAST = 1e-3  # a size beside which rounding counts
-ROUND_THE_AXIS = {"precession_angle": "precession", "spin_angle": "spin"}  # angles told to whole turns here: their rates
+ROUND_THE_AXIS = {
+    "precession_angle": "precession",
+    "spin_angle": "spin",
+}  # angles told to whole turns here: their rates
 Counting = Callable[[Condition, float], float]
 MOVING = (SPEED, TURNING)
 
