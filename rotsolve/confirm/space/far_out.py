@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.language.problem import Condition
 
 if TYPE_CHECKING:
@@ -27,5 +26,10 @@ def gone_for_good(flight: Flight, line: Condition, one: list[float], other: list
     size = len(one) // len(flight.rig.bodies)
     begin = size * list(flight.rig.bodies).index(path.owner)
     place, before, now = other[begin + PLACE], one[begin + RATE], other[begin + RATE]
-    told = abs(flight.rig.value(line.value)) + arrow_length(flight.drawn[path.owner])
-    return abs(place) > FAR * told and place * now > 0.0 and (now - before) * now > 0.0
+    if not (place * now > 0.0 and (now - before) * now > 0.0):
+        return False
+    told = flight.rig.value(line.value)
+    scale = abs(told) + abs(
+        told + flight.gap_of(line)(flight.start)
+    )  # where it is to come, and where it was at the start
+    return scale > 0.0 and abs(place) > FAR * scale
