@@ -213,12 +213,12 @@ class Textbook(Struct, kw_only=True):
         return shorter if length(shorter) < length(node) else node
 
     def angle_along_axis(self, node: Call) -> Formula:
-        """atan2(y, 0) and atan2(0, x) by the sign of y or x, where that is told: π/2, 0, π."""
+        """atan2(y, 0) by the sign of y, ±π/2, and 0 for atan2(0, x) with x > 0; with x < 0 it is π or −π, as y comes to 0."""
         y, x = node.arguments
         sign = self.sign_of_factors(y if x == ZERO else x) if y != x else 0
         if not sign:
             return node
-        return sign * (PI / 2) if x == ZERO else ZERO if sign > 0 else PI
+        return sign * (PI / 2) if x == ZERO else ZERO if sign > 0 else node
 
     def sign_of_factors(self, value: Formula) -> int | None:
         """The sign of a product by those of its factors: by their numbers, or that letters without one stand for positive values."""

@@ -32,7 +32,6 @@ from rotsolve.confirm.space.arrows import (
     sum_of,
     times_arrow,
 )
-from rotsolve.confirm.space.far_out import gone_for_good
 from rotsolve.confirm.space.masses import about_point, total_rows, turned_together
 from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.confirm.space.readings import Reading
@@ -363,8 +362,11 @@ class Flight:
     def refuse_elsewhere(self, line: Condition, one: Numbers, other: Numbers) -> None:
         """Give up a body alone on a hinge that has been everywhere: between two turning points, or far off in one sense, from where its
         weight alone does not bring it back, as a couple may."""
-        if gone_for_good(self, line, one, other):
-            raise Unfit(NEVER)
+        if line.path is not None and line.path.owner in self.guided:
+            from rotsolve.confirm.space.far_out import gone_for_good
+
+            if gone_for_good(self, line, one, other):
+                raise Unfit(NEVER)
         if line.path is None or line.path.quantity != "angle" or len(self.rig.bodies) > 1:
             return
         third = times_arrow(self.moving(other).stance.turned(line.path.owner), self.axes[line.path.owner])
