@@ -12,6 +12,20 @@ from rotsolve.language.bodies import Joint
 from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Problem
 
+HOW_TURNED = (
+    "angle",
+    "rotation",
+    "turns",
+    "tilt",
+    "precession_angle",
+    "spin_angle",
+    "vertical",
+    "x_axis",
+    "y_axis",
+    "z_axis",
+)
+HOW_TURNING = ("angular_velocity", "angular_acceleration", "spin", "axial_rate", "precession", "nutation", "freedoms")
+
 
 def joints_in_space(connections: Iterable[Connection]) -> tuple[Joint, ...]:
     """The joints, in the order of the file; refused is a motor between bodies that no hinge or axle joins."""
@@ -51,7 +65,34 @@ def joints_at(problem: Problem, state: str) -> tuple[Joint, ...]:
             refuse_pair(joint)
             refuse_held(event, joint, found)
             found = (*found, joint)
-    return found
+    return tuple([replace(one, turning=()) if turns_a_point(one, found, problem) else one for one in found])
+
+
+def turns_a_point(joint: Joint, joints: tuple[Joint, ...], problem: Problem) -> bool:
+    """Whether a hinge lets nothing turn but a particle about itself, of whose own turning the scene does not speak: it holds it as
+    firmly."""
+    name = joint.body.owner
+    led = joint.powered or joint.sliding or joint.pitch is not None or joint.bearings or joint.through is not None
+    if not joint.turning or led or any(other.carrier.owner == name for other in joints):
+        return False
+    body = next((one for one in problem.bodies if one.name == name), None)
+    whole = body is None or body.parts or any(told is not None for told in (body.inertia, body.gyration, body.tensor))
+    if body is None or whole or body.points or body.shape is None or not body.shape.pointlike:
+        return False
+    if any(action.twists() and name in (ref.owner for ref in action.touches()) for action in problem.actions):
+        return False
+    return name not in set(turned_in_words(problem))
+
+
+def turned_in_words(problem: Problem) -> Iterator[str]:
+    """The bodies of which lines of states or questions say how they stand or turn, or along whose axes something is told."""
+    lines = [line for state in problem.states for line in state.conditions]
+    terms = [term for find in problem.finds for term in find.terms]
+    said = [(line.path, line.axes, line.relative) for line in lines]
+    for path, axes, relative in (*said, *((term.path, term.axes, term.relative) for term in terms)):
+        yield from filter(None, (axes, relative))
+        if path is not None and path.quantity in (*HOW_TURNED, *HOW_TURNING):
+            yield path.owner
 
 
 def joint_of_joined(event: Event, joints: tuple[Joint, ...], problem: Problem) -> Joint | None:

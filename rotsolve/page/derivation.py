@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Sum, Symbol
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import Formula, Sum, Symbol
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move, Refusal, Section
 from rotsolve.page.blocks import (
     WITH,
@@ -31,7 +32,7 @@ from rotsolve.page.blocks import (
     Title,
     authored,
 )
-from rotsolve.page.depth import BRIEF, FEWEST_TERMS, NONE, NORMAL, STEPS
+from rotsolve.page.depth import BRIEF, FEWEST_TERMS, LONG, NONE, NORMAL, STEPS
 from rotsolve.page.inserted import CoherentUnits, InsertedNumbers, coherent_units
 from rotsolve.page.plan import plan_of, planned_once
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
@@ -121,7 +122,12 @@ class DerivationPage(Page, frozen=True):
 
 
 def with_abbreviations(derivation: Derivation) -> tuple[Derivation, tuple[Abbreviation, ...]]:
-    """The derivation with letters for long sums that come back; what looks for these is loaded where there are long sums at all."""
+    """The derivation with letters for long sums that come back, and for long answers in others; what looks for these is loaded where there
+    are long ones at all."""
+    if sum(form is not None and length(form) >= LONG for form in all_forms(derivation.answers)) > 1:
+        from rotsolve.page.by_answers import told_by_answers
+
+        derivation = told_by_answers(derivation)
     moves = (move for section in derivation.sections for move in section.moves)
     sides = (side for move in moves for one in move.chain for side in (one.left, one.right))
     if not any(isinstance(node, Sum) and len(node.terms) >= FEWEST_TERMS for side in sides for node in side.walk(Sum)):
@@ -129,6 +135,13 @@ def with_abbreviations(derivation: Derivation) -> tuple[Derivation, tuple[Abbrev
     from rotsolve.page.abbreviations import abbreviated
 
     return abbreviated(derivation)
+
+
+def all_forms(answers: Iterable[Answer]) -> Iterator[Formula | None]:
+    """The forms of answers and of their components."""
+    for answer in answers:
+        yield answer.formula
+        yield from all_forms(answer.components)
 
 
 def names_in_answers(derivation: Derivation) -> set[str]:

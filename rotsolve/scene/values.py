@@ -13,6 +13,7 @@ from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.dimension import (
     ANGLE,
     DIMENSIONS,
+    NONE,
     TIME,
     Dimension,
     DimensionError,
@@ -107,6 +108,15 @@ def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -
     return None
 
 
+def letter_of_number(want: Want, quantity: UnitValue) -> str:
+    """The letter of a number within an expression: that of what is wanted where it is one itself, else that of its own kind."""
+    wanted = DIMENSIONS.get(want.dimension or "", quantity.dimension)
+    if quantity.dimension == NONE or quantity.dimension.matches(wanted):
+        return want.letter or "q"
+    kinds = (kind.letter for kind in QUANTITIES.values() if kind.dimension == quantity.dimension)
+    return next(kinds, want.letter or "q")
+
+
 def replacement(
     scope: Scope, node: Text, piece: Lexeme, place: Span, want: Want, names: Collection[str], paths: PathReader | None
 ) -> Formula | str | None:
@@ -125,7 +135,7 @@ def replacement(
         share = share_of_pi(quantity.value)
         if share is not None:
             return multiple_of_pi(share)
-        return as_letter(scope, place, Want(want.label, None, want.letter or "q", want.owner), quantity)
+        return as_letter(scope, place, Want(want.label, None, letter_of_number(want, quantity), want.owner), quantity)
     if piece.kind == "path":
         if paths is not None:
             return paths(node, piece)

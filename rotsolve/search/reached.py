@@ -7,7 +7,7 @@ whether it is asked for or not. Of letters all these are conditions of the case.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
@@ -74,17 +74,26 @@ def only_neared(passage: Passage, search: Search, aside: Search) -> str:
 
 
 def creeping(passage: Passage, search: Search, aside: Search) -> str:
-    """What comes to rest at the end of a phase where nothing drives it, at a place that no state tells: for ever on its way there, as a
-    pendulum to its upper balance. Only with the very numbers that are looked at: at the edge of a case of letters."""
+    """What comes to rest at the end of a phase where nothing drives it, at a place that no state tells, or tells by a letter that is
+    sought: for ever on its way there, as a pendulum to its upper balance. Only with the very numbers that are looked at: at the edge of a
+    case of letters."""
+    problem = search.scene.configuration.problem
+    sought = {name: search.solver.solved.get(name) for name in problem.sought}
+    settled = {name: found.formula for name, found in sought.items() if found is not None and found.formula is not None}
     for travel in passage.travels:
-        found = (
-            travel.pace == POSITION and travel.after == ZERO and travel.end is not None and has_quantities(travel.end)
-        )
-        last = push_at_end(travel, aside) if found else None
+        stops = travel.pace == POSITION and travel.after == ZERO and travel.end is not None
+        last = push_at_end(travel, aside) if stops and open_place(travel, problem.sought) else None
+        last = None if last is None else simplify(last.substitute(settled))
         number = None if last is None else search.signs.at_trial(search.signs.with_asked(last))
-        if number is not None and not number.sign and search.numbers.side(aside.settled(travel.change) or ZERO):
+        gone = (aside.settled(travel.change) or ZERO).substitute(settled)
+        if number is not None and not number.sign and search.numbers.side(gone):
             return spoken(travel.body)
     return ""
+
+
+def open_place(travel: Travel, sought: Collection[str]) -> bool:
+    """Whether no state tells by what is given where a phase ends."""
+    return travel.end is not None and (has_quantities(travel.end) or not travel.end.symbols().isdisjoint(sought))
 
 
 def push_at_end(travel: Travel, search: Search) -> Formula | None:

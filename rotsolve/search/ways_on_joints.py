@@ -39,6 +39,7 @@ LOOKS = 64  # places on a way at which it is looked besides
 AWAY = "`{}` sets out the other way, and never turns back"
 BARRED = "`{}` turns back before"
 ONWARD = "`{}` passes there in the other sense, and never turns back"
+CREEPS = "`{}` would come to rest there in balance: it comes ever nearer, and never there"
 BALANCED = "`{}` is at rest in balance, and stays so"
 
 
@@ -123,8 +124,17 @@ class LookedAt(Struct, frozen=True):
             return AWAY if off is None else off.words
         if sets_out and self.least(way.start, self.ahead, way.end) in (0, -1):
             return BARRED
+        if self.comes_to_rest_in_balance():
+            return CREEPS
         against = way.last is not None and side(way.last) == -self.ahead
         return ONWARD if against and self.turns_back(way.end, self.ahead) is False else ""
+
+    def comes_to_rest_in_balance(self) -> bool:
+        """Whether nothing is left of its energy at the end of its way, and nothing drives it there: as (q − q₁)² it takes for ever."""
+        way = self.way
+        pull = simplify(way.pull.substitute({PLACE: way.end}))
+        drives = self.side(pull * (way.end - way.start) if self.numeric else pull)
+        return drives == 0 and self.side(way.left_at(way.end)) == 0
 
     def off(self, sense: int) -> WayEnd | None:
         """Where it runs off that goes on in a sense."""

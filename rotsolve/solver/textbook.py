@@ -198,9 +198,11 @@ class Textbook(Struct, kw_only=True):
 
     def angle_of_ratio(self, node: Formula) -> Formula:
         """atan2(y, x) without a common factor whose sign is told: atan2(sin α, cos α) for (m sin α, m cos α)."""
-        if not (isinstance(node, Call) and node.function == "atan2") or ZERO in node.arguments:
+        if not (isinstance(node, Call) and node.function == "atan2"):
             return node
         y, x = node.arguments
+        if ZERO in (y, x):
+            return self.angle_along_axis(node)
         calls = (inner for side in (y, x) for inner in side.walk(Call))
         if any(isinstance(inner, Call) and inner.function not in IN_RATIOS for inner in calls):
             return node
@@ -209,6 +211,14 @@ class Textbook(Struct, kw_only=True):
         sign = self.sign_of_factors(self.simplify(x / below))
         shorter = call("atan2", above * sign, below * sign) if sign else node
         return shorter if length(shorter) < length(node) else node
+
+    def angle_along_axis(self, node: Call) -> Formula:
+        """atan2(y, 0) by the sign of y, ±π/2, and 0 for atan2(0, x) with x > 0; with x < 0 it is π or −π, as y comes to 0."""
+        y, x = node.arguments
+        sign = self.sign_of_factors(y if x == ZERO else x) if y != x else 0
+        if not sign:
+            return node
+        return sign * (PI / 2) if x == ZERO else ZERO if sign > 0 else node
 
     def sign_of_factors(self, value: Formula) -> int | None:
         """The sign of a product by those of its factors: by their numbers, or that letters without one stand for positive values."""

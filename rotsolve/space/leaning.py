@@ -109,6 +109,7 @@ class LeaningMoment(TellingMoment):
         """An Euler angle: as told, through an event as before; φ = ψ = 0 where nothing tells them at first or in a steady state."""
         told = self.told(name, ANGLES[number])
         if told is not None:
+            self.refuse_timeless(name, ANGLES[number])
             return told.transform(self.by_sides, "atan")
         if self.before is not None:
             return self.before.nodding(name).angles[number]
@@ -116,6 +117,16 @@ class LeaningMoment(TellingMoment):
         if ANGLES[number] == "precession_angle" and not moved_on:
             self.refuse_unplaced(name)
         return self.ask(ANGLES[number], name) if moved_on or ANGLES[number] == "tilt" else ZERO
+
+    def refuse_timeless(self, name: str, word: str) -> None:
+        """Refuse a state that tells of what precesses steadily how far that has gone round, and no time: its time is what is sought."""
+        line = self.line(name, word)
+        alone = self.steadily and not self.state.steady and self.state.time_told is None
+        if not alone or line is None or word == "tilt" or self.line(name, "tilt") is not None:
+            return
+        message = f"`{name}` precesses steadily, and {self.spoken_of()} tells its `{word}` without a time"
+        help = "write `time: T` there too, with `T: unknown` under `given`, and ask for `T`"
+        raise Unsolvable(message, span=line.span, help=help)
 
     def refuse_unplaced(self, name: str) -> None:
         """Refuse a body that leans, and holds another one that leans or is held by one, where nothing tells to which side: how both move

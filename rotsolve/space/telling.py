@@ -37,6 +37,7 @@ class TellingMoment:
         self.met: dict[
             str, TellingMoment
         ] = {}  # the moments before the events up to this one, which may have brought joints
+        self.steadily = False  # whether the state before is steady, and nothing happens between
         self.onward: Onward | None = None  # what happens from the state before on, where times are told
         self.first = True  # whether the scene begins with it
         self.later = False  # whether time has passed since the first state
@@ -48,6 +49,7 @@ class TellingMoment:
     def come_after(self, before: Self, event: str) -> None:
         """Tell that another moment lies before this one: just before an event, or a time before it."""
         self.later, self.met = before.later or not event, dict(before.met)
+        self.steadily = before.state.steady and not event
         if event:
             self.before = self.met[event] = before
 

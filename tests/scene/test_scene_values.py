@@ -262,3 +262,18 @@ find: {{x: rod.angle at t, y: "{0}"}}
 """
     first, second = (solve(scene.format(text)).answers["y"].float for text in (alone, within))
     assert first is not None and first == pytest.approx(second)
+
+
+@pytest.mark.parametrize(
+    ("force", "letter"), [("12 N", "F_pull"), ("3*m*9.8 m/s^2", "a_pull"), ("m*R*(3 rad/s)^2", "omega_pull")]
+)
+def test_a_number_within_an_expression_has_the_letter_of_its_own_kind(force: str, letter: str) -> None:
+    scene = f"""given: {{m: 2 kg, R: 30 cm}}
+bodies: {{wheel: {{shape: disc, mass: m, radius: R}}}}
+connections: {{ax: {{axle: wheel}}}}
+actions: {{pull: {{force: {force}, on: wheel.top, direction: right}}}}
+find: {{a: wheel.angular_acceleration}}
+"""
+    formula = solve(scene).answers["a"].formula
+    assert formula is not None
+    assert [name for name in formula.symbols() if name.endswith("_pull")] == [letter]

@@ -210,7 +210,7 @@ def test_what_is_too_far_to_be_followed_says_so() -> None:
     scene = """up: z
 gravity: none
 bodies: {fork: {shape: cuboid, mass: 2 kg, sides: [0.4 m, 0.1 m, 0.2 m]}, disc: {shape: disc, mass: 1.5 kg, radius: 0.15 m}}
-connections: {post: {hinge: fork.center, along: z}, ax: {axle: [fork.center, disc], along: z}}
+connections: {post: {hinge: fork.center, along: z}, ax: {axle: [fork.center, disc], along: x}}
 actions: {push: {couple: [0, 0, 4 N m], on: fork}}
 states: {start: {fork.angular_velocity: 1 rad/s, fork.angle: 0 rad, disc.spin: 300 rad/s}, end: {time: 3 s}}
 find: {th: fork.angle at end}

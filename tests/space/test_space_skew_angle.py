@@ -50,3 +50,25 @@ def test_a_common_factor_that_is_nothing_stays(given: str) -> None:
     """No angle from a vector that is nothing, though without the factor there would be one."""
     with pytest.raises(Unsolvable, match="has no value"):
         solve(SKEW.replace("GIVEN", given))
+
+
+@pytest.mark.parametrize(("speed", "given"), [("u", "u: m/s"), ("u", "u: 3 m/s"), ("u", "u: -3 m/s")])
+def test_an_angle_along_an_axis_is_a_right_one(speed: str, given: str) -> None:
+    """In the middle of a turntable the acceleration is that of Coriolis alone, across the way."""
+    scene = f"""up: z
+gravity: none
+given: {{w: rad/s, {given}}}
+bodies: {{table: {{shape: disc, mass: 1 kg, radius: 1 m}}, bead: {{shape: particle, mass: 1 kg}}}}
+connections: {{axis: {{hinge: table.center, along: z, angular_velocity: w}}}}
+actions: {{hold: {{force: any, on: bead}}}}
+states:
+  now:
+    bead.position relative to table: [0, 0, 0]
+    bead.velocity relative to table: [{speed}, 0, 0]
+    bead.acceleration relative to table: [0, 0, 0]
+find: {{q: angle of bead.velocity from bead.acceleration}}
+"""
+    found = solve(scene)
+    assert found.answers["q"].formula is not None
+    assert to_text(found.answers["q"].formula) == "π/2"
+    assert all(item.holds for item in found.derivation.confirmed)

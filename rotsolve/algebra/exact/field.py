@@ -118,6 +118,23 @@ class Field:
             return poly
         return self._swapped(self._swapped(poly, s, c) % modulus, s, c)
 
+    def squares_united(self, poly: Poly) -> Poly:
+        """The polynomial in normal form with a − a sin² written a cos², term by term, where both stand in it: alike whatever the order of
+        its letters."""
+        for s, c, _ in sorted(self.pairs, key=lambda pair: repr(self.atoms[pair[0]])):
+            if not len(poly) or poly.degrees()[s] < 2:
+                continue
+            terms = self.terms(poly)
+            for place in sorted((one for one in terms if one[s] > 1), key=lambda one: -one[s]):
+                lower, higher = list(place), list(place)
+                lower[s], higher[s], higher[c] = place[s] - 2, place[s] - 2, place[c] + 2
+                size = terms.get(tuple(lower), 0)
+                if size and size == -terms.get(place, 0):
+                    del terms[place], terms[tuple(lower)]
+                    terms[tuple(higher)] = terms.get(tuple(higher), 0) + size
+            poly = self.context.from_dict({place: number for place, number in terms.items() if number})
+        return poly
+
     def _swapped(self, poly: Poly, i: int, j: int) -> Poly:
         """The polynomial with generators i and j exchanged."""
         terms = {}

@@ -91,6 +91,8 @@ class Fractions:
             for pair in ring.pairs:
                 num, den = ring.reduce_to_cos(num, pair), ring.reduce_to_cos(den, pair)
             found.append((num, den))
+        united = ring.squares_united(sines[0]), ring.squares_united(sines[1])
+        found += [united] if united != sines else []
         cleared = ring.rationalised(sines)
         return [*found, cleared] if cleared is not None else found
 

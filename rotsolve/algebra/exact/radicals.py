@@ -59,6 +59,7 @@ class Radicals:
         num, den = ring.convert(argument)
         num, den = ring.reduce(num), ring.reduce(den)
         num, den = ring.cancel(ring.rationalised((num, den)) or (num, den))
+        num, den = ring.squares_united(num), ring.squares_united(den)
         signs = PolynomialSigns(ring, self.positive)
         if not len(num):
             return ring, Fraction(0), [], signs

@@ -6,7 +6,7 @@ The time alone says how all stands and moves then, so that each other line is a 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.space.arrows import arrow_length
@@ -19,17 +19,21 @@ from rotsolve.language.problem import Condition, State, Term
 
 HOLDS = 2e-6  # of the size of what a line tells
 LEAST = 1e-3  # a size beside which rounding counts
-ROUND_THE_AXIS = ("precession_angle", "spin_angle")  # angles that count to a whole turn here
+ROUND_THE_AXIS = {
+    "precession_angle": "precession",
+    "spin_angle": "spin",
+}  # angles told to whole turns here: their rates
+Counting = Callable[[Condition, float], float]
 MOVING = (SPEED, TURNING)
 
 
-def hold_lines(rig: Rig, worlds: Sequence[World], state: State) -> None:
-    """Refuse a state of which a line does not hold in the worlds to which the time leads that it tells."""
+def hold_lines(rig: Rig, worlds: Sequence[World], state: State, counted: Counting) -> None:
+    """Refuse a state of which a line does not hold in the worlds to which the time leads that it tells, with whole turns `counted`."""
     from rotsolve.confirm.space.flight import line_in_words
 
     for world in worlds:
         for line, gap, size in gaps_at(rig, world, state):
-            if abs(gap) > HOLDS * max(size, LEAST):
+            if abs(counted(line, gap)) > HOLDS * max(size, LEAST):
                 raise Unfit(f"{line_in_words(line)} at `{state.name}` does not follow from the time that has passed")
 
 

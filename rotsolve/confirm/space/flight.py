@@ -362,6 +362,11 @@ class Flight:
     def refuse_elsewhere(self, line: Condition, one: Numbers, other: Numbers) -> None:
         """Give up a body alone on a hinge that has been everywhere: between two turning points, or far off in one sense, from where its
         weight alone does not bring it back, as a couple may."""
+        if line.path is not None and line.path.owner in self.guided:
+            from rotsolve.confirm.space.far_out import gone_for_good
+
+            if gone_for_good(self, line, one, other):
+                raise Unfit(NEVER)
         if line.path is None or line.path.quantity != "angle" or len(self.rig.bodies) > 1:
             return
         third = times_arrow(self.moving(other).stance.turned(line.path.owner), self.axes[line.path.owner])
@@ -378,7 +383,12 @@ class Flight:
             raise Unfit("its time is before that of the state that leads to it")
         count = max(1, math.ceil(time / self.stride()))
         if count * BOTH > TWICE * self.limit:
-            raise TooFar(TOO_FAR)
+            from rotsolve.confirm.space.evenly import gained_evenly
+
+            evenly = gained_evenly(self, time)
+            if evenly is None:
+                raise TooFar(TOO_FAR)
+            return self.world(evenly)
 
         def carried() -> Numbers:
             numbers = self.first()

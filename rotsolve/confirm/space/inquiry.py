@@ -215,7 +215,7 @@ class Inquiry(WaysOfMoving):
             why = OPEN if standing.stance.open else HANGING if standing.hangs_on_rates() else ""
             told_in_time = state is not None and self.tells_in_time(state.name)
             left += self.off_in_time(state) if state is not None and told_in_time else ()
-            if why and state is not None and (told_in_time or self.only_later(state)):
+            if why and state is not None and (told_in_time or self.only_later(state) or self.steadily_told(state)):
                 continue
             if why:
                 untold = why
@@ -234,13 +234,21 @@ class Inquiry(WaysOfMoving):
         told = all(line.path is not None and line.path.quantity == "time" for line in state.conditions)
         return told and not (state is self.problem.states[0] or state.steady or self.event_to(state.name))
 
+    def steadily_told(self, state: State) -> bool:
+        """Whether a state chooses one of several steady motions by itself, so that no answer that is put in is tested by it."""
+        sought = self.problem.sought
+        told = (line.value for line in state.conditions if line.value is not None)
+        return state.steady and not any(value.symbols() & sought for value in told) and len(self.ways(state.name)) == 1
+
     def off_in_time(self, state: State) -> Iterator[float]:
         """By how much the lines of a state do not hold where the time leads that it tells."""
         names, told = [item.name for item in self.problem.states], time_after(state)
-        before = names[names.index(state.name) - 1]
-        way = self.led_on(before, state, None if told is None else self.rig.value(told))
-        for world in way.worlds:
-            yield from (gap for _, gap, _ in gaps_at(self.rig_since(before), world, state))
+        before = self.state(names[names.index(state.name) - 1])
+        assert before is not None
+        passed = None if told is None else self.rig.value(told)
+        for world in self.led_on(before.name, state, passed).worlds:
+            for line, gap, _ in gaps_at(self.rig_since(before.name), world, state):
+                yield gap if passed is None else self.whole_turns(before, line, gap, passed)
 
     def moving_at(self, state: State | None) -> Moving:
         """How all can move at a state: as it tells, or as a blow leaves it."""

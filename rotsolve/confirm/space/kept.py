@@ -127,15 +127,32 @@ def leading_joint(rig: Rig, state: State) -> Joint | None:
 
 
 def sets_out_away(rig: Rig, start: World, state: State) -> bool:
-    """Whether a body on a hinge turns at first away from the angle that a later state tells, or a slide goes to it on what turns."""
+    """Whether a body on a hinge turns at first away from the angle that a later state tells, or one on a slide on what turns does not go
+    towards its place."""
     lines = Lines(rig, state, {})
     for joint in rig.joints.values():
-        if joint.sliding and joint.carrier.owner in rig.bodies:
+        if joint.sliding and joint.carrier.owner in rig.bodies and not slides_towards(rig, start, state, joint):
             return True  # past what drives it outwards it may not come
         end = lines.told(joint.body.owner, "angle") if joint.turning else None
         if end is not None and (end - turned_at(start, joint)) * rate_on_joint(start.now, joint) < 0.0:
             return True
     return False
+
+
+def slides_towards(rig: Rig, start: World, state: State, joint: Joint) -> bool:
+    """Whether a body on a slide goes at first towards the place at which a later state has it; not where that is no place on the slide."""
+    from rotsolve.confirm.space.flight import Flight
+
+    flight, towards = Flight(rig, start, state), False
+    for line in state.conditions:
+        path = line.path
+        if path is None or (path.owner, path.quantity) != (joint.body.owner, "position"):
+            continue
+        rate, gap = flight.rate_of(line), flight.gap_of(line)(start)
+        if rate is None or gap * rate(start) > 0.0:
+            return False
+        towards |= gap * rate(start) < 0.0
+    return towards
 
 
 def check_setting_out(rig: Rig, start: World, state: State, leader: Joint) -> None:

@@ -8,15 +8,17 @@ from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from msgspec.structs import replace
+
 from rotsolve.confirm import NotConfirmed, TooFar, Unfit
 from rotsolve.confirm.course.sizes import letters_open
-from rotsolve.confirm.space.arriving import hold_lines
+from rotsolve.confirm.space.arriving import ROUND_THE_AXIS, hold_lines
 from rotsolve.confirm.space.arrows import arrow_length, less
 from rotsolve.confirm.space.readings import Reading
-from rotsolve.confirm.space.rig import NODAL, NOW, Told
+from rotsolve.confirm.space.rig import NODAL, NOW, Lines, Told
 from rotsolve.confirm.space.rigs import OPEN, Rigs, time_after
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.ties import SPEED, TURNING
+from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING
 from rotsolve.confirm.space.worlds import Manner, World, manners_of
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import ANY_TIME, EXTREMES, Condition, Find, Path, Problem, State, Term
@@ -211,10 +213,23 @@ class WaysOfMoving(Rigs):
 
     def led_to(self, name: str, state: State, passed: float | None) -> Manner:
         """Where the motion from one state leads at a later one; Unfit where what that tells beside its time does not hold there."""
-        way = self.led_on(name, state, passed)
-        if passed is not None:
-            hold_lines(self.rig_since(name), way.worlds, state)
+        way, before = self.led_on(name, state, passed), self.state(name)
+        if passed is not None and before is not None:
+            hold_lines(self.rig_since(name), way.worlds, state, partial(self.whole_turns, before, passed=passed))
         return way
+
+    def whole_turns(self, before: State, line: Condition, gap: float, passed: float) -> float:
+        """By how much an angle round an axis is off, with the whole turns that a steady motion from a state that tells it makes in a time;
+        of all else as it is."""
+        path = line.path
+        if path is None or path.quantity not in ROUND_THE_AXIS or not before.steady or line.value is None:
+            return gap
+        begun = Lines(self.rig, before, {}).line(path.owner, path.quantity)
+        if begun is None or begun.value is None:
+            return gap
+        rate = told_by(self.ways(before.name)[0], Term(replace(path, quantity=ROUND_THE_AXIS[path.quantity])))
+        counted = self.rig.value(begun.value) + rate * passed - self.rig.value(line.value)
+        return gap + ROUND * round((counted - gap) / ROUND)
 
     def led_on(self, name: str, state: State, passed: float | None) -> Manner:
         """Where the motion from one state leads: to a later one, or for a time; by every choice of what is open, where time alone tells."""

@@ -15,7 +15,7 @@ from itertools import chain, pairwise
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
+from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY, VELOCITY
 from rotsolve.confirm import NotConfirmed, Unfit
 from rotsolve.confirm.course.rivals import SoughtLetter
 from rotsolve.confirm.course.scan import Scan, places_beside
@@ -34,6 +34,7 @@ NOTHING = 1e-9  # of the answer
 LESS = 1e-2  # of the gap a step away
 FITS = 1e-8  # of what is left over between two places
 UPRIGHT = 1e-7
+BEYOND = {"largest": 1.0, "smallest": -1.0}  # the sense in which there is to be none
 STEPPED = 0.01  # share of a number by which it is changed to see how much is then left over
 
 Left = Callable[[float], "list[float]"]
@@ -91,7 +92,9 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
         return None if as_good(hearing, find, own) else True
     if not steady_somewhere(hearing):
         untold = find.modifier in EXTREMES and not followed_nowhere(hearing.problem)
-        return None if untold or another_root_fits(hearing, find, own, roots) else True
+        if untold and not farthest_rate(hearing, find, own, roots):
+            return None
+        return None if another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
         return True
     place = hearing.places[0]
@@ -183,6 +186,34 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
     if any(leaves_nothing(hearing, place, value) for value in filter(sought.may_be, named)):
         return True
     return followed_nowhere(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
+
+
+def farthest_rate(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
+    """Whether a letter is a rate, and the motion comes with no other root for it, nor with the opposite, to what its state tells, that
+    were a larger one, or a smaller, as is asked. Of a place other roots may lie farther on."""
+    (place, *more), others = hearing.places, [-own]
+    dimension = hearing.dimension(place)
+    if more or dimension is None or not any(dimension.matches(kind) for kind in (VELOCITY, ANGULAR_VELOCITY)):
+        return False
+    for root in roots:
+        with suppress(NotConfirmed, ArithmeticError, ValueError, TypeError):
+            others.append(float(value_of(root, hearing.known)))
+    size = hearing.size(place)
+    try:
+        most = max(map(abs, hearing.left({0: STEPPED * size})), default=0.0)
+        beyond = [value for value in others if (value - own) * BEYOND[find.modifier] > SAME * size]
+        return all(misses(hearing, value - own, SAME * most) for value in beyond)
+    except (NotConfirmed, Unfit, ArithmeticError, ValueError):
+        return False
+
+
+def misses(hearing: Hearing, change: float, room: float) -> bool:
+    """Whether with another value of the only letter that is put in the motion does not come to its state, or more than some room is left
+    over."""
+    try:
+        return max(map(abs, hearing.left({0: change})), default=math.inf) > room
+    except Unfit:
+        return True
 
 
 def letter_on_the_way(hearing: Hearing) -> str:
