@@ -23,6 +23,7 @@ from rotsolve.core.vectors.triple import (
     Y,
     Z,
     cross_product,
+    dot_product,
     is_axis,
     minus,
     tidied,
@@ -47,6 +48,10 @@ FASTER = {  # of what leads a body: what tells how fast it changes, and by how m
     "angle": (("angular_velocity", 1), ("angular_acceleration", 2)),
     "angular_velocity": (("angular_acceleration", 1),),
 }
+SEVERAL_HELP = (
+    "solved are two balls on the ground, and a bar with a `ball` or a `collar` at each end; "
+    "a hinge that two bearings hold has `bearings`"
+)
 ON_RIM = tuple(point for point in WHEEL if point != "center")  # places by the page, which a body turns under
 
 
@@ -158,6 +163,22 @@ class JointedBodies(Struct, frozen=True, dict=True):
         word = words[own[0]] if own else ""
         return f"{'an' if word[:1] in 'aeiou' else 'a'} `{word}`"
 
+    def hinge_balls(self, name: str) -> tuple[Joint, ...]:
+        """The two balls that hold a body to one thing, as a hinge does; none of others."""
+        own = self.supports(name)
+        same = len({joint.carrier.owner if joint.carrier.owner in self.bodies else "" for joint in own}) == 1
+        return own if len(own) == 2 and same and all(joint.free and not joint.sliding for joint in own) else ()
+
+    def link(self, name: str) -> tuple[Joint, ...]:
+        """The two balls or collars that hold the ends of a bar which closes a linkage; none of others."""
+        own = self.supports(name)
+        return own if len(own) == 2 and all(joint.free for joint in own) and not self.hinge_balls(name) else ()
+
+    @cached_property
+    def links(self) -> tuple[str, ...]:
+        """The bars that close linkages."""
+        return tuple(name for name in self.bodies if self.link(name))
+
     def rolling(self, name: str) -> Joint | None:
         """The contact on which a body rolls that nothing else holds."""
         own = self.of_body(name)
@@ -167,13 +188,12 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def main(self, name: str) -> Joint | None:
         """The joint about which a body turns: the one that holds a point of it, or two balls as a hinge along the line through both."""
         own = self.supports(name)
-        if len(own) < 2:
+        if len(own) < 2 or self.link(name):
             return own[0] if own else None
-        one, other, *more = own
-        if more or not (one.free and other.free) or one.carrier.owner != other.carrier.owner:
+        one, other = own[:2]
+        if not self.hinge_balls(name):
             message = f"`{name}` is held by several joints: that is not solved in space yet"
-            help = "solved are two balls on the ground; a hinge that two bearings hold has `bearings`"
-            raise Unsolvable(message, span=other.body.span, help=help)
+            raise Unsolvable(message, span=other.body.span, help=SEVERAL_HELP)
         if one.carrier.owner in self.bodies:
             message = f"two balls on `{one.carrier.owner}`, a body of its own, are not solved as a hinge in space"
             help = f"write `{one.owner}: {{hinge: [{one.carrier.owner}, …], along: [x, y, z]}}` along the line through both"
@@ -197,6 +217,10 @@ class JointedBodies(Struct, frozen=True, dict=True):
             return way
         return triple([ZERO if not side else ONE if side > 0 else negate(ONE) for side in sides])
 
+    def carried_by(self, name: str) -> set[str]:
+        """The bodies that tell where a body is: what carries it, of a bar that closes a linkage at both its ends."""
+        return {joint.carrier.owner for joint in self.link(name)} & self.bodies.keys() or {self.carrier(name)} - {""}
+
     def carrier(self, name: str) -> str:
         """The body that carries another; '' for what the ground holds, or nothing."""
         joint = self.main(name)
@@ -208,11 +232,12 @@ class JointedBodies(Struct, frozen=True, dict=True):
         done: list[str] = []
         pending = list(self.bodies)
         while pending:
-            ready = [name for name in pending if self.carrier(name) in ("", *done)]
+            ready = [name for name in pending if self.carried_by(name) <= {*done}]
             if not ready:
                 joint = self.main(pending[0])
                 span = joint.body.span if joint is not None else None
-                raise Unsolvable("bodies that carry each other in a ring are not solved yet", span=span)
+                help = "name what is on the ground first, as in `[BODY.P, bar.end]`, where a bar joins it to another" * bool(self.links)
+                raise Unsolvable("bodies that carry each other in a ring are not solved yet", span=span, help=help)
             done += ready
             pending = [name for name in pending if name not in ready]
         return tuple(done)
@@ -352,6 +377,12 @@ class JointedBodies(Struct, frozen=True, dict=True):
         """Whether a body has no inertia about any axis."""
         tensor = self.whole_tensor(name)
         return tensor is not None and all(self.vanishes(tensor.entry(word)) for word in ("xx", "yy", "zz"))
+
+    def thin_along(self, name: str, way: Triple) -> bool:
+        """Whether a body has no inertia about the line along `way` through its centre of mass."""
+        tensor = self.whole_tensor(name)
+        rows = () if tensor is None else ((tensor.xx, tensor.xy, tensor.zx), (tensor.xy, tensor.yy, tensor.yz), (tensor.zx, tensor.yz, tensor.zz))
+        return tensor is not None and all(self.vanishes(dot_product(row, way)) for row in rows)
 
     def shaped_about(self, name: str, way: Triple) -> bool:
         """Whether the shape of a body is symmetric about one of its own axes, whatever mass it has."""

@@ -49,7 +49,7 @@ def sliding_rate(joint: Joint, moment: MovingBodies, word: str) -> Formula:
     told = moment.vector_told(name, word, joint.body.point) if joint.body.point else None
     if told is not None:
         return part_on_slide(joint, moment, word, told, NOTHING)
-    told = moment.vector_told(name, word)
+    told = None if joint.free else moment.vector_told(name, word)
     if told is not None:
         return part_on_slide(joint, moment, word, told, swung(joint, moment, word))
     if word == "acceleration" and moment.state.steady:

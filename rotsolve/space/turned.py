@@ -66,6 +66,8 @@ class TurnedMoment(LeaningMoment):
         """How a body stands and turns at this moment."""
         held, body, joint = self.held, self.held.bodies[name], self.held.main(name)
         led = [(word, axis, value) for word, axis, value in body.moved if word in TURNING]
+        if held.link(name):
+            return self._between_ends(name)
         if led:
             return self._led(name, led)
         carried = None if self.onward is None else self.onward.attitude(name)
@@ -76,6 +78,8 @@ class TurnedMoment(LeaningMoment):
             return self.freely(name)
         carrier = held.carrier(name)
         base = self.attitude(carrier) if carrier else at_rest_in(AS_DRAWN)
+        if carrier in held.links:
+            self.own_axes(carrier)  # which nothing tells
         if carrier:
             spins = base.axes.name == NODE and self.nods(carrier)
             spun = turn_about(Z, self.nodding(carrier).angles[2]) if spins else AS_DRAWN
@@ -88,6 +92,10 @@ class TurnedMoment(LeaningMoment):
                 return found
             return replace(found, axes=replace(found.axes, rows=self.tidied(found.axes.rows)))
         return self._about_axis(name, joint, base, bool(carrier))
+
+    def _between_ends(self, name: str) -> Attitude:
+        """A bar that closes a linkage, as its ends are held."""
+        raise NotImplementedError
 
     def freely(self, name: str) -> Attitude:
         """A body that no axis holds and nothing turns as it is told."""
@@ -452,6 +460,10 @@ class TurnedMoment(LeaningMoment):
     def own_axes(self, name: str) -> Axes:
         """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""
         own = self.attitude(name)
+        if name in self.held.links:
+            help = f"ask `in space axes`; on `{name}` only balls hold others"
+            message = f"how `{name}` is turned about the line through its ends nothing tells"
+            raise Unsolvable(message, span=self.held.link(name)[1].body.span, help=help)
         if own.axes.name != NODE:
             rows, base, lost = after(own.axes.rows, own.own), own.axes.base, own.axes.lost or self.spun_away(name)
             turned = after(own.axes.turned, own.own) if base is not None else AS_DRAWN

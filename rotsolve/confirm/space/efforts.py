@@ -199,12 +199,12 @@ class Efforts:
         names = [f"{joint.owner} {bearing}" for _, bearing in self.places(joint)]
         if joint.free or joint.rolls:
             yield from three_ties([((1.0, (COUPLE, names[0], k)),) for k in range(3)], None, STILL)
+        if joint.rolls:
             return
         base = self.stance.base(joint)
         slides = [times_arrow(base, normed(self.rig.arrow(way))) for way in joint.sliding]
-        couple = (
-            [along_way((COUPLE, names[0], 0), self.stance.way(joint))] if joint.turning and not joint.powered else []
-        )
+        turns = joint.turning and not (joint.powered or joint.free)
+        couple = [along_way((COUPLE, names[0], 0), self.stance.way(joint))] if turns else []
         forces = [along_way((FORCE, names[0], 0), way) for way in slides]
         if joint.pitch is not None and couple:
             lead = self.rig.value(joint.pitch) / ROUND  # its power is nothing: C + F p/2π = 0

@@ -179,8 +179,18 @@ class Rig:
 
     def line(self, name: str) -> Arrow | None:
         """The direction through the two points of a body that balls hold, in its own axes; None where there are not two."""
-        balls = [joint.body for joint in self.joints.values() if joint.body.owner == name and joint.free]
-        return normed(less(self.spot(balls[1]), self.spot(balls[0]))) if len(balls) == 2 else None
+        balls = [joint for joint in self.joints.values() if joint.body.owner == name and joint.free]
+        grounded = [self.bodies.get(joint.carrier.owner) is None and not joint.sliding for joint in balls]
+        return normed(self.drawn_way(balls)) if grounded == [True, True] else None
+
+    def ends(self, name: str) -> list[Joint]:
+        """The two balls or collars between which a bar is held that closes a linkage; none of other bodies."""
+        found = [joint for joint in self.joints.values() if joint.body.owner == name and joint.free]
+        return found if len(found) == 2 and self.line(name) is None else []
+
+    def drawn_way(self, joints: list[Joint]) -> Arrow:
+        """The way between the points of a body that two joints hold, in its own axes."""
+        return less(self.spot(joints[1].body), self.spot(joints[0].body))
 
     def carrier(self, name: str) -> str:
         """The body that carries another; '' for what the ground holds, or nothing."""

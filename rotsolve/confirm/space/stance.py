@@ -88,6 +88,9 @@ class Stance:
             line = self.rig.line(name)
             if joint is not None and line is not None:
                 return product_of(product_of(self.base(joint), drawn), rotation_about(line, self.angle(joint)))
+            ends = self.rig.ends(name)
+            if ends:
+                return least_turn(normed(self.rig.drawn_way(ends)), normed(less(*map(self.held_at, ends[::-1]))))
             upright = self.lines.arrow_told(name, "vertical")
             if upright is not None:
                 return least_turn(normed(upright[0]), Z)

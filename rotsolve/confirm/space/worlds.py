@@ -66,19 +66,20 @@ class Equations:
         found = solved_generally(self.rows, right, len(self.places))
         if not (found.free and idle):
             return found
-        right = list(right)
-        if not self.take(idle, right):  # what is told may turn a massless body about some of its ways
+        right, off = list(right), max(map(abs, found.left), default=0.0)
+        if not self.take(idle, right, off):  # what is told may turn a massless body about some of its ways
             for tie in idle:
-                self.take([tie], right)
+                self.take([tie], right, off)
         return solved_generally(self.rows, right, len(self.places))
 
-    def take(self, ties: Sequence[Tie], right: list[float]) -> bool:
-        """Whether ties with nothing on their right side go with all that is there; else they are left out again."""
+    def take(self, ties: Sequence[Tie], right: list[float], off: float) -> bool:
+        """Whether ties with nothing on their right side go with all that is there, which is `off` by so much without them; else they are
+        left out again."""
         told, places = list(self.rows), dict(self.places)
         for tie in ties:
             self.add(tie)
         found = solved_generally(self.rows, [*right, *(0.0 for _ in ties)], len(self.places))
-        fits = max(map(abs, found.left), default=0.0) <= RIGHT * found.size
+        fits = max(map(abs, found.left), default=0.0) <= 2.0 * off + RIGHT * found.size
         if fits:
             right += [0.0 for _ in ties]
         else:

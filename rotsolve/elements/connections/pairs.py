@@ -64,6 +64,15 @@ class Slide(Along, frozen=True):
         return Joint(self.name, *self.ways(), sliding=(self.direction,))
 
 
+class Collar(Along, frozen=True):
+    word = "collar"
+    about = "a ball on a guide: the point held slides along a line, and the body turns about it in space"
+    collar: tuple[PointRef, ...] = key("points", HELD, count=(1, 2), required=True, example="bar.start")
+
+    def joint_in_space(self) -> Joint:
+        return Joint(self.name, *self.ways(), sliding=(self.direction,), free=True)
+
+
 class Sleeve(Along, frozen=True):
     word = "sleeve"
     about = "a cylindrical pair: the body slides along an axis and turns about it"
