@@ -236,6 +236,15 @@ class Stance:
         """Where a point of a body is."""
         return sum_of(self.place(ref.owner), self.arm(ref))
 
+    def apart(self) -> list[float]:
+        """How far the second end of each bar that closes a linkage is from where it is held, as shares of its length."""
+        found = []
+        for name in self.rig.bodies:
+            for joint in self.rig.ends(name)[1:]:
+                size = arrow_length(self.rig.drawn_way(self.rig.ends(name)))
+                found += [part / size for part in less(self.point(joint.body), self.held_at(joint))]
+        return found
+
     # rolling
 
     def outward(self, joint: Joint) -> Arrow:

@@ -98,8 +98,6 @@ class Ties:
             speed = self.now.one(SLIDES, joint.owner, number)
             gain = sum_of(gain, scaled(2.0 * speed, crossed(self.omega(carrier), way)))
         yield from three_ties(terms, STILL, gain)
-        if joint in self.rig.ends(name):  # it is held there too: nothing is left between the two places
-            yield from three_ties([(), (), ()], less(self.stance.point(ref), self.stance.held_at(joint)), None)
 
     def sliding(self, joint: Joint) -> list[Arrow]:
         """The directions in which a joint slides, in space."""

@@ -66,20 +66,19 @@ class Equations:
         found = solved_generally(self.rows, right, len(self.places))
         if not (found.free and idle):
             return found
-        right, off = list(right), max(map(abs, found.left), default=0.0)
-        if not self.take(idle, right, off):  # what is told may turn a massless body about some of its ways
+        right = list(right)
+        if not self.take(idle, right):  # what is told may turn a massless body about some of its ways
             for tie in idle:
-                self.take([tie], right, off)
+                self.take([tie], right)
         return solved_generally(self.rows, right, len(self.places))
 
-    def take(self, ties: Sequence[Tie], right: list[float], off: float) -> bool:
-        """Whether ties with nothing on their right side go with all that is there, which is `off` by so much without them; else they are
-        left out again."""
+    def take(self, ties: Sequence[Tie], right: list[float]) -> bool:
+        """Whether ties with nothing on their right side go with all that is there; else they are left out again."""
         told, places = list(self.rows), dict(self.places)
         for tie in ties:
             self.add(tie)
         found = solved_generally(self.rows, [*right, *(0.0 for _ in ties)], len(self.places))
-        fits = max(map(abs, found.left), default=0.0) <= 2.0 * off + RIGHT * found.size
+        fits = max(map(abs, found.left), default=0.0) <= RIGHT * found.size
         if fits:
             right += [0.0 for _ in ties]
         else:
@@ -111,7 +110,9 @@ class Moving:
             for way in stance.rig.idle(name)
         ]
         self.moving = speeds.solve([tie.speed or 0.0 for tie in ties], self.idle)
-        self.broken = max(map(abs, self.moving.left), default=0.0) / self.moving.size
+        self.apart = stance.apart()
+        off = max(map(abs, self.moving.left), default=0.0) / self.moving.size
+        self.broken = max([off, *map(abs, self.apart)])
 
     def rates(self, openly: Sequence[float]) -> Rates:
         """The velocities, with so much of each that is open."""
