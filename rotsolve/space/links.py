@@ -8,14 +8,14 @@ Its vectors are along the axes of space, which are to turn with it at the moment
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.equation import RULE, Equation
-from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.triple import (
@@ -37,6 +37,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.problem import State
 from rotsolve.paths.meaning import NotYet
 from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import IN_SPACE, SPACE, Attitude, Axes
@@ -46,6 +47,7 @@ from rotsolve.space.places import apart_untold, point_in_space
 from rotsolve.space.sliding import slid
 
 TOLD_ELSEWHERE = (*NODAL, "vertical", "angle", "angular_velocity", "angular_acceleration")
+PULL = "pull"  # along a light bar
 SPUN = "how `{}` is turned about the line through its ends nothing tells"
 
 
@@ -108,7 +110,7 @@ class Link(Struct, frozen=True, dict=True):
 
     def pull(self) -> Triple:
         """The force of its second joint on a light bar: along the bar, as large as it takes, positive where that is pulled."""
-        way, size = self.way(), self.moment.ask("force", self.name, "along it", letter="S")
+        way, size = self.way(), self.moment.ask("force", self.name, letter="S", kind=PULL)
         return scaled_by(size / length_of(self.drawn()), way)
 
 
@@ -230,25 +232,20 @@ def ends_elsewhere(link: Link, gap: Formula) -> Unsolvable:
     return Unsolvable(message, span=link.ends[1].body.span, help=help)
 
 
-def refuse_beyond_one_moment(held: JointedBodies, *, moments: int) -> None:
-    """Refuse linkages over several states: what they keep on their way from one to another is not told."""
-    if held.links and moments > 1:
-        raise not_in(held, "from one state to another")
+def refuse_in_course(held: JointedBodies, states: Sequence[State], *, functions: bool) -> None:
+    """Refuse a closed linkage over several states, in a steady one and as time goes on: it is solved at one moment."""
+    steady = next((state for state in states if state.steady and not state.balance), None)
+    if held.links and len(states) > 1:
+        raise beyond_one_moment(held, "moves from state to state")
+    if held.links and (functions or steady is not None):
+        raise beyond_one_moment(held, "goes on in time" if functions else "moves steadily")
 
 
-def not_in(held: JointedBodies, what: str) -> Unsolvable:
+def beyond_one_moment(held: JointedBodies, what: str) -> NotYet:
     """That of a closed linkage only one moment is solved."""
     joint = held.link(held.links[0])[1]
-    message = f"`{joint.owner}` closes a linkage in space: how that moves {what} is not solved yet"
-    return Unsolvable(message, span=joint.body.span, help="ask for one moment, with a scene of its own for another one")
-
-
-def refuse_of_linkage(held: JointedBodies, owner: str, quantity: str) -> None:
-    """Refuse what is told of bodies that move as their joints alone let them, where a linkage holds them besides."""
-    if held.links and quantity in ("freedoms", "stability", "period", "swing_period"):
-        fault: Fault = not_in(held, "").fault
-        message = f"`{owner}.{quantity}` is not solved of what is part of a closed linkage in space"
-        raise NotYet(message, fault.span, "ask for a velocity, an acceleration or a force at one moment")
+    message = f"`{joint.owner}` closes a linkage in space: how that {what} is not solved yet"
+    return NotYet(message, joint.body.span, "ask for one moment, where its places and rates are told")
 
 
 def point_of_link(moment: SpaceMoment, ref: PointRef) -> tuple[Link, Triple] | None:

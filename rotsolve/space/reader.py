@@ -56,6 +56,8 @@ AT_REST = (
     "gyration",
 )  # asked of what need not move
 
+OF_OPEN_CHAINS = ("freedoms", "stability", "period")  # which are not told of closed linkages
+
 
 class SpaceReader(VectorReader):
     """Reads paths at one moment."""
@@ -64,6 +66,10 @@ class SpaceReader(VectorReader):
         """What a path stands for; raises `NotYet` for what has no meaning here."""
         term = term or Term(path)
         refuse_dropped(path, term)
+        if self.held.links and path.quantity in OF_OPEN_CHAINS:
+            from rotsolve.space.links import beyond_one_moment
+
+            raise beyond_one_moment(self.held, "can move" if path.quantity == "freedoms" else "goes on")
         if term.modifier == ANGLE_OF and term.other is not None:
             return self.whatever_angle(path, self.between(term, term.other))
         kind = QUANTITIES[path.quantity]

@@ -237,12 +237,11 @@ class Stance:
         return sum_of(self.place(ref.owner), self.arm(ref))
 
     def apart(self) -> list[float]:
-        """How far the second end of each bar that closes a linkage is from where it is held, as shares of its length."""
+        """By how much the places that hold the ends of each bar are farther apart than it is long, as shares of that."""
         found = []
-        for name in self.rig.bodies:
-            for joint in self.rig.ends(name)[1:]:
-                size = arrow_length(self.rig.drawn_way(self.rig.ends(name)))
-                found += [part / size for part in less(self.point(joint.body), self.held_at(joint))]
+        for ends in filter(None, map(self.rig.ends, self.rig.bodies)):
+            way = less(*map(self.held_at, ends[::-1]))
+            found.append(arrow_length(way) / arrow_length(self.rig.drawn_way(ends)) - 1.0)
         return found
 
     # rolling
