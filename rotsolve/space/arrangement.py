@@ -12,7 +12,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate, total
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.tensor import InertiaTensor, displaced
@@ -32,7 +32,7 @@ from rotsolve.core.vectors.triple import (
     way_between,
 )
 from rotsolve.elements.shapes import rims, shape_of
-from rotsolve.language.bodies import Body, Joint, PointRef, Surface
+from rotsolve.language.bodies import Body, Coupling, Joint, PointRef, Surface
 from rotsolve.language.joints import joints_at
 from rotsolve.language.problem import Problem
 from rotsolve.language.shape import WHEEL
@@ -178,6 +178,18 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def links(self) -> tuple[str, ...]:
         """The bars that close linkages."""
         return tuple(name for name in self.bodies if self.link(name))
+
+    @cached_property
+    def couplings(self) -> tuple[Coupling, ...]:
+        """The universal joints between shafts."""
+        found = (item.coupling_in_space() for item in self.problem.connections)
+        return tuple(coupling for coupling in found if coupling is not None)
+
+    @cached_property
+    def closing(self) -> tuple[str, Span | None] | None:
+        """What closes a linkage, by its name and place; None where all joints are those of open chains."""
+        ends = next(((joint.owner, joint.body.span) for name in self.links for joint in self.link(name)[1:]), None)
+        return ends or next(((item.owner, item.second.span) for item in self.couplings), None)
 
     def rolling(self, name: str) -> Joint | None:
         """The contact on which a body rolls that nothing else holds."""

@@ -8,6 +8,7 @@ symmetric body those of its line of nodes or of what carries it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import degree, is_zero
@@ -86,6 +87,10 @@ class SpaceLaws:
             from rotsolve.space.links import link_rules
 
             yield from link_rules(self.moment)
+        if self.moment.held.couplings:
+            from rotsolve.space.universal import crosses
+
+            yield from chain.from_iterable(cross.rules() for cross in crosses(self.moment))
         for words, part in self.pushes.conditions:
             yield RULE.equation(part, ZERO, self.moment.when, words=words)
 

@@ -235,17 +235,17 @@ def ends_elsewhere(link: Link, gap: Formula) -> Unsolvable:
 def refuse_in_course(held: JointedBodies, states: Sequence[State], *, functions: bool) -> None:
     """Refuse a closed linkage over several states, in a steady one and as time goes on: it is solved at one moment."""
     steady = next((state for state in states if state.steady and not state.balance), None)
-    if held.links and len(states) > 1:
+    if len(states) > 1:
         raise beyond_one_moment(held, "moves from state to state")
-    if held.links and (functions or steady is not None):
+    if functions or steady is not None:
         raise beyond_one_moment(held, "goes on in time" if functions else "moves steadily")
 
 
 def beyond_one_moment(held: JointedBodies, what: str) -> NotYet:
     """That of a closed linkage only one moment is solved."""
-    joint = held.link(held.links[0])[1]
-    message = f"`{joint.owner}` closes a linkage in space: how that {what} is not solved yet"
-    return NotYet(message, joint.body.span, "ask for one moment, where its places and rates are told")
+    owner, span = held.closing or ("", None)
+    message = f"`{owner}` closes a linkage in space: how that {what} is not solved yet"
+    return NotYet(message, span, "ask for one moment, where its places and rates are told")
 
 
 def point_of_link(moment: SpaceMoment, ref: PointRef) -> tuple[Link, Triple] | None:

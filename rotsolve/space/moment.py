@@ -5,8 +5,6 @@ Vectors of a body are in the axes of its `Attitude`. What a state tells is put i
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.faults import Unsolvable
@@ -36,28 +34,32 @@ from rotsolve.space.attitude import (
     NODE,
     Attitude,
     Axes,
+    HeldBar,
 )
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.rolling import Rolling
 from rotsolve.space.sliding import refuse_elsewhere, slid, slid_since
 from rotsolve.space.turned import TurnedMoment
 
-if TYPE_CHECKING:
-    from rotsolve.space.links import Link
-
-
 class SpaceMoment(TurnedMoment):
     """One state of a scene in space."""
 
     before: SpaceMoment | None
 
-    def link_with(self, ref: PointRef) -> tuple[Link, Triple] | None:
+    def link_with(self, ref: PointRef) -> tuple[HeldBar, Triple] | None:
         """A bar that closes a linkage and one of its points, in its own axes; None of other bodies."""
         if ref.owner not in self.held.links:
             return None
         from rotsolve.space.links import point_of_link
 
         return point_of_link(self, ref)
+
+    def coupled_angle(self, name: str) -> Formula | None:
+        if not self.held.couplings:
+            return None
+        from rotsolve.space.universal import coupled_angle
+
+        return coupled_angle(self, name)
 
     def _between_ends(self, name: str) -> Attitude:
         from rotsolve.space.links import link_attitude, link_at

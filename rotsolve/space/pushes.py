@@ -87,6 +87,8 @@ class Pushes:
                 yield from self.by_joint(joint)
             elif joint.carrier.owner == name:
                 yield from (self.back(joint, push) for push in self.by_joint(joint))
+        if held.couplings:
+            yield from self.by_crosses(name)
         for action in self.actions:
             if any(ref.owner == name for ref in action.touches()):
                 yield self.by_action(action)
@@ -282,6 +284,16 @@ class Pushes:
         letters = self.letters("torque", joint)
         plain = [part == ZERO or isinstance(part, Symbol) for part in torque]
         return triple([part if bare else own for part, bare, own in zip(torque, plain, letters, strict=True)]), torque
+
+    def by_crosses(self, name: str) -> Iterator[ForceInSpace]:
+        """The couples of universal joints on a shaft."""
+        from rotsolve.space.universal import crosses
+
+        for cross in crosses(self.moment):
+            ends, own = cross.coupling, self.moment.axes(name)
+            if name in (ends.first.owner, ends.second.owner):
+                couple = cross.couple() if name == ends.second.owner else minus(cross.couple())
+                yield ForceInSpace(ends.owner, name, NOTHING, IN_SPACE, NOTHING, own, couple)
 
     def back(self, joint: Joint, push: ForceInSpace) -> ForceInSpace:
         """What the body does to what carries it: the opposite, at the same place."""

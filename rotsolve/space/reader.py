@@ -66,7 +66,7 @@ class SpaceReader(VectorReader):
         """What a path stands for; raises `NotYet` for what has no meaning here."""
         term = term or Term(path)
         refuse_dropped(path, term)
-        if self.held.links and path.quantity in OF_OPEN_CHAINS:
+        if self.held.closing is not None and path.quantity in OF_OPEN_CHAINS:
             from rotsolve.space.links import beyond_one_moment
 
             raise beyond_one_moment(self.held, "can move" if path.quantity == "freedoms" else "goes on")
@@ -105,6 +105,9 @@ class SpaceReader(VectorReader):
         joint = self.held.joint(owner)
         if joint is not None:
             return joint.body.owner, joint.carrier.owner
+        tied = [item for item in self.held.couplings if item.owner == owner]
+        if tied:
+            return tied[0].first.owner, tied[0].second.owner
         acting = (ref.owner for item in self.problem.actions if item.name == owner for ref in item.touches())
         return (owner, *acting)
 

@@ -358,7 +358,7 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def small_swings(self, term: Term) -> tuple[Meaning, str]:
         """The period or frequency of small swings about a steady motion."""
-        if self.held.links:
+        if self.held.closing is not None:
             from rotsolve.space.links import beyond_one_moment
 
             raise beyond_one_moment(self.held, "swings")
@@ -457,7 +457,7 @@ class SpaceEquations(SceneEquations, dict=True):
         """Lagrange's equations at each state, and what they keep over phases."""
         from rotsolve.space.lagrangian import by_lagrange_in_space
 
-        if self.held.links:  # its coordinates are tied to each other
+        if self.held.closing is not None:  # its coordinates are tied to each other
             return iter(())
         return by_lagrange_in_space(self)
 
@@ -500,7 +500,7 @@ class SpaceEquations(SceneEquations, dict=True):
         self.refuse_varying()
         self.refuse_without()
         self.refuse_turned()
-        if self.held.links:
+        if self.held.closing is not None:
             from rotsolve.space.links import refuse_in_course
 
             functions = self.configuration.mentions.functions

@@ -97,6 +97,10 @@ class TurnedMoment(LeaningMoment):
         """A bar that closes a linkage, as its ends are held."""
         raise NotImplementedError
 
+    def coupled_angle(self, name: str) -> Formula | None:
+        """How far a shaft is turned that a universal joint ties to another one; None of others."""
+        return None
+
     def freely(self, name: str) -> Attitude:
         """A body that no axis holds and nothing turns as it is told."""
         line = self.line(name, "angle")
@@ -297,6 +301,9 @@ class TurnedMoment(LeaningMoment):
     def turned_on(self, name: str) -> Formula | None:
         """How far a body that nothing drives is turned, as the state tells, through a blow as before, or the letter for what the time that
         has passed tells."""
+        coupled = self.coupled_angle(name)
+        if coupled is not None:
+            return coupled
         told = self.told(name, "angle")
         if told is None and self.before is not None:
             return self.before.turned_on(name)

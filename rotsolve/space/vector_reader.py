@@ -55,6 +55,9 @@ class VectorReader:
         joint = self.held.joint(path.owner)
         if joint is not None:
             return joint.body.owner
+        tied = next((item for item in self.held.couplings if item.owner == path.owner), None)
+        if tied is not None:
+            return tied.second.owner
         action = next((item for item in self.problem.actions if item.name == path.owner), None)
         if action is None:
             raise NotYet(f"`{path_text(path)}` has no meaning in space")

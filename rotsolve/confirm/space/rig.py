@@ -68,7 +68,9 @@ class Rig:
         self._idle: dict[str, list[Arrow]] = {}
         self.joints = {joint.owner: self.about_line(joint) for joint in joints_at(problem, state)}
         others = (item for item in problem.connections if item.motor_in_space() is None)
-        unknown = [item for item in others if item.name not in self.joints]
+        tied = (item.coupling_in_space() for item in problem.connections)
+        self.couplings = {item.owner: item for item in tied if item is not None}
+        unknown = [item for item in others if item.name not in {*self.joints, *self.couplings}]
         if unknown:
             raise NotConfirmed(f"`{unknown[0].name}`: what a `{unknown[0].word}` does in space")
 

@@ -34,7 +34,7 @@ from rotsolve.confirm.space.arrows import (
 from rotsolve.confirm.space.masses import turned_together
 from rotsolve.confirm.space.rig import Lines, Rig, way_along
 from rotsolve.elements.shapes import rim_radius, rolling_shape, shape_of
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Coupling, Joint, PointRef
 
 SIDES = {"bottom": 1.0, "top": -1.0}
 ON_AXIS = 1e-9  # how nearly two directions are one
@@ -129,12 +129,34 @@ class Stance:
         drive = dict(joint.drive)
         if "angle" in drive:
             return self.rig.over_time(drive["angle"])[0]
+        for item in self.rig.couplings.values():
+            if item.second.owner == joint.body.owner:
+                return self.tied_angle(item, joint)
         told = (self.lines.told(owner, "angle") for owner in (joint.body.owner, joint.owner))
         angle = next((angle for angle in told if angle is not None), None)
         if angle is None and self.lines.later:
             self.open.add(joint.body.owner)
             return self.guess
         return angle or 0.0
+
+    def tied_angle(self, item: Coupling, joint: Joint) -> float:
+        """How far the second shaft of a universal joint is turned: with e its arm as drawn, e cos φ + n × e sin φ is square to c now."""
+        own, first = normed(self.rig.arrow(item.arm)), self.rig.main(item.first.owner)
+        if first is None or joint.aligned or first.aligned:
+            raise NotConfirmed("how far a wheel on an axle is turned by a universal joint")
+        rows = (turned_together(self.rig.bodies[ref.owner].turned, self.rig.value) for ref in (item.first, item.second))
+        drawn, beyond = rows
+        way = times_arrow(beyond, way_along(self.rig, joint.turning[0]))
+        start, arm = crossed(way, times_arrow(drawn, own)), times_arrow(self.turned(item.first.owner), own)
+        return math.atan2(inner_product(arm, start), -inner_product(arm, crossed(way, start)))
+
+    def arms(self, item: Coupling) -> tuple[Arrow, Arrow]:
+        """The two arms of the cross of a universal joint, in space."""
+        joint = self.rig.main(item.second.owner)
+        if joint is None or not joint.turning:
+            raise NotConfirmed("a universal joint of what is on no hinge")
+        first = times_arrow(self.turned(item.first.owner), normed(self.rig.arrow(item.arm)))
+        return first, normed(crossed(self.way(joint), first))
 
     def euler(self, name: str) -> tuple[float, float, float]:
         """φ, θ and ψ; φ = ψ = 0 where nothing tells them."""

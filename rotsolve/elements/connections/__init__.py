@@ -4,7 +4,7 @@ from rotsolve.elements.connections.contact import Contact, Rolls, Unrolls
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, MutualDrive
 from rotsolve.elements.connections.drives import guide as guide
-from rotsolve.elements.connections.pairs import Ball, Clamp, Collar, Screw, Sleeve, Slide
+from rotsolve.elements.connections.pairs import Ball, Clamp, Collar, Screw, Sleeve, Slide, Universal
 from rotsolve.elements.connections.rubbing import Clutch
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
@@ -22,6 +22,7 @@ CONNECTIONS: list[type[Connection]] = [
     Slide,
     Sleeve,
     Screw,
+    Universal,
     Weld,
     Contact,
     Rolls,
