@@ -185,6 +185,10 @@ class JointedBodies(Struct, frozen=True, dict=True):
         found = (item.coupling_in_space() for item in self.problem.connections)
         return tuple(coupling for coupling in found if coupling is not None)
 
+    def tied(self, name: str) -> bool:
+        """Whether a universal joint ties how a body turns to how another one does."""
+        return any(name in (item.first.owner, item.second.owner) for item in self.couplings)
+
     @cached_property
     def closing(self) -> tuple[str, Span | None] | None:
         """What closes a linkage, by its name and place; None where all joints are those of open chains."""
@@ -367,6 +371,8 @@ class JointedBodies(Struct, frozen=True, dict=True):
         if whole or not shape_of(body).pointlike or any(joint.carrier.owner == name for joint in self.joints):
             return False
         if any(action.twists() and name in (ref.owner for ref in action.touches()) for action in self.problem.actions):
+            return False
+        if self.tied(name):
             return False
         touched = [joint.body for joint in self.joints if not (joint.rolls or joint.flat)]
         touched += [ref for action in self.problem.actions for ref in action.touches()]

@@ -363,11 +363,15 @@ class SpaceLaws:
                     )
 
     def about_line(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
-        """n · dL/dt = n · Στ of a body on two balls, n along the oblique line through both, about which their forces have no torque."""
+        """n · dL/dt = n · Στ of a body on two balls, n along the oblique line through both, about which their forces have no torque; of a
+        shaft at a universal joint about its oblique axis, about which its hinge has none."""
         held, moment = self.moment.held, self.moment
         joint, balls = held.main(name), {item.owner for item in held.hinge_balls(name)}
+        if joint is not None and not joint.powered and held.tied(name):
+            balls = {joint.owner}
         if joint is None or not balls:
             return
+        words = ", along the line through both balls" if held.hinge_balls(name) else ", along its axis"
         way, own = moment.direction(name, joint), moment.attitude(name)
         if is_axis(way) or self.goes_on(name):
             return
@@ -378,7 +382,7 @@ class SpaceLaws:
         left, right = (moment.tidy(dot_product(way, vector)) for vector in (torque, changed))
         where = f" about {point_in_words(point)}"
         yield RATE_IN_STILL_AXES.equation(
-            left, right, moment.when, (name,), about=where, along=", along the line through both balls"
+            left, right, moment.when, (name,), about=where, along=words
         )
 
     def goes_on(self, name: str) -> bool:
