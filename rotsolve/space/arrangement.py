@@ -252,7 +252,10 @@ class JointedBodies(Struct, frozen=True, dict=True):
             if not ready:
                 joint = self.main(pending[0])
                 span = joint.body.span if joint is not None else None
-                help = "name what is on the ground first, as in `[BODY.P, bar.end]`, where a bar joins it to another" * bool(self.links)
+                help = (
+                    "name what is on the ground first, as in `[BODY.P, bar.end]`, where a bar joins it to another"
+                    * bool(self.links)
+                )
                 raise Unsolvable("bodies that carry each other in a ring are not solved yet", span=span, help=help)
             done += ready
             pending = [name for name in pending if name not in ready]
@@ -399,7 +402,15 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def thin_along(self, name: str, way: Triple) -> bool:
         """Whether a body has no inertia about the line along `way` through its centre of mass."""
         tensor = self.whole_tensor(name)
-        rows = () if tensor is None else ((tensor.xx, tensor.xy, tensor.zx), (tensor.xy, tensor.yy, tensor.yz), (tensor.zx, tensor.yz, tensor.zz))
+        rows = (
+            ()
+            if tensor is None
+            else (
+                (tensor.xx, tensor.xy, tensor.zx),
+                (tensor.xy, tensor.yy, tensor.yz),
+                (tensor.zx, tensor.yz, tensor.zz),
+            )
+        )
         return tensor is not None and all(self.vanishes(dot_product(row, way)) for row in rows)
 
     def shaped_about(self, name: str, way: Triple) -> bool:

@@ -381,9 +381,7 @@ class SpaceLaws:
         torque = vector_sum(NOTHING, *(push.torque(place) for push in pushes if push.owner not in balls))
         left, right = (moment.tidy(dot_product(way, vector)) for vector in (torque, changed))
         where = f" about {point_in_words(point)}"
-        yield RATE_IN_STILL_AXES.equation(
-            left, right, moment.when, (name,), about=where, along=words
-        )
+        yield RATE_IN_STILL_AXES.equation(left, right, moment.when, (name,), about=where, along=words)
 
     def goes_on(self, name: str) -> bool:
         """Whether a fast top precesses as at a state before, where the law has been written: what was left out there was made of the spin,

@@ -2,7 +2,7 @@
 
 With r the way from the first end to the second, v₁ and v₂ their velocities as what holds them has them: the bar keeps its length,
 r · (v₂ − v₁) = 0 and r · (a₂ − a₁) + |v₂ − v₁|² = 0. How it stands follows from where its ends are; it is thin and does not spin about r,
-so that it turns at ω = r × (v₂ − v₁)/r², and α = r × (a₂ − a₁)/r² (Beer & Johnston, Vector Mechanics for Engineers: Dynamics, §15.12).
+so that it turns at ω = r × (v₂ − v₁)/r², and α = r × (a₂ − a₁)/r² (Meriam & Kraige, Dynamics, chapter 7).
 Its vectors are along the axes of space, which are to turn with it at the moment. A light one pushes along itself alone.
 """
 

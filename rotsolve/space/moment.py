@@ -41,6 +41,7 @@ from rotsolve.space.rolling import Rolling
 from rotsolve.space.sliding import refuse_elsewhere, slid, slid_since
 from rotsolve.space.turned import TurnedMoment
 
+
 class SpaceMoment(TurnedMoment):
     """One state of a scene in space."""
 
@@ -62,7 +63,7 @@ class SpaceMoment(TurnedMoment):
         return coupled_angle(self, name)
 
     def _between_ends(self, name: str) -> Attitude:
-        from rotsolve.space.links import link_attitude, link_at
+        from rotsolve.space.links import link_at, link_attitude
 
         link = link_at(self, name)
         assert link is not None

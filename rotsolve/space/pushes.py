@@ -171,9 +171,7 @@ class Pushes:
             yield ForceInSpace(joint.owner, name, pull, axes, place, own)
             return
         force, nothing = free_of_force(joint, self.moment, force, couple)
-        words = UNPUSHED.format(spoken(joint.owner)) + (
-            "" if joint.pitch is None else ": it gives no power"
-        )
+        words = UNPUSHED.format(spoken(joint.owner)) + ("" if joint.pitch is None else ": it gives no power")
         self.conditions += [(words, part) for part in nothing]
         if axes.name == ON_LINE:  # what pushes along the line may be moved along it
             yield ForceInSpace(joint.owner, name, (force[0], ZERO, ZERO), axes, NOTHING, own)
@@ -204,7 +202,9 @@ class Pushes:
         if link is None or not link.light:
             return None
         if joint.sliding:
-            self.conditions.append((UNPUSHED.format(spoken(joint.owner)), dot_product(sliding_way(joint, self.moment), link.pull())))
+            self.conditions.append(
+                (UNPUSHED.format(spoken(joint.owner)), dot_product(sliding_way(joint, self.moment), link.pull()))
+            )
         return link.pull() if joint.owner == link.ends[1].owner else minus(link.pull())
 
     def place(self, joint: Joint) -> Triple:

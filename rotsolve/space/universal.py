@@ -2,7 +2,7 @@
 
 With c the arm of the cross in the fork of the first shaft and n₁, n₂ along the shafts, all of length 1, the other arm lies along n₂ × c,
 square to the second shaft and to c. That both arms stay square makes ω₂ (1 − (c · n₂)²) = ω₁ n₁ · n₂: of shafts at an angle β, with θ from
-where c lies square to both, ω₂ = ω₁ cos β/(1 − sin²β sin²θ) (Meriam & Kraige, Dynamics, §7/5). The couple is along the normal of the
+where c lies square to both, ω₂ = ω₁ cos β/(1 − sin²β sin²θ), as in books on the theory of machines. The couple is along the normal of the
 cross, n₂ − c (c · n₂), so that it gives as much power as it takes; no force is passed on.
 """
 
@@ -25,6 +25,7 @@ from rotsolve.core.vectors.triple import (
     rotated,
     scaled_by,
     square,
+    square_of,
     triple,
     unit_along,
     vector_sum,
@@ -107,7 +108,8 @@ class Cross(Struct, frozen=True):
         moment = self.moment
         names = self.coupling.first.owner, self.coupling.second.owner
         (first, faster), (second, quicker) = (
-            moment.driven(name, joint, moment.rate_word(name, joint)) for name, joint in zip(names, map(self.shaft, names), strict=True)
+            moment.driven(name, joint, moment.rate_word(name, joint))
+            for name, joint in zip(names, map(self.shaft, names), strict=True)
         )
         lean, leverage, together = self.lean(), self.leverage(), self.together()
         words = f"the arms of {spoken(self.coupling.owner)} stay square: ω₂ (1 − (c · n₂)²) = ω₁ n₁ · n₂"
@@ -118,7 +120,9 @@ class Cross(Struct, frozen=True):
         gained = multiply(TWO, multiply(multiply(lean, swept), multiply(first, second)))
         left, right = multiply(leverage, quicker), add(multiply(together, faster), gained)
         if left != right:
-            yield RULE.equation(left, right, moment.when, names, words=f"the same of {spoken(self.coupling.owner)}, differentiated")
+            yield RULE.equation(
+                left, right, moment.when, names, words=f"the same of {spoken(self.coupling.owner)}, differentiated"
+            )
 
 
 def crosses(moment: SpaceMoment) -> Iterator[Cross]:
@@ -140,8 +144,11 @@ def refuse_cross(cross: Cross) -> None:
     if not moment.held.vanishes(moment.tidy(along)):
         message = f"the arm of `{coupling.owner}` is not square to `{first.owner}`"
         raise Unsolvable(message, span=first.span, help="`along` is a direction square to that shaft, in its own axes")
-    if moment.held.vanishes(cross.leverage()):
-        message = f"`{coupling.owner}` is locked at `{moment.when}`: its arm in `{first.owner}` lies along `{second.owner}`"
+    lock = square_of(cross_product(cross.axis(second.owner), cross.arm(drawn=True)))
+    drawn = moment.held.vanishes(moment.tidy(lock))
+    if drawn or moment.held.vanishes(cross.leverage()):
+        when = "as it is drawn" if drawn else f"at `{moment.when}`"
+        message = f"`{coupling.owner}` is locked {when}: its arm in `{first.owner}` lies along `{second.owner}`"
         raise Unsolvable(message, span=second.span, help="turn the arm, or the shafts, another way")
     line = moment.line(second.owner, "angle")
     if line is not None or "angle" in dict(cross.shaft(second.owner).drive):
@@ -159,7 +166,11 @@ def refuse_ring(cross: Cross) -> None:
         name = before[name]
     if name in seen or len(before) < len(cross.moment.held.couplings):
         message = f"`{cross.coupling.second.owner}` is tied to others by several universal joints in a ring"
-        raise Unsolvable(message, span=cross.coupling.second.span, help="name shafts from the first to the last, each once as a second one")
+        raise Unsolvable(
+            message,
+            span=cross.coupling.second.span,
+            help="name shafts from the first to the last, each once as a second one",
+        )
 
 
 def coupled_angle(moment: SpaceMoment, name: str) -> Formula | None:

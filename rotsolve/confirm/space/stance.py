@@ -131,7 +131,7 @@ class Stance:
             return self.rig.over_time(drive["angle"])[0]
         for item in self.rig.couplings.values():
             if item.second.owner == joint.body.owner:
-                return self.tied_angle(item, joint)
+                return self.tied_angle(item)
         told = (self.lines.told(owner, "angle") for owner in (joint.body.owner, joint.owner))
         angle = next((angle for angle in told if angle is not None), None)
         if angle is None and self.lines.later:
@@ -139,24 +139,25 @@ class Stance:
             return self.guess
         return angle or 0.0
 
-    def tied_angle(self, item: Coupling, joint: Joint) -> float:
+    def tied_angle(self, item: Coupling) -> float:
         """How far the second shaft of a universal joint is turned: with e its arm as drawn, e cos φ + n × e sin φ is square to c now."""
-        own, first = normed(self.rig.arrow(item.arm)), self.rig.main(item.first.owner)
-        if first is None or joint.aligned or first.aligned:
-            raise NotConfirmed("how far a wheel on an axle is turned by a universal joint")
-        rows = (turned_together(self.rig.bodies[ref.owner].turned, self.rig.value) for ref in (item.first, item.second))
-        drawn, beyond = rows
-        way = times_arrow(beyond, way_along(self.rig, joint.turning[0]))
+        own = normed(self.rig.arrow(item.arm))
+        (drawn, _), (_, way) = (self.shaft_drawn(ref.owner) for ref in (item.first, item.second))
         start, arm = crossed(way, times_arrow(drawn, own)), times_arrow(self.turned(item.first.owner), own)
         return math.atan2(inner_product(arm, start), -inner_product(arm, crossed(way, start)))
 
-    def arms(self, item: Coupling) -> tuple[Arrow, Arrow]:
-        """The two arms of the cross of a universal joint, in space."""
-        joint = self.rig.main(item.second.owner)
+    def shaft_drawn(self, name: str) -> tuple[Turned, Arrow]:
+        """How a body on a hinge or an axle of the ground stands before it is turned about that, and the axis in space."""
+        joint, drawn = self.rig.main(name), turned_together(self.rig.bodies[name].turned, self.rig.value)
         if joint is None or not joint.turning:
             raise NotConfirmed("a universal joint of what is on no hinge")
+        way = way_along(self.rig, joint.turning[0])
+        return (self._on_axle(name, way, drawn), way) if joint.aligned else (drawn, times_arrow(drawn, way))
+
+    def arms(self, item: Coupling) -> tuple[Arrow, Arrow]:
+        """The two arms of the cross of a universal joint, in space."""
         first = times_arrow(self.turned(item.first.owner), normed(self.rig.arrow(item.arm)))
-        return first, normed(crossed(self.way(joint), first))
+        return first, normed(crossed(self.shaft_drawn(item.second.owner)[1], first))
 
     def euler(self, name: str) -> tuple[float, float, float]:
         """φ, θ and ψ; φ = ψ = 0 where nothing tells them."""
