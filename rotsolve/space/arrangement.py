@@ -23,7 +23,6 @@ from rotsolve.core.vectors.triple import (
     Y,
     Z,
     cross_product,
-    dot_product,
     is_axis,
     minus,
     tidied,
@@ -398,20 +397,6 @@ class JointedBodies(Struct, frozen=True, dict=True):
         """Whether a body has no inertia about any axis."""
         tensor = self.whole_tensor(name)
         return tensor is not None and all(self.vanishes(tensor.entry(word)) for word in ("xx", "yy", "zz"))
-
-    def thin_along(self, name: str, way: Triple) -> bool:
-        """Whether a body has no inertia about the line along `way` through its centre of mass."""
-        tensor = self.whole_tensor(name)
-        rows = (
-            ()
-            if tensor is None
-            else (
-                (tensor.xx, tensor.xy, tensor.zx),
-                (tensor.xy, tensor.yy, tensor.yz),
-                (tensor.zx, tensor.yz, tensor.zz),
-            )
-        )
-        return tensor is not None and all(self.vanishes(dot_product(row, way)) for row in rows)
 
     def shaped_about(self, name: str, way: Triple) -> bool:
         """Whether the shape of a body is symmetric about one of its own axes, whatever mass it has."""

@@ -88,9 +88,9 @@ class SpaceLaws:
 
             yield from link_rules(self.moment)
         if self.moment.held.couplings:
-            from rotsolve.space.universal import crosses
+            from rotsolve.space.universal import crosses_at
 
-            yield from chain.from_iterable(cross.rules() for cross in crosses(self.moment))
+            yield from chain.from_iterable(cross.rules() for cross in crosses_at(self.moment))
         for words, part in self.pushes.conditions:
             yield RULE.equation(part, ZERO, self.moment.when, words=words)
 

@@ -3,7 +3,7 @@
 With r the way from the first end to the second, v₁ and v₂ their velocities as what holds them has them: the bar keeps its length,
 r · (v₂ − v₁) = 0 and r · (a₂ − a₁) + |v₂ − v₁|² = 0. How it stands follows from where its ends are; it is thin and does not spin about r,
 so that it turns at ω = r × (v₂ − v₁)/r², and α = r × (a₂ − a₁)/r² (Meriam & Kraige, Dynamics, chapter 7).
-Its vectors are along the axes of space, which are to turn with it at the moment. A light one pushes along itself alone.
+Across itself its moment of inertia is one and the same, so that L = I ω along the axes of space. A light one pushes along itself alone.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, add, negate
 from rotsolve.core.equation import RULE, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
@@ -30,6 +30,7 @@ from rotsolve.core.vectors.triple import (
     length_of,
     scaled_by,
     square_of,
+    tidied,
     triple,
     unit_along,
     vector_sum,
@@ -40,8 +41,8 @@ from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.problem import State
 from rotsolve.paths.meaning import NotYet
 from rotsolve.space.arrangement import NODAL, JointedBodies
-from rotsolve.space.attitude import IN_SPACE, SPACE, Attitude, Axes
-from rotsolve.space.inertia import entry_along
+from rotsolve.space.attitude import IN_SPACE, Attitude
+from rotsolve.space.inertia import entry_along, product
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.places import apart_untold, point_in_space
 from rotsolve.space.sliding import slid
@@ -121,7 +122,7 @@ def link_at(moment: SpaceMoment, name: str) -> Link | None:
 
 
 def link_attitude(link: Link) -> Attitude:
-    """How a bar turns, along the axes of space, which are to go with it."""
+    """How a bar turns, along the axes of space, in which all that is told of it stays simple: ω is across it."""
     moment, name = link.moment, link.name
     refuse_link(link)
     still = moment.rests(name)
@@ -129,7 +130,7 @@ def link_attitude(link: Link) -> Attitude:
     rates = NOTHING
     if not (moment.state.steady or moment.state.balance):
         rates = triple([moment.ask("angular_acceleration", name, axis) for axis in AXES])
-    return Attitude(Axes(SPACE, AS_DRAWN, omega, rates), AS_DRAWN, omega, rates)
+    return Attitude(IN_SPACE, AS_DRAWN, omega, rates)
 
 
 def refuse_link(link: Link) -> None:
@@ -142,8 +143,8 @@ def refuse_link(link: Link) -> None:
         what = "its `turned`" if told is None else "this line"
         raise Unsolvable(message, span=body.span if told is None else told.span, help=f"leave {what} out")
     refuse_apart_ends(link)
-    drawn = link.drawn()
-    if drawn == NOTHING or not moment.held.thin_along(name, drawn):
+    drawn, tensor = link.drawn(), moment.held.whole_tensor(name)
+    if drawn == NOTHING or tensor is None or not all(map(moment.held.vanishes, product(tensor, drawn))):
         help = "make it a thin `rod` held at both its ends, or leave its `mass` 0"
         raise Unsolvable(SPUN.format(name), span=link.ends[1].body.span, help=help)
 
@@ -166,20 +167,11 @@ def moment_ground(held: JointedBodies, joint: Joint) -> Joint:
 
 
 def link_tensor(link: Link, own: InertiaTensor) -> InertiaTensor:
-    """I (1 − n nᵀ) of a thin bar along n, in the axes of space."""
-    drawn, way = link.drawn(), link.way()
-    across = cross_product(drawn, Z)
-    across = cross_product(drawn, X) if across == NOTHING else across
-    inertia = entry_along(own, unit_along(across, link.moment.positive))
-    if inertia == ZERO:
-        return InertiaTensor()
-    whole = simplify(square_of(drawn))
-
-    def entry(one: int, other: int) -> Formula:
-        part = negate(multiply(way[one], way[other])) / whole
-        return multiply(inertia, simplify(add(ONE, part) if one == other else part))
-
-    return InertiaTensor(entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(2, 0))
+    """The moment of inertia of a bar across itself, about all axes: it does not turn about itself, so that L = I ω and dL/dt = I α."""
+    across = cross_product(link.drawn(), Z)
+    across = cross_product(link.drawn(), X) if across == NOTHING else across
+    inertia = entry_along(own, tidied(unit_along(across, link.moment.positive)))
+    return InertiaTensor(inertia, inertia, inertia)
 
 
 def link_rules(moment: SpaceMoment) -> Iterator[Equation]:

@@ -287,9 +287,9 @@ class Pushes:
 
     def by_crosses(self, name: str) -> Iterator[ForceInSpace]:
         """The couples of universal joints on a shaft."""
-        from rotsolve.space.universal import crosses
+        from rotsolve.space.universal import crosses_at
 
-        for cross in crosses(self.moment):
+        for cross in crosses_at(self.moment):
             ends, own = cross.coupling, self.moment.axes(name)
             if name in (ends.first.owner, ends.second.owner):
                 couple = cross.couple() if name == ends.second.owner else minus(cross.couple())

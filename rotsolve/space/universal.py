@@ -125,7 +125,7 @@ class Cross(Struct, frozen=True):
             )
 
 
-def crosses(moment: SpaceMoment) -> Iterator[Cross]:
+def crosses_at(moment: SpaceMoment) -> Iterator[Cross]:
     """The crosses of all universal joints; refused by name where one can not be followed."""
     for coupling in moment.held.couplings:
         cross = Cross(moment, coupling)

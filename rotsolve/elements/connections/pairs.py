@@ -106,5 +106,5 @@ class Universal(Connection, frozen=True):
     )
 
     def coupling_in_space(self) -> Coupling:
-        x, y, z = self.along
-        return Coupling(self.name, *self.universal, (x, y, z))
+        (first, second), (x, y, z) = self.universal, self.along
+        return Coupling(self.name, first, second, (x, y, z))
