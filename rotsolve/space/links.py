@@ -180,38 +180,36 @@ def link_rules(moment: SpaceMoment) -> Iterator[Equation]:
         link = link_at(moment, name)
         assert link is not None
         yield from kept_length(link)
-        for word, letters in (
-            ("velocity", moment.attitude(name).omega),
-            ("acceleration", moment.attitude(name).rates),
-        ):
-            turned = cross_product(link.way(), link.change(word))
-            kind = "ω = r × (v₂ − v₁)/l²" if word == "velocity" else "α = r × (a₂ − a₁)/l²"
-            for letter, part, axis in zip(letters, turned, AXES, strict=True):
-                if letter != part:
-                    value = part / simplify(square_of(link.drawn()))
-                    words = f"{spoken(name)} turns across itself: {kind}, along {axis}"
-                    yield RULE.equation(letter, value, moment.when, (name,), words=words)
+        own = moment.attitude(name)
+        yield from turned_across(link, "velocity", own.omega, "ω = r × (v₂ − v₁)/l²")
+        yield from turned_across(link, "acceleration", own.rates, "α = r × (a₂ − a₁)/l²")
+
+
+def turned_across(link: Link, word: str, letters: Triple, said: str) -> Iterator[Equation]:
+    """ω or α, by what its ends have against each other."""
+    turned, size = cross_product(link.way(), link.change(word)), simplify(square_of(link.drawn()))
+    for letter, part, axis in zip(letters, turned, AXES, strict=True):
+        if letter != part:
+            words = f"{spoken(link.name)} turns across itself, along {axis}"
+            yield RULE.equation(letter, part / size, link.moment.when, (link.name,), (said,), words=words)
 
 
 def kept_length(link: Link) -> Iterator[Equation]:
     """r² = l², and how that goes on; refused where the places of its ends are not so far apart."""
     moment, name, way = link.moment, link.name, link.way()
     sizes = simplify(square_of(way)), simplify(square_of(link.drawn()))
-    open_letters = moment.held.problem.sought & (sizes[0].symbols() | sizes[1].symbols())
-    if open_letters:
+    if moment.held.problem.sought & (sizes[0].symbols() | sizes[1].symbols()):
         words = f"{spoken(name)} is as long as its ends are apart"
         yield RULE.equation(*sizes, moment.when, (name,), words=words)
     elif not moment.held.vanishes(gap := add(sizes[0], negate(sizes[1]))):
         raise ends_elsewhere(link, gap)
     speeds, faster = link.change("velocity"), link.change("acceleration")
-    along = dot_product(way, speeds)
-    words = f"{spoken(name)} keeps its length"
-    if has_quantities(along) or not moment.held.vanishes(along):
-        yield RULE.equation(along, ZERO, moment.when, (name,), words=f"{words}: r · (v₂ − v₁) = 0")
-    along = add(dot_product(way, faster), square_of(speeds))
-    if has_quantities(along) or not moment.held.vanishes(along):
-        words = f"{words}, differentiated: r · (a₂ − a₁) + |v₂ − v₁|² = 0"
-        yield RULE.equation(along, ZERO, moment.when, (name,), words=words)
+    rates = dot_product(way, speeds), add(dot_product(way, faster), square_of(speeds))
+    said = "r · (v₂ − v₁) = 0", "r · (a₂ − a₁) + |v₂ − v₁|² = 0"
+    for along, formula, more in zip(rates, said, ("", " as it goes on"), strict=True):
+        if has_quantities(along) or not moment.held.vanishes(along):
+            words = f"{spoken(name)} keeps its length{more}"
+            yield RULE.equation(along, ZERO, moment.when, (name,), (formula,), words=words)
 
 
 def ends_elsewhere(link: Link, gap: Formula) -> Unsolvable:

@@ -112,17 +112,15 @@ class Cross(Struct, frozen=True):
             for name, joint in zip(names, map(self.shaft, names), strict=True)
         )
         lean, leverage, together = self.lean(), self.leverage(), self.together()
-        words = f"the arms of {spoken(self.coupling.owner)} stay square: ω₂ (1 − (c · n₂)²) = ω₁ n₁ · n₂"
+        words = f"the arms of {spoken(self.coupling.owner)} stay square"
         left, right = multiply(leverage, second), multiply(together, first)
         if left != right:
-            yield RULE.equation(left, right, moment.when, names, words=words)
+            yield RULE.equation(left, right, moment.when, names, ("ω₂ (1 − (c · n₂)²) = ω₁ n₁ · n₂",), words=words)
         swept = moment.tidy(dot_product(cross_product(self.axis(names[0]), self.arm()), self.axis(names[1])))
         gained = multiply(TWO, multiply(multiply(lean, swept), multiply(first, second)))
         left, right = multiply(leverage, quicker), add(multiply(together, faster), gained)
         if left != right:
-            yield RULE.equation(
-                left, right, moment.when, names, words=f"the same of {spoken(self.coupling.owner)}, differentiated"
-            )
+            yield RULE.equation(left, right, moment.when, names, words=f"{words} as they go on")
 
 
 def crosses_at(moment: SpaceMoment) -> Iterator[Cross]:
