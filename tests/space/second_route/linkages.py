@@ -1,4 +1,4 @@
-"""Closed linkages: by linear equations of the points of bars and of forces and their torques, and by Lagrange's equation of one coordinate."""
+"""Closed linkages: by linear equations for the rates of bars, and for forces and their torques, and by Lagrange's equation."""
 
 from __future__ import annotations
 
