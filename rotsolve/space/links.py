@@ -81,6 +81,7 @@ class Link(Struct, frozen=True, dict=True):
         if carrier in moment.held.bodies:
             there = moment.velocity_there if word == "velocity" else moment.acceleration_there
             moved = moment.axes(carrier).to(IN_SPACE, there(carrier, moment.carried_at(joint)))
+            moved = triple([moment.tidy(part) for part in moved])
         return vector_sum(moved, slid(joint, moment, word) if joint.sliding else NOTHING)
 
     def change(self, word: str) -> Triple:

@@ -89,7 +89,17 @@ def bar_on_two_skew_rods(n: Numbers) -> Answers:
     return {"v_B": speed, "w": omega, "a_A": faster, "a_B": other, "N_A": found[0] * X + found[1] * Z}
 
 
+def rod_on_two_cords(n: Numbers) -> Answers:
+    """(I + M z′²) φ̈ = −M g z′ from rest, z̈ = z′ φ̈, and each cord carries half of M (g + z̈) upright."""
+    high = n.h**2 - 4 * n.a**2 * np.sin(n.phi / 2) ** 2
+    slope = derivatives(lambda step: -np.sqrt(n.h**2 - 4 * n.a**2 * np.sin((n.phi + step) / 2) ** 2), 0.1)[1]
+    faster = -n.g * slope / (n.a**2 / 3 + slope**2)
+    sinking = slope * faster
+    return {"alpha": faster, "a_z": sinking, "T": n.M * (n.g + sinking) / 2 * n.h / np.sqrt(high)}
+
+
 CALCULATIONS = {
+    "rod-on-two-cords": rod_on_two_cords,
     "sign-held-by-two-cables": sign_held_by_two_cables,
     "hookes-joint": hookes_joint,
     "link-between-two-cranks": link_between_two_cranks,
