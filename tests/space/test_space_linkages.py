@@ -85,6 +85,47 @@ def test_masses_on_skew_rods_that_a_light_bar_ties() -> None:
     assert confirmed(found)
 
 
+@pytest.mark.parametrize(
+    "bar",
+    [
+        "mass: 0, points: {start: [0, -0.35 m, 0], end: [0, 0.35 m, 0]}",
+        "mass: 0, points: {start: [0, 0, 0], end: [0.2 m, 0.3 m, 0.6 m]}",
+        "mass: 0, points: {start: [0.7 m, 0, 0], end: [0, 0, 0]}",
+    ],
+)
+def test_however_a_light_bar_is_drawn(bar: str) -> None:
+    found = solve(scene(f"bar: {{{bar}}}", SKEW, TOLD, "v: bar.end.velocity, w: bar.angular_velocity"))
+    way, gap = np.array([0.2, -0.3, -0.6]), np.array([-0.3, -0.2, 0])
+    assert numbers(found, "v") == pytest.approx([-0.3, 0, 0])
+    assert numbers(found, "w") == pytest.approx(list(np.cross(way, gap) / 0.49))
+    assert confirmed(found)
+
+
+def test_collars_on_what_turns() -> None:
+    """On a frame that turns at Ω a bar turns at what of its relative rate and Ω is across it."""
+    frame = "arm: {mass: 0, points: {O: [0, 0, 0], P: [0, 0.3 m, 0.6 m], Q: [0.2 m, 0, 0]}}"
+    joints = """h: {hinge: [[0, 0, 0], arm.O], along: z, angular_velocity: 2 rad/s},
+      c: {collar: [arm.P, bar.start], along: y}, d: {collar: [arm.Q, bar.end], along: x}"""
+    told = "bar.start.velocity relative to arm: [0, 0.2 m/s, 0]"
+    found = solve(scene(f"{frame}, {LIGHT}", joints, told, "v: bar.end.velocity, w: bar.angular_velocity"))
+    way, turning = np.array([0.2, -0.3, -0.6]) / 0.7, np.cross([0.2, -0.3, -0.6], [-0.3, -0.2, 0]) / 0.49 + [0, 0, 2]
+    assert numbers(found, "v") == pytest.approx([-0.3, 0.4, 0])
+    assert numbers(found, "w") == pytest.approx(list(turning - way * (way @ turning)))
+    assert confirmed(found)
+
+
+def test_two_masses_on_a_bar_that_flies() -> None:
+    """The bar pulls with μ v²/l of the relative velocity."""
+    bodies = f"A: {{shape: particle, mass: 1 kg}}, B: {{shape: particle, mass: 2 kg}}, {LIGHT}"
+    joints = "p: {ball: [A, bar.start]}, q: {ball: [B, bar.end]}"
+    told = "A.position: [0, 0, 0], B.position: [0.7 m, 0, 0], A.velocity: [0, 1 m/s, 0], B.velocity: [0, 0, 2 m/s]"
+    found = solve(scene(bodies, joints, told, "w: bar.angular_velocity, a: A.acceleration, F: size of p.force"))
+    assert numbers(found, "w") == pytest.approx([0, -2 / 0.7, -1 / 0.7])
+    assert numbers(found, "a") == pytest.approx([2 / 3 * 5 / 0.7, 0, 0])
+    assert numbers(found, "F") == pytest.approx([2 / 3 * 5 / 0.7])
+    assert confirmed(found)
+
+
 def test_a_strut_pushes() -> None:
     bodies = "arm: {shape: rod, mass: 10 kg, length: 2 m}, strut: {shape: rod, mass: 0, length: 1.25 m}"
     joints = """socket: {hinge: [[0, 0, 0], arm.start], along: y}, B: {ball: [arm.center, strut.start]},
@@ -209,6 +250,7 @@ REFUSED = {
         "w: bar.angular_velocity",
         "contradict",
     ),
+    "a rate that nothing tells": (LIGHT, SKEW, "", "v: bar.end.velocity", "too little is known"),
     "three joints": (
         LIGHT,
         f"{SKEW}, gc: {{ball: [[0.1 m, 0.15 m, 0.3 m], bar.center]}}",

@@ -121,10 +121,13 @@ class Rig:
 
     def idle(self, name: str) -> list[Arrow]:
         """The own directions of a body about which it has no inertia, so that nothing tells how it turns about them: a thin rod's; of
-        what is held at rest at a point, those through that; of what turns with another body, as clamped to it, none.
+        what is held at rest at a point, those through that; of what turns with another body, as clamped to it, none; of a bar between two
+        balls or collars that through both.
         """
         if name not in self._idle and self.turns_with_another(name):
             self._idle[name] = []
+        if name not in self._idle and self.ends(name):
+            self._idle[name] = [normed(self.drawn_way(self.ends(name)))]
         if name not in self._idle:
             own, joint = self.solid(name), self.on_ground(name)
             arm = STILL if joint is None else less(own.centre, self.spot(joint.body))
