@@ -256,6 +256,10 @@ class TurnedMoment(LeaningMoment):
         """A body on a hinge or an axle."""
         self.refuse_otherwise(name, ("spin", "spin_angle") if on_body and joint.aligned else ())
         direction = self.direction(name, joint)
+        if self.held.hinge_balls(name):
+            from rotsolve.space.two_balls import refuse_other_places
+
+            refuse_other_places(self.held, name, self.turned(name))
         axis = self.held.axis(name) if self.held.wheel(name) else None
         rate, faster = self.driven(name, joint, self.rate_word(name, joint))
         if axis is not None:

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.core.vectors.triple import (
     AXES,
@@ -24,9 +25,11 @@ from rotsolve.core.vectors.triple import (
     cross_product,
     is_axis,
     length_of,
+    rotated,
     tidied,
     transposed,
     triple,
+    way_between,
 )
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint
@@ -55,6 +58,20 @@ def place_on_line(held: JointedBodies, joint: Joint) -> Triple | None:
     if not balls:
         return None
     return NOTHING if joint.owner == balls[0].owner else held.line_between(balls[0].body, balls[1].body)
+
+
+def refuse_other_places(held: JointedBodies, name: str, drawn: Rows) -> None:
+    """Refuse two balls that are told places which are not those of the points that they hold, as the body is drawn."""
+    balls = held.hinge_balls(name)
+    places = [triple(ball.carrier.place) for ball in balls if ball.carrier.place is not None]
+    if len(places) < 2:
+        return
+    line = rotated(drawn, held.line_between(balls[0].body, balls[1].body))
+    if not all(map(held.vanishes, way_between(line, way_between(*places)))):
+        first, last = balls
+        message = f"`{first.owner}` and `{last.owner}` are told places at which the points of `{name}` are not, as it is drawn"
+        help = f"leave out the place of `{last.owner}`, or draw `{name}` so by `turned`"
+        raise Unsolvable(message, span=last.body.span, help=help)
 
 
 def axes_on_line(held: JointedBodies, name: str, own: Axes, way: Triple) -> Axes | None:
