@@ -48,7 +48,7 @@ FASTER = {  # of what leads a body: what tells how fast it changes, and by how m
     "angular_velocity": (("angular_acceleration", 1),),
 }
 SEVERAL_HELP = (
-    "solved are two balls on the ground, and a bar with a `ball` or a `collar` at each end; "
+    "solved are two balls on the ground, a bar with a `ball` or a `collar` at each end, and a `universal` joint between two shafts; "
     "a hinge that two bearings hold has `bearings`"
 )
 ON_RIM = tuple(point for point in WHEEL if point != "center")  # places by the page, which a body turns under

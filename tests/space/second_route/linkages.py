@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, degrees
+from math import cos, degrees, pi
 from types import SimpleNamespace as Numbers
 from typing import Any
 
@@ -98,7 +98,13 @@ def rod_on_two_cords(n: Numbers) -> Answers:
     return {"alpha": faster, "a_z": sinking, "T": n.M * (n.g + sinking) / 2 * n.h / np.sqrt(high)}
 
 
+def hookes_joint_fast_and_slow(n: Numbers) -> Answers:
+    """Where the first arm lies in the plane of both shafts, and where it is square to it."""
+    return {"fastest": n.w / cos(n.b), "slowest": n.w * cos(n.b), "q_f": pi / 2}
+
+
 CALCULATIONS = {
+    "hookes-joint-fast-and-slow": hookes_joint_fast_and_slow,
     "rod-on-two-cords": rod_on_two_cords,
     "sign-held-by-two-cables": sign_held_by_two_cables,
     "hookes-joint": hookes_joint,
