@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, degrees, pi
+from math import cos, degrees
 from types import SimpleNamespace as Numbers
 from typing import Any
 
@@ -100,7 +100,7 @@ def rod_on_two_cords(n: Numbers) -> Answers:
 
 def hookes_joint_fast_and_slow(n: Numbers) -> Answers:
     """Where the first arm lies in the plane of both shafts, and where it is square to it."""
-    return {"fastest": n.w / cos(n.b), "slowest": n.w * cos(n.b), "q_f": pi / 2}
+    return {"fastest": n.w / cos(n.b), "slowest": n.w * cos(n.b)}
 
 
 CALCULATIONS = {
