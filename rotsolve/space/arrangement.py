@@ -208,7 +208,10 @@ class JointedBodies(Struct, frozen=True, dict=True):
         one, other = own[:2]
         if not self.hinge_balls(name):
             message = f"`{name}` is held by several joints: that is not solved in space yet"
-            raise Unsolvable(message, span=other.body.span, help=SEVERAL_HELP)
+            loose = next((joint for joint in own if joint.free and joint.carrier.owner in self.bodies), None)
+            ends = () if loose is None else (named_ref(loose.body), named_ref(loose.carrier))
+            help = f"name a bar that ends there last: `[{', '.join(ends)}]`" if ends else SEVERAL_HELP
+            raise Unsolvable(message, span=other.body.span, help=help)
         if one.carrier.owner in self.bodies:
             message = f"two balls on `{one.carrier.owner}`, a body of its own, are not solved as a hinge in space"
             help = f"write `{one.owner}: {{hinge: [{one.carrier.owner}, …], along: [x, y, z]}}` along the line through both"
@@ -492,6 +495,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
             x, y, z = vector_sum(piece.place(), minus(centre))
             result = piece.tensor.plus(displaced(piece.mass, (x, y, z)).plus(result))
         return result
+
+
+def named_ref(ref: PointRef) -> str:
+    """A point of a body as a scene names it."""
+    return f"{ref.owner}.{ref.point}" if ref.point else ref.owner
 
 
 def beside_axis(tensor: InertiaTensor, way: Triple) -> list[Formula]:

@@ -251,6 +251,13 @@ REFUSED = {
         "contradict",
     ),
     "a rate that nothing tells": (LIGHT, SKEW, "", "v: bar.end.velocity", "too little is known"),
+    "a bar that is named first": (
+        f"one: {{mass: 0, points: {{O: [0, 0, 0], P: [0.2 m, 0, 0]}}}}, {LIGHT}",
+        "h: {hinge: [[0, 0, 0], one.O], along: z}, p: {ball: [bar.start, one.P]}",
+        "",
+        "v: bar.end.velocity",
+        "name a bar that ends there last: `[one.P, bar.start]`",
+    ),
     "three joints": (
         LIGHT,
         f"{SKEW}, gc: {{ball: [[0.1 m, 0.15 m, 0.3 m], bar.center]}}",
