@@ -258,6 +258,13 @@ REFUSED = {
         "v: bar.end.velocity",
         "name a bar that ends there last: `[one.P, bar.start]`",
     ),
+    "a place without a body": (
+        LIGHT,
+        "ga: {collar: [[0, 0, 0]], along: y}",
+        "",
+        "v: bar.end.velocity",
+        "`ga` holds no body",
+    ),
     "three joints": (
         LIGHT,
         f"{SKEW}, gc: {{ball: [[0.1 m, 0.15 m, 0.3 m], bar.center]}}",
