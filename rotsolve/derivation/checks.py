@@ -57,7 +57,7 @@ def limit_checks(search: Search) -> Iterator[Check]:
         if found:
             _, check, answered = min(found, key=lambda item: item[0])
             yield check
-            yield from spread_out(answered, check.vanishing, search)
+            yield from as_mass_spreads(answered, check.vanishing, search)
 
 
 def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterator[tuple[int, Check, Answered]]:
@@ -80,7 +80,7 @@ def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterat
             yield length(value) if value != ZERO else 0, Check(words, vanishing=given.name), answered
 
 
-def spread_out(answered: Answered, name: str, search: Search) -> Iterator[Check]:
+def as_mass_spreads(answered: Answered, name: str, search: Search) -> Iterator[Check]:
     """What becomes of an answer as a pure number of moments of inertia grows, β in β m R²: the mass lies ever further out."""
     formula = answered.found.formula
     if formula is None or not spreads(search.givens[name], search):

@@ -37,7 +37,7 @@ from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
 from rotsolve.derivation.headings import section_title
 from rotsolve.derivation.insights import insights
 from rotsolve.derivation.letters import Letters
-from rotsolve.derivation.one_letter import said_alike, told_alike
+from rotsolve.derivation.one_letter import one_letter_for, said_alike
 from rotsolve.derivation.results import LONG, Results, readable, without_reordered
 from rotsolve.derivation.sought import sought_words
 from rotsolve.language.problem import Condition, Problem, State, TimeValue
@@ -188,7 +188,7 @@ class DerivationComposer:
         self.diagrams = Diagrams(self.scene, self.pool)
         asked = {item.asked.letter: item.find.whole for item in search.answered}
         laws = [index for draft in self.drafts for index in draft.laws]
-        self.tied = told_alike(laws, self.pool, search.solver.steps, frozenset(asked))
+        self.tied = one_letter_for(laws, self.pool, search.solver.steps, frozenset(asked))
         self.letters = Letters(search, self.drafts, self.diagrams, dict(self.tied.values()))
         self.other_roots, self.alike = (
             dict[int, int](),

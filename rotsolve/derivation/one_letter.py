@@ -17,7 +17,7 @@ from rotsolve.solver.steps import Step
 MOTIONS = (*RATES, *ACCELERATIONS, "displacement", "rotation")
 
 
-def told_alike(
+def one_letter_for(
     laws: Sequence[int], pool: Sequence[Equation], steps: Sequence[Step], asked: frozenset[str]
 ) -> dict[int, tuple[str, str]]:
     """The rules by which a quantity goes by the letter of another: by their places in the pool, which letter goes by which."""

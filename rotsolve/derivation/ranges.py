@@ -23,7 +23,7 @@ def at_ends_of_ranges(answers: Sequence[Answer], space: LetterSpace) -> Iterator
                 continue
             ends = [(Symbol(letter), " → 0", ZERO), (Symbol(letter), " = ", Symbol(most))]
             for name, way, value in ends:
-                found = put(formula, letter, value, space)
+                found = put_at(formula, letter, value, space)
                 if found is not None:
                     words: Words = (
                         name,
@@ -49,7 +49,7 @@ def ranges(space: LetterSpace) -> Iterator[tuple[str, str]]:
                 yield letter, most
 
 
-def put(formula: Formula, letter: str, value: Formula, space: LetterSpace) -> Formula | None:
+def put_at(formula: Formula, letter: str, value: Formula, space: LetterSpace) -> Formula | None:
     """A formula at a value of a letter, where that is short; None where it has no value there."""
     there = formula.substitute({letter: value})
     if any(is_zero(node.denominator) for node in there.walk(Quotient) if isinstance(node, Quotient)):

@@ -115,6 +115,17 @@ class Joint(Struct, frozen=True):
         return bool(self.drive) or self.motor
 
 
+class Coupling(Struct, frozen=True):
+    """How a connection ties how two shafts turn, each on a hinge of its own: a cross between their forks, of which one `arm` lies in that
+    of the first, a direction in its own axes; the other lies square to it and to the second shaft.
+    """
+
+    owner: str
+    first: PointRef
+    second: PointRef
+    arm: tuple[Formula, Formula, Formula]
+
+
 class Surface(Element, frozen=True):
     """Base of all surfaces."""
 

@@ -18,7 +18,7 @@ from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
-from rotsolve.language.bodies import Body, Joint, Orbit, PointRef, Ride, Surface
+from rotsolve.language.bodies import Body, Coupling, Joint, Orbit, PointRef, Ride, Surface
 from rotsolve.language.keys import Element, key
 
 Fact = Force | Couple | Rule | Requirement | Potential
@@ -392,6 +392,10 @@ class Connection(ActingElement, frozen=True):
 
     def joint_in_space(self) -> Joint | None:
         """How it holds a body in space; None for what is no joint."""
+        return None
+
+    def coupling_in_space(self) -> Coupling | None:
+        """How it ties how two shafts turn in space; None of what does not."""
         return None
 
     def motor_in_space(self) -> tuple[PointRef, PointRef] | None:

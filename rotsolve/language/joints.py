@@ -58,6 +58,10 @@ def events_up_to(problem: Problem, state: str) -> Iterator[Event]:
 def joints_at(problem: Problem, state: str) -> tuple[Joint, ...]:
     """The joints of a scene in space at a state: those of its connections, then those that events up to it have brought."""
     found = joints_in_space(problem.connections)
+    names = {body.name for body in problem.bodies}
+    for held in (joint for joint in found if joint.body.owner not in names):
+        help = "name the point that it holds last: `[[x, y, z], BODY.P]`"
+        raise Unsolvable(f"`{held.owner}` holds no body", span=held.body.span, help=help)
     for event in events_up_to(problem, state):
         refuse_no_bodies(event, problem)
         joint = event.joint_in_space() or joint_of_joined(event, found, problem)

@@ -38,7 +38,7 @@ def works_spelled(over: OverPhase) -> Iterator[Equation]:
         words: Words = ()
         apart = by_way_of_its_point(work.spelled)
         if apart is not None:
-            mean = slid(apart, over)
+            mean = slid_evenly(apart, over)
             law, (way, words) = (WORK_OF_SLIP, mean) if mean is not None else (WORK, gone(apart))
             spelled = apart.force * way
         yield law.equation(work.amount, spelled, over.section, work.bodies, words, owner=spoken(work.owner))
@@ -63,7 +63,7 @@ def gone(apart: ByItsPoint) -> tuple[Formula, Words]:
     return way, (f"the rim on which it acts turns {turns} meanwhile: its point goes ", way, ", not ", apart.along)
 
 
-def slid(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | None:
+def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | None:
     """½ u t, by which the point slides where its slip falls evenly from u to nothing, or grows so from nothing to u."""
     passage, rates = over.passage, dict[str, tuple[Formula, Formula]]()
     for travel in passage.travels:
@@ -71,8 +71,8 @@ def slid(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | None:
             if travel.pace != CONSTANT or not isinstance(travel.change, Symbol):
                 return None
             rates[travel.change.name] = (travel.before, travel.after)
-    before = slip(apart, {name: pair[0] for name, pair in rates.items()}, passage.start.rules)
-    after = slip(apart, {name: pair[1] for name, pair in rates.items()}, (*passage.end.rules, *over.held))
+    before = slip_of_point(apart, {name: pair[0] for name, pair in rates.items()}, passage.start.rules)
+    after = slip_of_point(apart, {name: pair[1] for name, pair in rates.items()}, (*passage.end.rules, *over.held))
     if (before == ZERO) == (after == ZERO):
         return None
     way = HALF * (before + after) * passage.duration
@@ -88,7 +88,7 @@ def slid(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | None:
     )
 
 
-def slip(apart: ByItsPoint, rates: Mapping[str, Formula], rules: Sequence[Rule]) -> Formula:
+def slip_of_point(apart: ByItsPoint, rates: Mapping[str, Formula], rules: Sequence[Rule]) -> Formula:
     """How fast the point goes at a moment; 0 where a rule of that moment says so."""
     rate = simplify(apart.way.substitute(rates))
     gaps = [rule.velocity[0] - rule.velocity[1] for rule in rules]

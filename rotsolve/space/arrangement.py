@@ -12,7 +12,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate, total
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.tensor import InertiaTensor, displaced
@@ -31,7 +31,7 @@ from rotsolve.core.vectors.triple import (
     way_between,
 )
 from rotsolve.elements.shapes import rims, shape_of
-from rotsolve.language.bodies import Body, Joint, PointRef, Surface
+from rotsolve.language.bodies import Body, Coupling, Joint, PointRef, Surface
 from rotsolve.language.joints import joints_at
 from rotsolve.language.problem import Problem
 from rotsolve.language.shape import WHEEL
@@ -47,6 +47,10 @@ FASTER = {  # of what leads a body: what tells how fast it changes, and by how m
     "angle": (("angular_velocity", 1), ("angular_acceleration", 2)),
     "angular_velocity": (("angular_acceleration", 1),),
 }
+SEVERAL_HELP = (
+    "solved are two balls on the ground, a bar with a `ball` or a `collar` at each end, and a `universal` joint between two shafts; "
+    "a hinge that two bearings hold has `bearings`"
+)
 ON_RIM = tuple(point for point in WHEEL if point != "center")  # places by the page, which a body turns under
 
 
@@ -158,6 +162,38 @@ class JointedBodies(Struct, frozen=True, dict=True):
         word = words[own[0]] if own else ""
         return f"{'an' if word[:1] in 'aeiou' else 'a'} `{word}`"
 
+    def hinge_balls(self, name: str) -> tuple[Joint, ...]:
+        """The two balls that hold a body to one thing, as a hinge does; none of others."""
+        own = self.supports(name)
+        same = len({joint.carrier.owner if joint.carrier.owner in self.bodies else "" for joint in own}) == 1
+        return own if len(own) == 2 and same and all(joint.free and not joint.sliding for joint in own) else ()
+
+    def link(self, name: str) -> tuple[Joint, ...]:
+        """The two balls or collars that hold the ends of a bar which closes a linkage; none of others."""
+        own = self.supports(name)
+        return own if len(own) == 2 and all(joint.free for joint in own) and not self.hinge_balls(name) else ()
+
+    @cached_property
+    def links(self) -> tuple[str, ...]:
+        """The bars that close linkages."""
+        return tuple(name for name in self.bodies if self.link(name))
+
+    @cached_property
+    def couplings(self) -> tuple[Coupling, ...]:
+        """The universal joints between shafts."""
+        found = (item.coupling_in_space() for item in self.problem.connections)
+        return tuple(coupling for coupling in found if coupling is not None)
+
+    def tied(self, name: str) -> bool:
+        """Whether a universal joint ties how a body turns to how another one does."""
+        return any(name in (item.first.owner, item.second.owner) for item in self.couplings)
+
+    @cached_property
+    def closing(self) -> tuple[str, Span | None] | None:
+        """What closes a linkage, by its name and place; None where all joints are those of open chains."""
+        ends = next(((joint.owner, joint.body.span) for name in self.links for joint in self.link(name)[1:]), None)
+        return ends or next(((item.owner, item.second.span) for item in self.couplings), None)
+
     def rolling(self, name: str) -> Joint | None:
         """The contact on which a body rolls that nothing else holds."""
         own = self.of_body(name)
@@ -167,12 +203,14 @@ class JointedBodies(Struct, frozen=True, dict=True):
     def main(self, name: str) -> Joint | None:
         """The joint about which a body turns: the one that holds a point of it, or two balls as a hinge along the line through both."""
         own = self.supports(name)
-        if len(own) < 2:
+        if len(own) < 2 or self.link(name):
             return own[0] if own else None
-        one, other, *more = own
-        if more or not (one.free and other.free) or one.carrier.owner != other.carrier.owner:
+        one, other = own[:2]
+        if not self.hinge_balls(name):
             message = f"`{name}` is held by several joints: that is not solved in space yet"
-            help = "solved are two balls on the ground; a hinge that two bearings hold has `bearings`"
+            loose = next((joint for joint in own if joint.free and joint.carrier.owner in self.bodies), None)
+            ends = () if loose is None else (named_ref(loose.body), named_ref(loose.carrier))
+            help = f"name a bar that ends there last: `[{', '.join(ends)}]`" if ends else SEVERAL_HELP
             raise Unsolvable(message, span=other.body.span, help=help)
         if one.carrier.owner in self.bodies:
             message = f"two balls on `{one.carrier.owner}`, a body of its own, are not solved as a hinge in space"
@@ -197,6 +235,10 @@ class JointedBodies(Struct, frozen=True, dict=True):
             return way
         return triple([ZERO if not side else ONE if side > 0 else negate(ONE) for side in sides])
 
+    def carried_by(self, name: str) -> set[str]:
+        """The bodies that tell where a body is: what carries it, of a bar that closes a linkage at both its ends."""
+        return {joint.carrier.owner for joint in self.link(name)} & self.bodies.keys() or {self.carrier(name)} - {""}
+
     def carrier(self, name: str) -> str:
         """The body that carries another; '' for what the ground holds, or nothing."""
         joint = self.main(name)
@@ -208,11 +250,15 @@ class JointedBodies(Struct, frozen=True, dict=True):
         done: list[str] = []
         pending = list(self.bodies)
         while pending:
-            ready = [name for name in pending if self.carrier(name) in ("", *done)]
+            ready = [name for name in pending if self.carried_by(name) <= {*done}]
             if not ready:
                 joint = self.main(pending[0])
                 span = joint.body.span if joint is not None else None
-                raise Unsolvable("bodies that carry each other in a ring are not solved yet", span=span)
+                help = (
+                    "name what is on the ground first, as in `[BODY.P, bar.end]`, where a bar joins it to another"
+                    * bool(self.links)
+                )
+                raise Unsolvable("bodies that carry each other in a ring are not solved yet", span=span, help=help)
             done += ready
             pending = [name for name in pending if name not in ready]
         return tuple(done)
@@ -330,6 +376,8 @@ class JointedBodies(Struct, frozen=True, dict=True):
         if whole or not shape_of(body).pointlike or any(joint.carrier.owner == name for joint in self.joints):
             return False
         if any(action.twists() and name in (ref.owner for ref in action.touches()) for action in self.problem.actions):
+            return False
+        if self.tied(name):
             return False
         touched = [joint.body for joint in self.joints if not (joint.rolls or joint.flat)]
         touched += [ref for action in self.problem.actions for ref in action.touches()]
@@ -457,6 +505,11 @@ class JointedBodies(Struct, frozen=True, dict=True):
             x, y, z = vector_sum(piece.place(), minus(centre))
             result = piece.tensor.plus(displaced(piece.mass, (x, y, z)).plus(result))
         return result
+
+
+def named_ref(ref: PointRef) -> str:
+    """A point of a body as a scene names it."""
+    return f"{ref.owner}.{ref.point}" if ref.point else ref.owner
 
 
 def beside_axis(tensor: InertiaTensor, way: Triple) -> list[Formula]:

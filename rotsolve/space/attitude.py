@@ -95,6 +95,14 @@ class MovingBodies(TurnedBodies, Protocol):
     def place_in(self, name: str, frame: str) -> Triple | None: ...
 
 
+class HeldBar(Protocol):
+    """A bar that is held at both ends, as what asks for its points sees it."""
+
+    def way(self) -> Triple: ...
+    def share(self, spot: Triple) -> Formula: ...
+    def part_way(self, spot: Triple, word: str) -> Triple: ...
+
+
 class Axes(Struct, frozen=True):
     """A named set of axes at a moment: `rows` turn its components into those in space, `rate` is its angular velocity Ω in its own
     components, `change` are the rates of these; `lost` says that nothing tells how they stand.

@@ -9,7 +9,7 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, ZERO, Symbol
 from rotsolve.core.derivation import Words, direction_in_words, in_a_row
-from rotsolve.core.equation import BLOWS, RATES_OF_MOMENTUM, SECOND_LAW, TWISTS, Equation, Law
+from rotsolve.core.equation import BLOWS, RATES_OF_MOMENTUM, RULE, SECOND_LAW, TWISTS, Equation, Law
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.triple import AS_DRAWN, NOTHING, Z, cross_product, triple, way_between
@@ -43,7 +43,22 @@ def conventions(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[W
         yield ("gravity is left out",)
     yield from way_of_weight(scene)
     yield from words_of_line(scene.held, used)
+    yield from words_of_linkages(scene, used)
     yield from coincidences(scene.configuration.signs, scene.configuration.problem.givens)
+
+
+def words_of_linkages(scene: SpaceEquations, used: Collection[Equation]) -> Iterator[Words]:
+    """What the letters of the formulas stand for by which bars and universal joints tie motions together."""
+    ruled = {one.bodies for one in used if one.law == RULE}
+    for name in (name for name in scene.held.links if (name,) in ruled):
+        first, last = (joint.body.point or "center" for joint in scene.held.link(name))
+        yield (f"{spoken(name)}: r from {first} to {last}; v₁ and v₂ there; l is its length",)
+    for item in scene.held.couplings:
+        first, last = item.first.owner, item.second.owner
+        if (first, last) in ruled:
+            yield (
+                f"{spoken(item.owner)}: c along its arm in {spoken(first)}; n₁ and n₂ along {spoken(first)} and {spoken(last)}",
+            )
 
 
 def way_of_weight(scene: SpaceEquations) -> Iterator[Words]:

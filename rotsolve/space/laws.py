@@ -8,6 +8,7 @@ symmetric body those of its line of nodes or of what carries it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import degree, is_zero
@@ -78,9 +79,18 @@ class SpaceLaws:
                 yield from list(self.of_body(name))
             except Unsolvable as error:
                 self.unwritten[name] = error
-            yield from unspun(self.moment, name)
+            if name not in self.moment.held.links:
+                yield from unspun(self.moment, name)
         yield from self.couples_of_bearings()
         yield from self.grips()
+        if self.moment.held.links:
+            from rotsolve.space.links import link_rules
+
+            yield from link_rules(self.moment)
+        if self.moment.held.couplings:
+            from rotsolve.space.universal import crosses_at
+
+            yield from chain.from_iterable(cross.rules() for cross in crosses_at(self.moment))
         for words, part in self.pushes.conditions:
             yield RULE.equation(part, ZERO, self.moment.when, words=words)
 
@@ -147,6 +157,8 @@ class SpaceLaws:
     def of_body(self, name: str) -> Iterator[Equation]:
         """Newton's second law and the rate of the angular momentum of a body."""
         pushes = list(self.pushes.on(name))
+        if self.pushes.two_forces(name):
+            return  # which are opposite along it
         if self.moment.state.steady:
             from rotsolve.space.lasting import going_along, refuse_passing
 
@@ -189,7 +201,8 @@ class SpaceLaws:
         A ball joint that is led along is one too: in axes that go with it −M a acts at the centre of mass, as the weight does.
         """
         moment, joint = self.moment, self.moment.held.main(name)
-        if joint is not None and joint.free and not self.fixed(name) and moment.held.bodies[joint.carrier.owner].moved:
+        carrier = None if joint is None else moment.held.bodies.get(joint.carrier.owner)
+        if joint is not None and joint.free and carrier is not None and carrier.moved:
             return NOTHING, joint.body.point or "center", moment.reference_acceleration(name)
         return *self.about(name), NOTHING
 
@@ -200,6 +213,11 @@ class SpaceLaws:
     def tensor(self, name: str, point: str) -> InertiaTensor:
         """The tensor of a body about one of its points, in the axes of its attitude."""
         held, own = self.moment.held, self.moment.attitude(name)
+        if name in held.links:
+            from rotsolve.space.links import Link, link_tensor
+
+            one, other = held.link(name)
+            return link_tensor(Link(self.moment, name, (one, other)), self.own_tensor(held.named_point(name, point)))
         if self.moment.seen_from_space(name):
             about_any = self.own_tensor(held.named_point(name, point)).xx
             return InertiaTensor(about_any, about_any, about_any)
@@ -345,11 +363,15 @@ class SpaceLaws:
                     )
 
     def about_line(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
-        """n · dL/dt = n · Στ of a body on two balls, n along the oblique line through both, about which their forces have no torque."""
+        """n · dL/dt = n · Στ of a body on two balls, n along the oblique line through both, about which their forces have no torque; of a
+        shaft at a universal joint about its oblique axis, about which its hinge has none."""
         held, moment = self.moment.held, self.moment
-        joint, balls = held.main(name), {item.owner for item in held.supports(name)}
-        if joint is None or len(balls) < 2:
+        joint, balls = held.main(name), {item.owner for item in held.hinge_balls(name)}
+        if joint is not None and not joint.powered and held.tied(name):
+            balls = {joint.owner}
+        if joint is None or not balls:
             return
+        words = ", along the line through both balls" if held.hinge_balls(name) else ", along its axis"
         way, own = moment.direction(name, joint), moment.attitude(name)
         if is_axis(way) or self.goes_on(name):
             return
@@ -359,9 +381,7 @@ class SpaceLaws:
         torque = vector_sum(NOTHING, *(push.torque(place) for push in pushes if push.owner not in balls))
         left, right = (moment.tidy(dot_product(way, vector)) for vector in (torque, changed))
         where = f" about {point_in_words(point)}"
-        yield RATE_IN_STILL_AXES.equation(
-            left, right, moment.when, (name,), about=where, along=", along the line through both balls"
-        )
+        yield RATE_IN_STILL_AXES.equation(left, right, moment.when, (name,), about=where, along=words)
 
     def goes_on(self, name: str) -> bool:
         """Whether a fast top precesses as at a state before, where the law has been written: what was left out there was made of the spin,

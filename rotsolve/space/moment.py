@@ -32,7 +32,9 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.space.attitude import (
     IN_SPACE,
     NODE,
+    Attitude,
     Axes,
+    HeldBar,
 )
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.rolling import Rolling
@@ -45,8 +47,33 @@ class SpaceMoment(TurnedMoment):
 
     before: SpaceMoment | None
 
+    def link_with(self, ref: PointRef) -> tuple[HeldBar, Triple] | None:
+        """A bar that closes a linkage and one of its points, in its own axes; None of other bodies."""
+        if ref.owner not in self.held.links:
+            return None
+        from rotsolve.space.links import point_of_link
+
+        return point_of_link(self, ref)
+
+    def coupled_angle(self, name: str) -> Formula | None:
+        if not self.held.couplings:
+            return None
+        from rotsolve.space.universal import coupled_angle
+
+        return coupled_angle(self, name)
+
+    def _between_ends(self, name: str) -> Attitude:
+        from rotsolve.space.links import link_at, link_attitude
+
+        link = link_at(self, name)
+        assert link is not None
+        return link_attitude(link)
+
     def arm(self, ref: PointRef) -> Triple:
         """A point from the reference of its body, in the body's axes."""
+        bar = self.link_with(ref)
+        if bar is not None:
+            return scaled_by(bar[0].share(bar[1]), bar[0].way())
         own, arm = self.attitude(ref.owner), self.held.arm(ref)
         turned, unknown = rotated(own.own, arm), self.spun_away(ref.owner)
         if unknown and not self.fixed_in_axes(ref.owner, turned):
@@ -58,6 +85,8 @@ class SpaceMoment(TurnedMoment):
 
     def symmetry_axis(self, name: str) -> Triple | None:
         """The direction about which a body is symmetric, in the axes of its attitude; None where it is about none."""
+        if name in self.held.links:
+            return None
         own = self.attitude(name)
         return self.held.axis(name) if own.about is None and own.own == AS_DRAWN else own.about
 
@@ -72,7 +101,8 @@ class SpaceMoment(TurnedMoment):
 
     def velocity(self, ref: PointRef) -> Triple:
         """v = v_ref + ω × r of a point, in the axes of its body."""
-        return self.velocity_there(ref.owner, self.arm(ref))
+        bar = self.link_with(ref)
+        return self.velocity_there(ref.owner, self.arm(ref)) if bar is None else bar[0].part_way(bar[1], "velocity")
 
     def velocity_there(self, name: str, arm: Triple) -> Triple:
         """v = v_ref + ω × r of what is at an arm from the reference of a body and goes with it."""
@@ -80,6 +110,9 @@ class SpaceMoment(TurnedMoment):
 
     def acceleration(self, ref: PointRef) -> Triple:
         """a = a_ref + α × r + ω × (ω × r) of a point, in the axes of its body; of a point on its axis by how these axes turn."""
+        bar = self.link_with(ref)
+        if bar is not None:
+            return bar[0].part_way(bar[1], "acceleration")
         return self.acceleration_there(ref.owner, self.arm(ref))
 
     def acceleration_there(self, name: str, arm: Triple) -> Triple:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.vectors.triple import AXES, NOTHING, Triple, minus, scaled_by, triple, unit_along, vector_sum
-from rotsolve.language.bodies import PointRef
+from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.paths.meaning import NotYet
 from rotsolve.space.attitude import IN_SPACE
 from rotsolve.space.moment import SpaceMoment
@@ -32,9 +32,15 @@ def refuse_apart(moment: SpaceMoment, one: str, other: str) -> None:
     if first is None or last is None or first.owner == last.owner:
         return
     if first.carrier.place is None or last.carrier.place is None:
-        message = f"how far `{first.owner}` and `{last.owner}` are apart nothing tells"
-        help = f"begin what holds them with their places: `[[x, y, z], {other}]`"
-        raise NotYet(message, help=help)
+        raise apart_untold(first, last)
+
+
+def apart_untold(first: Joint, last: Joint) -> NotYet:
+    """That nothing tells how far two joints with the ground are apart."""
+    message = f"how far `{first.owner}` and `{last.owner}` are apart nothing tells"
+    ref = last.body
+    point = f"{ref.owner}.{ref.point}" if ref.point else ref.owner
+    return NotYet(message, ref.span, f"begin what holds them with their places: `[[x, y, z], {point}]`")
 
 
 def point_in_space(moment: SpaceMoment, ref: PointRef) -> Triple:

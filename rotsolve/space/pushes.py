@@ -30,11 +30,12 @@ from rotsolve.language.bodies import Joint, PointRef
 from rotsolve.language.elements import Action
 from rotsolve.space.attitude import IN_SPACE, NODE, Axes
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.sliding import free_of_force
+from rotsolve.space.sliding import free_of_force, sliding_way
 from rotsolve.space.telling import turns_untold
 from rotsolve.space.two_balls import ON_LINE, axes_on_line, names_along, place_on_line
 
 FREELY = "{} turns freely about its axis"
+UNPUSHED = "{} does not push along its axis"
 
 
 class ForceInSpace(Struct, frozen=True):
@@ -86,6 +87,8 @@ class Pushes:
                 yield from self.by_joint(joint)
             elif joint.carrier.owner == name:
                 yield from (self.back(joint, push) for push in self.by_joint(joint))
+        if held.couplings:
+            yield from self.by_crosses(name)
         for action in self.actions:
             if any(ref.owner == name for ref in action.touches()):
                 yield self.by_action(action)
@@ -143,7 +146,7 @@ class Pushes:
     def line_axes(self, name: str) -> Axes | None:
         """The axes along the oblique line through two balls that hold a body; None of others."""
         main, held = self.moment.held.main(name), self.moment.held
-        if main is None or len(held.supports(name)) < 2:
+        if main is None or not held.hinge_balls(name):
             return None
         return axes_on_line(held, name, self.moment.axes(name), self.moment.direction(name, main))
 
@@ -164,10 +167,11 @@ class Pushes:
         force, place = self.letters("force", joint, names=names_along(axes)), self.place(joint)
         untwisted = joint.free or joint.rolls or self.moment.held.pointlike(name)
         couple = NOTHING if untwisted else self.couple(joint)
+        if name in self.moment.held.links and (pull := self.along_link(joint)) is not None:
+            yield ForceInSpace(joint.owner, name, pull, axes, place, own)
+            return
         force, nothing = free_of_force(joint, self.moment, force, couple)
-        words = f"{spoken(joint.owner)} does not push along its axis" + (
-            "" if joint.pitch is None else ": it gives no power"
-        )
+        words = UNPUSHED.format(spoken(joint.owner)) + ("" if joint.pitch is None else ": it gives no power")
         self.conditions += [(words, part) for part in nothing]
         if axes.name == ON_LINE:  # what pushes along the line may be moved along it
             yield ForceInSpace(joint.owner, name, (force[0], ZERO, ZERO), axes, NOTHING, own)
@@ -180,6 +184,28 @@ class Pushes:
         else:
             yield ForceInSpace(joint.owner, name, force, axes, place, own)
             yield ForceInSpace(joint.owner, name, NOTHING, own, place, own, couple)
+
+    def two_forces(self, name: str) -> bool:
+        """Whether two opposite forces along it are all that acts on a body: it is a light bar that closes a linkage."""
+        if name not in self.moment.held.links:
+            return False
+        from rotsolve.space.links import link_at
+
+        link = link_at(self.moment, name)
+        return link is not None and link.light
+
+    def along_link(self, joint: Joint) -> Triple | None:
+        """The force of a joint on a light bar that closes a linkage; None of one that has mass, or on which something acts."""
+        from rotsolve.space.links import link_at
+
+        link = link_at(self.moment, joint.body.owner)
+        if link is None or not link.light:
+            return None
+        if joint.sliding:
+            self.conditions.append(
+                (UNPUSHED.format(spoken(joint.owner)), dot_product(sliding_way(joint, self.moment), link.pull()))
+            )
+        return link.pull() if joint.owner == link.ends[1].owner else minus(link.pull())
 
     def place(self, joint: Joint) -> Triple:
         """Where a joint acts on its body: at the point held, or at the lowest one where it rolls."""
@@ -258,6 +284,16 @@ class Pushes:
         letters = self.letters("torque", joint)
         plain = [part == ZERO or isinstance(part, Symbol) for part in torque]
         return triple([part if bare else own for part, bare, own in zip(torque, plain, letters, strict=True)]), torque
+
+    def by_crosses(self, name: str) -> Iterator[ForceInSpace]:
+        """The couples of universal joints on a shaft."""
+        from rotsolve.space.universal import crosses_at
+
+        for cross in crosses_at(self.moment):
+            ends, own = cross.coupling, self.moment.axes(name)
+            if name in (ends.first.owner, ends.second.owner):
+                couple = cross.couple() if name == ends.second.owner else minus(cross.couple())
+                yield ForceInSpace(ends.owner, name, NOTHING, IN_SPACE, NOTHING, own, couple)
 
     def back(self, joint: Joint, push: ForceInSpace) -> ForceInSpace:
         """What the body does to what carries it: the opposite, at the same place."""

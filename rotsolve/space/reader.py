@@ -56,6 +56,8 @@ AT_REST = (
     "gyration",
 )  # asked of what need not move
 
+OF_OPEN_CHAINS = ("freedoms", "stability", "period")  # which are not told of closed linkages
+
 
 class SpaceReader(VectorReader):
     """Reads paths at one moment."""
@@ -64,6 +66,10 @@ class SpaceReader(VectorReader):
         """What a path stands for; raises `NotYet` for what has no meaning here."""
         term = term or Term(path)
         refuse_dropped(path, term)
+        if self.held.closing is not None and path.quantity in OF_OPEN_CHAINS:
+            from rotsolve.space.links import beyond_one_moment
+
+            raise beyond_one_moment(self.held, "can move" if path.quantity == "freedoms" else "goes on")
         if term.modifier == ANGLE_OF and term.other is not None:
             return self.whatever_angle(path, self.between(term, term.other))
         kind = QUANTITIES[path.quantity]
@@ -99,6 +105,9 @@ class SpaceReader(VectorReader):
         joint = self.held.joint(owner)
         if joint is not None:
             return joint.body.owner, joint.carrier.owner
+        tied = [item for item in self.held.couplings if item.owner == owner]
+        if tied:
+            return tied[0].first.owner, tied[0].second.owner
         acting = (ref.owner for item in self.problem.actions if item.name == owner for ref in item.touches())
         return (owner, *acting)
 

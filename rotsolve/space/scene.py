@@ -358,6 +358,10 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def small_swings(self, term: Term) -> tuple[Meaning, str]:
         """The period or frequency of small swings about a steady motion."""
+        if self.held.closing is not None:
+            from rotsolve.space.links import beyond_one_moment
+
+            raise beyond_one_moment(self.held, "swings")
         from rotsolve.space.swings import small_swings
 
         return small_swings(self.dynamics, term)
@@ -453,6 +457,8 @@ class SpaceEquations(SceneEquations, dict=True):
         """Lagrange's equations at each state, and what they keep over phases."""
         from rotsolve.space.lagrangian import by_lagrange_in_space
 
+        if self.held.closing is not None:  # its coordinates are tied to each other
+            return iter(())
         return by_lagrange_in_space(self)
 
     def refuse_without(self) -> None:
@@ -494,6 +500,11 @@ class SpaceEquations(SceneEquations, dict=True):
         self.refuse_varying()
         self.refuse_without()
         self.refuse_turned()
+        if self.held.closing is not None:
+            from rotsolve.space.links import refuse_in_course
+
+            functions = self.configuration.mentions.functions
+            refuse_in_course(self.held, self.configuration.problem.states, functions=functions)
         if self.configuration.problem.gravity_in:
             from rotsolve.space.weight_in_frame import refuse_weight_in_frame
 

@@ -49,7 +49,7 @@ def sliding_rate(joint: Joint, moment: MovingBodies, word: str) -> Formula:
     told = moment.vector_told(name, word, joint.body.point) if joint.body.point else None
     if told is not None:
         return part_on_slide(joint, moment, word, told, NOTHING)
-    told = moment.vector_told(name, word)
+    told = None if joint.free else moment.vector_told(name, word)
     if told is not None:
         return part_on_slide(joint, moment, word, told, swung(joint, moment, word))
     if word == "acceleration" and moment.state.steady:
@@ -96,7 +96,7 @@ def part_on_slide(
         raise Unsolvable(
             f"`{name}` slides along `{carrier}`: how fast is told relative to that",
             span=span,
-            help=f"write `{name}.{word} relative to {carrier}`",
+            help=f"write `{f'{name}.{joint.body.point}' if joint.free else name}.{word} relative to {carrier}`",
         )
     way = unit_along(joint.sliding[0], moment.held.signs.positive)
     if not all(map(moment.held.vanishes, cross_product(way, way_between(turned, vector)))):

@@ -66,6 +66,8 @@ class TurnedMoment(LeaningMoment):
         """How a body stands and turns at this moment."""
         held, body, joint = self.held, self.held.bodies[name], self.held.main(name)
         led = [(word, axis, value) for word, axis, value in body.moved if word in TURNING]
+        if held.link(name):
+            return self._between_ends(name)
         if led:
             return self._led(name, led)
         carried = None if self.onward is None else self.onward.attitude(name)
@@ -76,6 +78,8 @@ class TurnedMoment(LeaningMoment):
             return self.freely(name)
         carrier = held.carrier(name)
         base = self.attitude(carrier) if carrier else at_rest_in(AS_DRAWN)
+        if carrier in held.links:
+            self.own_axes(carrier)  # which nothing tells
         if carrier:
             spins = base.axes.name == NODE and self.nods(carrier)
             spun = turn_about(Z, self.nodding(carrier).angles[2]) if spins else AS_DRAWN
@@ -88,6 +92,14 @@ class TurnedMoment(LeaningMoment):
                 return found
             return replace(found, axes=replace(found.axes, rows=self.tidied(found.axes.rows)))
         return self._about_axis(name, joint, base, bool(carrier))
+
+    def _between_ends(self, name: str) -> Attitude:
+        """A bar that closes a linkage, as its ends are held."""
+        raise NotImplementedError
+
+    def coupled_angle(self, name: str) -> Formula | None:
+        """How far a shaft is turned that a universal joint ties to another one; None of others."""
+        return None
 
     def freely(self, name: str) -> Attitude:
         """A body that no axis holds and nothing turns as it is told."""
@@ -244,6 +256,10 @@ class TurnedMoment(LeaningMoment):
         """A body on a hinge or an axle."""
         self.refuse_otherwise(name, ("spin", "spin_angle") if on_body and joint.aligned else ())
         direction = self.direction(name, joint)
+        if self.held.hinge_balls(name):
+            from rotsolve.space.two_balls import refuse_other_places
+
+            refuse_other_places(self.held, name, self.turned(name))
         axis = self.held.axis(name) if self.held.wheel(name) else None
         rate, faster = self.driven(name, joint, self.rate_word(name, joint))
         if axis is not None:
@@ -289,6 +305,9 @@ class TurnedMoment(LeaningMoment):
     def turned_on(self, name: str) -> Formula | None:
         """How far a body that nothing drives is turned, as the state tells, through a blow as before, or the letter for what the time that
         has passed tells."""
+        coupled = self.coupled_angle(name)
+        if coupled is not None:
+            return coupled
         told = self.told(name, "angle")
         if told is None and self.before is not None:
             return self.before.turned_on(name)
@@ -454,6 +473,10 @@ class TurnedMoment(LeaningMoment):
     def own_axes(self, name: str) -> Axes:
         """The axes that go with a body, named as it is drawn: those of node axes turned on by ψ."""
         own = self.attitude(name)
+        if name in self.held.links:
+            help = f"ask `in space axes`; on `{name}` only balls hold others"
+            message = f"how `{name}` is turned about the line through its ends nothing tells"
+            raise Unsolvable(message, span=self.held.link(name)[1].body.span, help=help)
         if own.axes.name != NODE:
             rows, base, lost = after(own.axes.rows, own.own), own.axes.base, own.axes.lost or self.spun_away(name)
             turned = after(own.axes.turned, own.own) if base is not None else AS_DRAWN

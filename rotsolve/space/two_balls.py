@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.core.vectors.triple import (
     AXES,
@@ -24,9 +25,11 @@ from rotsolve.core.vectors.triple import (
     cross_product,
     is_axis,
     length_of,
+    rotated,
     tidied,
     transposed,
     triple,
+    way_between,
 )
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import Joint
@@ -51,15 +54,29 @@ def oblique_rows(way: Triple) -> Rows:
 
 def place_on_line(held: JointedBodies, joint: Joint) -> Triple | None:
     """Where one of two balls holds its body, from the first of them, in the axes of the body as it is drawn; None of other joints."""
-    balls = held.supports(joint.body.owner)
-    if len(balls) < 2:
+    balls = held.hinge_balls(joint.body.owner)
+    if not balls:
         return None
     return NOTHING if joint.owner == balls[0].owner else held.line_between(balls[0].body, balls[1].body)
 
 
+def refuse_other_places(held: JointedBodies, name: str, drawn: Rows) -> None:
+    """Refuse two balls that are told places which are not those of the points that they hold, as the body is drawn."""
+    balls = held.hinge_balls(name)
+    places = [triple(ball.carrier.place) for ball in balls if ball.carrier.place is not None]
+    if len(places) < 2:
+        return
+    line = rotated(drawn, held.line_between(balls[0].body, balls[1].body))
+    if not all(map(held.vanishes, way_between(line, way_between(*places)))):
+        first, last = balls
+        message = f"`{first.owner}` and `{last.owner}` are told places at which the points of `{name}` are not, as it is drawn"
+        help = f"leave out the place of `{last.owner}`, or draw `{name}` so by `turned`"
+        raise Unsolvable(message, span=last.body.span, help=help)
+
+
 def axes_on_line(held: JointedBodies, name: str, own: Axes, way: Triple) -> Axes | None:
     """The axes along n, u and v of a body on two balls of which the line lies along none of its own axes; None of others."""
-    if len(held.supports(name)) < 2 or is_axis(way):
+    if not held.hinge_balls(name) or is_axis(way):
         return None
     turned = oblique_rows(way)
     base = own.rows if own.base is None else own.base
@@ -82,9 +99,9 @@ def words_of_line(held: JointedBodies, used: Iterable[Equation]) -> Iterator[Wor
     """Along which directions the forces of two balls are written, where their line lies along no axis of the body."""
     letters = {key_of(name) for law in used for name in law.symbols() if is_key(name)}
     for name in held.order:
-        balls, main = held.supports(name), held.main(name)
+        balls, main = held.hinge_balls(name), held.main(name)
         owners = {(ball.owner, component) for ball in balls for component in LINE_NAMES}
-        if len(balls) < 2 or main is None or not any((key.owner, key.component) in owners for key in letters):
+        if not balls or main is None or not any((key.owner, key.component) in owners for key in letters):
             continue
         first, last = (spoken(ball.owner) for ball in balls)
         along = next((axis for axis, part in zip("zyx", reversed(main.turning[0]), strict=True) if part == ZERO), "")

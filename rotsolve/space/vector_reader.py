@@ -55,6 +55,9 @@ class VectorReader:
         joint = self.held.joint(path.owner)
         if joint is not None:
             return joint.body.owner
+        tied = next((item for item in self.held.couplings if item.owner == path.owner), None)
+        if tied is not None:
+            return tied.second.owner
         action = next((item for item in self.problem.actions if item.name == path.owner), None)
         if action is None:
             raise NotYet(f"`{path_text(path)}` has no meaning in space")
@@ -292,9 +295,9 @@ class VectorReader:
         Refused where that is asked for.
         """
         name = self.body_of(path)
-        main, supports = self.held.main(name), self.held.supports(name)
+        main, supports = self.held.main(name), self.held.hinge_balls(name)
         self.refuse_along_to_touching(path, term, laws)
-        if len(supports) < 2 or main is None or path.owner not in [joint.owner for joint in supports]:
+        if not supports or main is None or path.owner not in [joint.owner for joint in supports]:
             return vector
         own, way = laws.moment.axes(name), laws.moment.direction(name, main)
         self.refuse_along(path, own.to(self.asked_axes(path, term), way), [joint.owner for joint in supports])

@@ -29,7 +29,8 @@ satellite-with-a-reaction-wheel"""
 REACTIONS = """triangle-on-hinge ladder-inside plank-on-trestles plank-tips released-rod-inside whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
 rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed
-fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance two-plane-balancing masses-that-balance-a-rotor"""
+fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance two-plane-balancing masses-that-balance-a-rotor
+sign-held-by-two-cables"""
 FRICTION = """ball-with-back-spin spinning-cylinder-set-down
 spinning-wheel-set-down spool-largest-pull"""
 NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic

@@ -54,6 +54,7 @@ SOLVED_ANEW = {  # why its closed forms are not evaluated for many sets
     "gyroscope-on-a-string": "an angle without a closed form",
     **dict.fromkeys(("shell-fired-east", "stone-from-a-tower"), "terms that are nearly each other"),
     "stability-of-three-axes": "a word is asked",
+    "hookes-joint-fast-and-slow": "extremes over a letter",
 }
 
 

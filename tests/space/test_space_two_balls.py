@@ -124,3 +124,22 @@ def test_a_sum_of_components_across_is_told() -> None:
     known = by_hand("along x by the numbers")
     assert found.answers[0].value is not None
     assert found.answers[0].value.float == pytest.approx(known["rf"][2] + known["lf"][2])
+
+
+@pytest.mark.parametrize(
+    ("place", "turned"), [("[0, 7 m, 0]", "0 deg"), ("[0, 1 m, 0]", "0 deg"), ("[1 m, 0, 0]", "90 deg")]
+)
+def test_places_at_which_the_points_are_not(place: str, turned: str) -> None:
+    """Both balls may be told places, which go with how the body is drawn."""
+    body = f"gate: {{shape: rectangle, mass: 1 kg, sides: [1 m, 2 m], turned: {{about: z, by: {turned}}}, "
+    points = "points: {A: [-0.5 m, -1 m, 0], B: [0.5 m, -1 m, 0]}}"
+    text = f"""up: z
+bodies: {{{body}{points}}}
+connections: {{l: {{ball: [[0, 0, 0], gate.A]}}, r: {{ball: [{place}, gate.B]}}}}
+states: {{now: {{at rest: all}}}}
+find: {{a: size of gate.angular_acceleration}}
+"""
+    with pytest.raises(Unsolvable, match="at which the points of `gate` are not"):
+        solve(text)
+    fits = text.replace(place, "[1 m, 0, 0]" if turned == "0 deg" else "[0, 1 m, 0]")
+    assert float(solve(fits).answers["a"].value) == pytest.approx(1.5 * 9.8 / 2)

@@ -88,7 +88,7 @@ class Efforts:
 
     def __init__(self, stance: Stance) -> None:
         self.stance, self.rig = stance, stance.rig
-        self.list = [*self.weights(), *self.of_joints(), *self.of_actions(), *self.of_guides()]
+        self.list = [*self.weights(), *self.of_joints(), *self.of_crosses(), *self.of_actions(), *self.of_guides()]
 
     def on(self, name: str) -> list[Effort]:
         return [item for item in self.list if item.body == name]
@@ -121,6 +121,12 @@ class Efforts:
             yield arm, ""
         for number, place in enumerate(joint.bearings, 1):
             yield sum_of(arm, scaled(self.rig.value(place), self.stance.way(joint))), f"bearing{number}"
+
+    def of_crosses(self) -> Iterator[Effort]:
+        """What universal joints do to their two shafts."""
+        for item in self.rig.couplings.values():
+            yield Effort(item.owner, item.second.owner, STILL, unknown=item.owner)
+            yield Effort(item.owner, item.first.owner, STILL, unknown=item.owner, back=True)
 
     def of_guides(self) -> Iterator[Effort]:
         """What leads a body whose motion is prescribed, whatever it takes."""
@@ -167,6 +173,9 @@ class Efforts:
             yield from self.of_body(name, now)
         for joint in self.rig.joints.values():
             yield from () if joint.flat else self.unforced(joint)
+        for item in self.rig.couplings.values():  # a couple square to both arms, and no force
+            yield from three_ties([((1.0, (FORCE, item.owner, k)),) for k in range(3)], None, STILL)
+            yield from (Tie(along_way((COUPLE, item.owner, 0), arm), None) for arm in self.stance.arms(item))
         yield from self.unaimed()
 
     def unaimed(self) -> Iterator[Tie]:
@@ -199,12 +208,12 @@ class Efforts:
         names = [f"{joint.owner} {bearing}" for _, bearing in self.places(joint)]
         if joint.free or joint.rolls:
             yield from three_ties([((1.0, (COUPLE, names[0], k)),) for k in range(3)], None, STILL)
+        if joint.rolls:
             return
         base = self.stance.base(joint)
         slides = [times_arrow(base, normed(self.rig.arrow(way))) for way in joint.sliding]
-        couple = (
-            [along_way((COUPLE, names[0], 0), self.stance.way(joint))] if joint.turning and not joint.powered else []
-        )
+        turns = joint.turning and not (joint.powered or joint.free)
+        couple = [along_way((COUPLE, names[0], 0), self.stance.way(joint))] if turns else []
         forces = [along_way((FORCE, names[0], 0), way) for way in slides]
         if joint.pitch is not None and couple:
             lead = self.rig.value(joint.pitch) / ROUND  # its power is nothing: C + F p/2π = 0

@@ -31,6 +31,7 @@ SURE = 1e-7  # of what such a change leaves over: beside it that is something
 TRAVELLING = (
     1e-5  # of v over the largest length: a rate beside which 1e-9 is still more than a float's rounding of that
 )
+LEAST = 1e-12  # for a mass, a length or a rate of which a scene has none
 UNTESTED = "no equation tests it"
 VERGES = ("stable", "steady")
 SOUGHT = ("tilt",)  # what tells how a body stands
@@ -297,7 +298,7 @@ class Hearing:
     def scales(self) -> tuple[float, float, float]:
         """The largest mass, length and rate, as forces and couples that are told would make it too, and beside these what rounding makes of
         speeds: a blow through the centre turns nothing."""
-        rig, masses, spans, rates, speeds = self.inquiry.rig, [1e-12], [1e-12], [1e-12], [0.0]
+        rig, masses, spans, rates, speeds = self.inquiry.rig, [LEAST], [LEAST], [LEAST], [0.0]
         forces, couples = [0.0], [0.0]
         for name in rig.bodies:
             own = rig.solid(name)
@@ -314,5 +315,9 @@ class Hearing:
                 for (kind, _, _), part in world.now.values.items():
                     (speeds if kind == SPEED else rates).append(abs(part))
         mass, span = max(masses), max(spans)
+        if mass <= LEAST:  # all is light: forces do not hang on how fast it goes
+            span = span if span > LEAST else 1.0
+            rate = max(*rates, TRAVELLING * max(speeds) / span)
+            return (max(forces) + max(couples) / span) / (span * rate * rate), span, rate
         pushed = math.sqrt((max(forces) + max(couples) / span) / (mass * span))
         return mass, span, max(*rates, TRAVELLING * max(speeds) / span, math.sqrt(rig.gravity / span), pushed)

@@ -220,7 +220,7 @@ class Inquiry(WaysOfMoving):
             if why:
                 untold = why
                 continue
-            left += standing.moving.left
+            left += (*standing.apart, *standing.moving.left)
             left += standing.over([0.0] * len(standing.moving.free))
             left += self.off_lines(standing, state)
         ways = [pair for pair in pairwise(self.problem.states) if self.event_to(pair[1].name) is None]

@@ -101,6 +101,8 @@ class Reading:
             return path.owner
         if path.owner in self.rig.joints:
             return self.rig.joints[path.owner].body.owner
+        if path.owner in self.rig.couplings:
+            return self.rig.couplings[path.owner].second.owner
         for action in self.rig.problem.actions:
             if action.name == path.owner:
                 return action.touches()[0].owner

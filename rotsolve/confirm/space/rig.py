@@ -68,7 +68,9 @@ class Rig:
         self._idle: dict[str, list[Arrow]] = {}
         self.joints = {joint.owner: self.about_line(joint) for joint in joints_at(problem, state)}
         others = (item for item in problem.connections if item.motor_in_space() is None)
-        unknown = [item for item in others if item.name not in self.joints]
+        tied = (item.coupling_in_space() for item in problem.connections)
+        self.couplings = {item.owner: item for item in tied if item is not None}
+        unknown = [item for item in others if item.name not in {*self.joints, *self.couplings}]
         if unknown:
             raise NotConfirmed(f"`{unknown[0].name}`: what a `{unknown[0].word}` does in space")
 
@@ -119,10 +121,13 @@ class Rig:
 
     def idle(self, name: str) -> list[Arrow]:
         """The own directions of a body about which it has no inertia, so that nothing tells how it turns about them: a thin rod's; of
-        what is held at rest at a point, those through that; of what turns with another body, as clamped to it, none.
+        what is held at rest at a point, those through that; of what turns with another body, as clamped to it, none; of a bar between two
+        balls or collars that through both.
         """
         if name not in self._idle and self.turns_with_another(name):
             self._idle[name] = []
+        if name not in self._idle and self.ends(name):
+            self._idle[name] = [normed(self.drawn_way(self.ends(name)))]
         if name not in self._idle:
             own, joint = self.solid(name), self.on_ground(name)
             arm = STILL if joint is None else less(own.centre, self.spot(joint.body))
@@ -190,8 +195,18 @@ class Rig:
 
     def line(self, name: str) -> Arrow | None:
         """The direction through the two points of a body that balls hold, in its own axes; None where there are not two."""
-        balls = [joint.body for joint in self.joints.values() if joint.body.owner == name and joint.free]
-        return normed(less(self.spot(balls[1]), self.spot(balls[0]))) if len(balls) == 2 else None
+        balls = [joint for joint in self.joints.values() if joint.body.owner == name and joint.free]
+        grounded = [self.bodies.get(joint.carrier.owner) is None and not joint.sliding for joint in balls]
+        return normed(self.drawn_way(balls)) if grounded == [True, True] else None
+
+    def ends(self, name: str) -> list[Joint]:
+        """The two balls or collars between which a bar is held that closes a linkage; none of other bodies."""
+        found = [joint for joint in self.joints.values() if joint.body.owner == name and joint.free]
+        return found if len(found) == 2 and self.line(name) is None else []
+
+    def drawn_way(self, joints: list[Joint]) -> Arrow:
+        """The way between the points of a body that two joints hold, in its own axes."""
+        return less(self.spot(joints[1].body), self.spot(joints[0].body))
 
     def carrier(self, name: str) -> str:
         """The body that carries another; '' for what the ground holds, or nothing."""

@@ -34,7 +34,7 @@ from rotsolve.confirm.space.arrows import (
 from rotsolve.confirm.space.masses import turned_together
 from rotsolve.confirm.space.rig import Lines, Rig, way_along
 from rotsolve.elements.shapes import rim_radius, rolling_shape, shape_of
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Coupling, Joint, PointRef
 
 SIDES = {"bottom": 1.0, "top": -1.0}
 ON_AXIS = 1e-9  # how nearly two directions are one
@@ -88,6 +88,9 @@ class Stance:
             line = self.rig.line(name)
             if joint is not None and line is not None:
                 return product_of(product_of(self.base(joint), drawn), rotation_about(line, self.angle(joint)))
+            ends = self.rig.ends(name)
+            if ends:
+                return least_turn(normed(self.rig.drawn_way(ends)), normed(less(*map(self.held_at, ends[::-1]))))
             upright = self.lines.arrow_told(name, "vertical")
             if upright is not None:
                 return least_turn(normed(upright[0]), Z)
@@ -126,12 +129,35 @@ class Stance:
         drive = dict(joint.drive)
         if "angle" in drive:
             return self.rig.over_time(drive["angle"])[0]
+        for item in self.rig.couplings.values():
+            if item.second.owner == joint.body.owner:
+                return self.tied_angle(item)
         told = (self.lines.told(owner, "angle") for owner in (joint.body.owner, joint.owner))
         angle = next((angle for angle in told if angle is not None), None)
         if angle is None and self.lines.later:
             self.open.add(joint.body.owner)
             return self.guess
         return angle or 0.0
+
+    def tied_angle(self, item: Coupling) -> float:
+        """How far the second shaft of a universal joint is turned: with e its arm as drawn, e cos φ + n × e sin φ is square to c now."""
+        own = normed(self.rig.arrow(item.arm))
+        (drawn, _), (_, way) = (self.shaft_drawn(ref.owner) for ref in (item.first, item.second))
+        start, arm = crossed(way, times_arrow(drawn, own)), times_arrow(self.turned(item.first.owner), own)
+        return math.atan2(inner_product(arm, start), -inner_product(arm, crossed(way, start)))
+
+    def shaft_drawn(self, name: str) -> tuple[Turned, Arrow]:
+        """How a body on a hinge or an axle of the ground stands before it is turned about that, and the axis in space."""
+        joint, drawn = self.rig.main(name), turned_together(self.rig.bodies[name].turned, self.rig.value)
+        if joint is None or not joint.turning:
+            raise NotConfirmed("a universal joint of what is on no hinge")
+        way = way_along(self.rig, joint.turning[0])
+        return (self._on_axle(name, way, drawn), way) if joint.aligned else (drawn, times_arrow(drawn, way))
+
+    def arms(self, item: Coupling) -> tuple[Arrow, Arrow]:
+        """The two arms of the cross of a universal joint, in space."""
+        first = times_arrow(self.turned(item.first.owner), normed(self.rig.arrow(item.arm)))
+        return first, normed(crossed(self.shaft_drawn(item.second.owner)[1], first))
 
     def euler(self, name: str) -> tuple[float, float, float]:
         """φ, θ and ψ; φ = ψ = 0 where nothing tells them."""
@@ -232,6 +258,14 @@ class Stance:
     def point(self, ref: PointRef) -> Arrow:
         """Where a point of a body is."""
         return sum_of(self.place(ref.owner), self.arm(ref))
+
+    def apart(self) -> list[float]:
+        """By how much the places that hold the ends of each bar are farther apart than it is long, as shares of that."""
+        found = []
+        for ends in filter(None, map(self.rig.ends, self.rig.bodies)):
+            way = less(*map(self.held_at, ends[::-1]))
+            found.append(arrow_length(way) / arrow_length(self.rig.drawn_way(ends)) - 1.0)
+        return found
 
     # rolling
 

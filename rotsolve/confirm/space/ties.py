@@ -26,7 +26,7 @@ from rotsolve.confirm.space.arrows import (
 )
 from rotsolve.confirm.space.rig import AXES, RATES, Lines, Rig
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Coupling, Joint, PointRef
 
 Key = tuple[str, str, int]  # what it is, of what, and its number or component
 Term = tuple[float, Key]
@@ -77,6 +77,8 @@ class Ties:
                 yield from self.held(joint)
                 yield from self.aligned(joint)
                 yield from self.driven(joint)
+        for item in self.rig.couplings.values():
+            yield self.squared(item)
         for name in self.rig.bodies:
             yield from self.of_body(name)
 
@@ -168,6 +170,14 @@ class Ties:
             going = less(sum_of(self.now.arrow(SPEED, name), faster), self.now.arrow(SPEED, carrier))
             gain = sum_of(gain, crossed(self.omega(carrier), going))
         yield from three_ties(terms, STILL, gain)
+
+    def squared(self, item: Coupling) -> Tie:
+        """The arms of the cross of a universal joint, each of which goes with its shaft, stay square: (c × d) · (ω₁ − ω₂) = 0."""
+        arm, other = self.stance.arms(item)
+        one, two = item.first.owner, item.second.owner
+        row = dotted(added_terms(of_turning(one), of_turning(two), -1.0), crossed(arm, other))
+        faster = sum_of(crossed(crossed(self.omega(one), arm), other), crossed(arm, crossed(self.omega(two), other)))
+        return Tie(row, 0.0, -inner_product(faster, less(self.omega(one), self.omega(two))))
 
     # what is told of bodies
 

@@ -110,7 +110,9 @@ class Moving:
             for way in stance.rig.idle(name)
         ]
         self.moving = speeds.solve([tie.speed or 0.0 for tie in ties], self.idle)
-        self.broken = max(map(abs, self.moving.left), default=0.0) / self.moving.size
+        self.apart = stance.apart()
+        off = max(map(abs, self.moving.left), default=0.0) / self.moving.size
+        self.broken = max([off, *map(abs, self.apart)])
 
     def rates(self, openly: Sequence[float]) -> Rates:
         """The velocities, with so much of each that is open."""

@@ -4,7 +4,7 @@ from rotsolve.elements.connections.contact import Contact, Rolls, Unrolls
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, MutualDrive
 from rotsolve.elements.connections.drives import guide as guide
-from rotsolve.elements.connections.pairs import Ball, Clamp, Screw, Sleeve, Slide
+from rotsolve.elements.connections.pairs import Ball, Clamp, Collar, Screw, Sleeve, Slide, Universal
 from rotsolve.elements.connections.rubbing import Clutch
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
@@ -17,10 +17,12 @@ CONNECTIONS: list[type[Connection]] = [
     Axle,
     Shaft,
     Ball,
+    Collar,
     Clamp,
     Slide,
     Sleeve,
     Screw,
+    Universal,
     Weld,
     Contact,
     Rolls,

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.connections.supports import Axis, carrier_and_point
-from rotsolve.language.bodies import Joint, PointRef
+from rotsolve.language.bodies import Coupling, Joint, PointRef
 from rotsolve.language.elements import Connection
 from rotsolve.language.keys import amount, key
 
@@ -64,6 +64,15 @@ class Slide(Along, frozen=True):
         return Joint(self.name, *self.ways(), sliding=(self.direction,))
 
 
+class Collar(Along, frozen=True):
+    word = "collar"
+    about = "a ball on a guide: the point held slides along a line, and the body turns about it in space"
+    collar: tuple[PointRef, ...] = key("points", HELD, count=(1, 2), required=True, example="bar.start")
+
+    def joint_in_space(self) -> Joint:
+        return Joint(self.name, *self.ways(), sliding=(self.direction,), free=True)
+
+
 class Sleeve(Along, frozen=True):
     word = "sleeve"
     about = "a cylindrical pair: the body slides along an axis and turns about it"
@@ -81,3 +90,21 @@ class Screw(Along, frozen=True):
 
     def joint_in_space(self) -> Joint:
         return Joint(self.name, *self.ways(), turning=(self.direction,), sliding=(self.direction,), pitch=self.pitch)
+
+
+class Universal(Connection, frozen=True):
+    """Hooke's joint: ω₂ (1 − (c · n₂)²) = ω₁ n₁ · n₂, c along the arm in the fork of the first shaft."""
+
+    word = "universal"
+    about = "Hooke's joint between two shafts at an angle, each on a `hinge` of its own: it passes on a couple, and no force"
+    quantities: ClassVar[tuple[str, ...]] = ("torque",)
+    planar = False
+    spatial = True
+    universal: tuple[PointRef, ...] = key("points", "the two shafts", count=(2, 2), required=True, example="[one, two]")
+    along: Axis = key(
+        "axis in space", "the arm of the cross in the first shaft, in the axes of that", required=True, example="z"
+    )
+
+    def coupling_in_space(self) -> Coupling:
+        (first, second), (x, y, z) = self.universal, self.along
+        return Coupling(self.name, first, second, (x, y, z))

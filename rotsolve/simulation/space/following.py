@@ -46,6 +46,9 @@ def refuse_unfollowed(configuration: Configuration) -> None:
     for action in problem.actions:
         if action.from_ is not None or action.to is not None:
             raise NotYet(f"`{action.name}` acts between two states: that is not followed in space yet")
+    if held.closing is not None:
+        owner, span = held.closing
+        raise NotYet(f"`{owner}` closes a linkage in space: that is not followed in time yet", span)
     for joint in held.joints:
         words = unfollowed(joint, held)
         if words:

@@ -6,7 +6,18 @@ numbers, vectors, tensors, or words.
 
 from __future__ import annotations
 
-from second_route import bearings, events, free_bodies, rolling, tensors, tops, turning_frames, turns, turntables
+from second_route import (
+    bearings,
+    events,
+    free_bodies,
+    linkages,
+    rolling,
+    tensors,
+    tops,
+    turning_frames,
+    turns,
+    turntables,
+)
 
-MODULES = (bearings, events, free_bodies, rolling, tensors, tops, turning_frames, turns, turntables)
+MODULES = (bearings, events, free_bodies, linkages, rolling, tensors, tops, turning_frames, turns, turntables)
 CALCULATIONS = {name: calculation for module in MODULES for name, calculation in module.CALCULATIONS.items()}
