@@ -23,7 +23,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
-ASSEMBLED = "the equations of motion of all bodies, solved by computer with numbers, give the same "
+ASSEMBLED = "all bodies' equations, solved with numbers, give the same "
 SUMMED = "another sum over the masses gives the same "
 TOLD_BY_MASSES = (
     "inertia_tensor",

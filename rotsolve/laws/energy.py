@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import HALF, ZERO, Formula, Symbol, negate
+from rotsolve.algebra.formula import HALF, ZERO, Formula, Number, Product, Symbol, negate
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import CONSERVATION, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
@@ -106,13 +106,19 @@ def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:
     terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
-            terms.extend(HALF * body.mass * item for item in squares(body.centre_velocity))
+            terms.extend(half_of(body.mass, item) for item in squares(body.centre_velocity))
         if body.inertia is not None:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
         if body.sweep is not None:
             terms.append(HALF * body.sweep.inertia * square(body.sweep.rate))
         terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
     return [term for term in terms if term != ZERO]
+
+
+def half_of(mass: Formula, squared: Formula) -> Formula:
+    """½ m v², of a multiple as it is written: ½ (2 m) v²."""
+    multiple = isinstance(mass, Product) and isinstance(mass.factors[0], Number)
+    return Product((HALF, mass, squared)) if multiple else HALF * mass * squared
 
 
 def squares(velocity: Vector) -> list[Formula]:

@@ -77,15 +77,9 @@ def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | N
         return None
     way = HALF * (before + after) * passage.duration
     change = ("falls evenly from ", before, " to 0") if after == ZERO else ("grows evenly from 0 to ", after)
-    return way, (
-        "the slip ",
-        *change,
-        ": the rim slides by ",
-        way,
-        ", not by ",
-        apart.along,
-        ", since it turns meanwhile",
-    )
+    wrong = apart.force * apart.along
+    told = (", so that it slides by ", way, "; ", wrong, " would be wrong, since the body turns meanwhile")
+    return way, ("the slip of the touching point ", *change, *told)
 
 
 def slip_of_point(apart: ByItsPoint, rates: Mapping[str, Formula], rules: Sequence[Rule]) -> Formula:
