@@ -44,7 +44,8 @@ def works_spelled(over: OverPhase) -> Iterator[Equation]:
             yield WORK.equation(work.amount, apart.force * way, *where, words, owner=owner)
         else:
             wrong = apart.force * apart.along
-            words = ("along the way ", work.slide, " by which the touching point slides; ", wrong, " would be wrong")
+            along = ("along the way ", work.slide, " by which the touching point slides; ", wrong)
+            words = (*along, " would be wrong, since the body rolls a part of that way")
             yield WORK.equation(work.amount, apart.force * work.slide, *where, words, owner=owner)
             yield WAY_OF_SLIP.equation(work.slide, slid[0], *where, slid[1], owner="the touching point")
 
@@ -81,7 +82,7 @@ def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | N
     if (before == ZERO) == (after == ZERO):
         return None
     change = ("falls evenly from ", before, " to 0") if after == ZERO else ("grows evenly from 0 to ", after)
-    return HALF * (before + after) * passage.duration, ("its slip ", *change, ", as the body turns meanwhile")
+    return HALF * (before + after) * passage.duration, ("its slip ", *change, ", since accelerations are constant")
 
 
 def slip_of_point(apart: ByItsPoint, rates: Mapping[str, Formula], rules: Sequence[Rule]) -> Formula:
