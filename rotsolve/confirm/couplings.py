@@ -12,6 +12,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import part_of, radius_of
 from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.constraints import Held, prescribed
+from rotsolve.confirm.faces import laid
 from rotsolve.confirm.jet import arctangent, distance
 from rotsolve.confirm.pose import Pose, load
 from rotsolve.confirm.rows import Grip, held, unknown
@@ -19,6 +20,7 @@ from rotsolve.confirm.signs import RIGHT, UP
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
+from rotsolve.elements.connections.faces import Laid
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides, Shaft
@@ -149,6 +151,7 @@ COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Gear: gear,
     MutualDrive: mutual,
     Clutch: clutch,
+    Laid: laid,
     Rims: rims,
     Rides: riding,
     Drapes: draping,

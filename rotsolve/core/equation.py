@@ -213,6 +213,7 @@ REVERSAL = Law("reversal", family=KINEMATICS, cost=1)
 
 INERTIA = Law("inertia", cost=1)  # what a mass, a centre of mass or a moment of inertia is
 INTEGRATED = Law("inertia by integration", cost=1, explained=True)  # the same as an integral over elements
+FACE_FRICTION = Law("friction over a face", cost=1, explained=True)  # a torque as an integral over elements
 PARALLEL_AXES = Law("parallel axes", cost=1, shifts=True)
 PART_OF_ROOTS = Law("part of the roots of a cubic", "{words}", cost=1, apart=True)
 

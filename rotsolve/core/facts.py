@@ -102,6 +102,7 @@ class Role(Struct, frozen=True):
     unseen: bool = False  # told in a free-body diagram only where an equation speaks of it
     meshes: bool = False  # between rims, where the way it points hangs on where the wheels stand: told by its size
     strained: bool = False  # it also draws its bodies together, as strongly as it was put on, which nobody tells
+    shared: bool = False  # over a face, so that nothing tells how its pieces push beside their torque
     noun: str = ""  # what all forces of this role are called where several are listed
 
 
@@ -110,6 +111,7 @@ HANGING = Role("hanging", stores=True)  # the weight of a part of a rope
 TENSION = Role("tension", pulls=True)
 NORMAL = Role("normal", presses=True)
 FRICTION = Role("friction", loses=True, rubs=True)
+SHARED_FRICTION = Role("friction shared over a face", loses=True, rubs=True, shared=True)
 REACTION = Role("reaction", holds=True, unseen=True)
 AXLE = Role("axle", holds=True, axle=True, unseen=True)
 GRIP = Role("grip", unseen=True)  # of a rope and the wheel over which it runs
@@ -248,6 +250,17 @@ class Potential(Struct, frozen=True):
     placed: bool = False
 
 
+class Summed(Struct, frozen=True):
+    """The friction torque of a face, τ = ∫ μ r dN: its letter, the integral over its elements, what is printed beside it, what these are."""
+
+    owner: str
+    letter: Formula
+    integral: Formula
+    label: str
+    bodies: tuple[str, ...]
+    words: Words = ()
+
+
 class Sweep(Struct, frozen=True):
     """What a turning shaft asks of a body: what its pieces' m a add up to about the reference, counterclockwise, is rate² ∫ x y dm (the
     `moment`), y up from the reference; `inertia` is that about the shaft, ∫ (x² + z²) dm.
@@ -354,6 +367,7 @@ class Facts(Struct, frozen=True):
     potentials: tuple[Potential, ...]
     given: tuple[GivenMotion, ...] = ()
     cuts: tuple[Cut, ...] = ()
+    sums: tuple[Summed, ...] = ()
 
     def body(self, name: str) -> BodyFacts | None:
         return next((body for body in self.diagrams if body.name == name), None)

@@ -205,6 +205,9 @@ class OfElements(AtInstant, frozen=True):
     def _refuse_strain(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> None:
         """No force of a support is told that a belt presses on, as strongly as it was put on."""
         held = [body for body, force in forces if force.role.holds]
+        shared = next((couple.owner for body in held for couple in body.couples if couple.role.shared), None)
+        if shared is not None:
+            raise NotYet(f"the force of `{path.owner}` is not told: how friction of `{shared}` at rest is shared nothing tells")
         belt = next((couple.owner for body in held for couple in body.couples if couple.role.strained), None)
         if belt is not None:
             raise NotYet(

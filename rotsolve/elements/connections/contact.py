@@ -15,7 +15,7 @@ from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.touch import Friction, Touch, is_level
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
-from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
+from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, SceneElements, Surroundings
 from rotsolve.language.keys import amount, key
 
 
@@ -60,6 +60,16 @@ class Contact(Touch, frozen=True):
             help = "a force that presses a body on a surface stands among the actions"
             raise Unsolvable(f"`press` of `{self.name}` is for two wheels", span=under.span, help=help)
         super().check(scene)
+
+    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
+        """From above what lies on a level table rubs over its whole face."""
+        if scene.plane != "horizontal" or self.friction.kind != "coefficient" or self.contact[1].owner not in level:
+            return self
+        from rotsolve.elements.connections.faces import Laid
+
+        own = self.contact[0].owner
+        others = (ref.owner for item in scene.connections if item is not self for ref in item.touches())
+        return Laid(self.name, self.contact, self.friction, own not in others)
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """Between two wheels on fixed axles it is their rims that rub."""

@@ -1,0 +1,99 @@
+"""Faces: what rubs over a whole face, by a sum of its own over pieces: of what lies on a table, and of what is pressed together."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import Spot, radius_of
+from rotsolve.confirm.constraints import Held
+from rotsolve.confirm.jet import merged
+from rotsolve.confirm.pose import Pose, load
+from rotsolve.confirm.rows import Grip, Row, held
+from rotsolve.elements.connections.faces import Laid
+from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes.round import Ring
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
+
+ROUND = 12  # pieces into which a ring is cut
+
+Weighed = tuple[Spot, float]
+
+
+def laid(item: Laid, pose: Pose, model: Known) -> Held:
+    """Friction on each piece, square to its arm from the axis: all of it is one grip, as large as the weight allows."""
+    name = item.contact[0].owner
+    body, seat = model.body(name), model.seats[name]
+    if model.problem.gravity is None:
+        raise NotConfirmed(f"nothing presses `{name}` on what it lies on")
+    carrier = next((other for other in model.joined_to(name) if other in model.held), name)
+    u, w = pose.place(carrier, model.axis(carrier))
+    if item.spins:  # in place: how its centre is pushed then is told by the pieces
+        yield from (Row(item.name, axis, place.slope, 0.0, None, {}) for axis, place in (("x", u), ("y", w)))
+    column: dict[int, float] = {}
+    for spot, share in spread(item, model):
+        x, y = pose.place(name, spot)
+        away = math.hypot(x.value - u.value, y.value - w.value)
+        if away > 0.0:
+            way = -(y.value - w.value) / away, (x.value - u.value) / away
+            column = merged(column, 1.0, load((x, y), way), share)
+    weight = seat.rigid.mass * model.value(model.problem.gravity)
+    static, kinetic = (
+        weight * model.value(size) if size is not None else 0.0 for size in (item.friction.static, item.friction.kinetic)
+    )
+    if body.count > 1:
+        raise NotConfirmed(f"where each of `{name}` lies")
+    row = held(item.name, "torque", pose.turn(carrier), pose)
+    yield Grip(f"{item.name}.{carrier}", replace(row, column=column), static, kinetic)
+
+
+def spread(item: Laid, model: Known) -> Iterator[Weighed]:
+    """Pieces of what lies on a table, in its own axes, with their shares of its mass."""
+    name = item.contact[0].owner
+    body, shape = model.body(name), shape_of(model.body(name))
+    if shape.pointlike:
+        yield model.seats[name].rigid.centre, 1.0
+    elif shape.slender:
+        yield from of_line(item, model)
+    else:
+        outer = radius_of(body, None, model.value)
+        if outer is None or not (shape.face() is not None):
+            raise NotConfirmed(f"how `{name}` is spread over what it lies on")
+        walls = dict(getattr(shape, "radii", ()))
+        thin = isinstance(shape, Ring) and not walls
+        yield from of_rings(outer if thin else model.value(walls["inner"]) if walls else 0.0, outer)
+
+
+def of_line(item: Laid, model: Known) -> Iterator[Weighed]:
+    """Pieces of a rod, cut at its axis too, so that each of its two sides is summed up exactly."""
+    name = item.contact[0].owner
+    reach = shape_of(model.body(name)).reach()
+    half = model.value(reach) / 2 if reach is not None else 0.0
+    axis = model.axis(name)[0]
+    edges = [-half, axis, half] if -half < axis < half else [-half, half]
+    for low, high in zip(edges, edges[1:], strict=False):
+        yield ((low + high) / 2, 0.0), (high - low) / (2 * half)
+
+
+def of_rings(inner: float, outer: float) -> Iterator[Weighed]:
+    """Pieces of rings round the middle, by the two points of Gauss's rule, exact for what goes as r²; a thin ring is one."""
+    width = (outer - inner) / 2
+    if width <= 0.0:
+        yield from around(outer, 1.0)
+        return
+    for side in (-1.0, 1.0):
+        r = inner + width * (1.0 + side / math.sqrt(3.0))
+        yield from around(r, 2.0 * r * width / (outer**2 - inner**2))
+
+
+def around(r: float, share: float) -> Iterator[Weighed]:
+    """A ring cut into equal pieces."""
+    for k in range(ROUND):
+        angle = 2.0 * math.pi * k / ROUND
+        yield (r * math.cos(angle), r * math.sin(angle)), share / ROUND
