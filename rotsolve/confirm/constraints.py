@@ -110,9 +110,18 @@ def driven(item: Driven, refs: tuple[PointRef, ...], carrier: PointRef | None, p
             coordinate = turn + model.lean(ref) if word == "angle" else turn
             row = prescribed(item.name, f"torque_{ref}", coordinate, TURNING.index(word), sign, value, pose, model)
             yield row if word == given[-1][0] else replace(row, kind=f"{word}_{ref}", bend=None)
-        if item.friction_torque is not None:
-            size = model.now(item.friction_torque, pose)
+        if item.rubbing():
+            size = rubs_with(item, pose, model)
             yield Grip(f"{item.name}.{ref}", held(item.name, f"torque_{ref}", turn, pose), size, size)
+
+
+def rubs_with(item: Driven, pose: Pose, model: Known) -> float:
+    """The torque with which an axis rubs: told, or of a collar that is pressed on its bearing."""
+    if item.friction_torque is not None:
+        return model.now(item.friction_torque, pose)
+    from rotsolve.confirm.faces import collar
+
+    return collar(item, model)
 
 
 def prescribed(

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import Spot, radius_of
+from rotsolve.confirm.bodies import Spot, part_of, radius_of
 from rotsolve.confirm.constraints import Held
 from rotsolve.confirm.jet import merged
 from rotsolve.confirm.pose import Pose, load
 from rotsolve.confirm.rows import Grip, Row, held
-from rotsolve.elements.connections.faces import Laid
+from rotsolve.elements.connections.flat import Laid
+from rotsolve.elements.connections.rubbing import Clutch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.shapes.round import Ring
+from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
 
-ROUND = 12  # pieces into which a ring is cut
+ROUND, RINGS = 12, 8  # pieces into which a ring is cut; rings of a face that is pressed
 
 Weighed = tuple[Spot, float]
 
@@ -45,7 +48,8 @@ def laid(item: Laid, pose: Pose, model: Known) -> Held:
             column = merged(column, 1.0, load((x, y), way), share)
     weight = seat.rigid.mass * model.value(model.problem.gravity)
     static, kinetic = (
-        weight * model.value(size) if size is not None else 0.0 for size in (item.friction.static, item.friction.kinetic)
+        weight * model.value(size) if size is not None else 0.0
+        for size in (item.friction.static, item.friction.kinetic)
     )
     if body.count > 1:
         raise NotConfirmed(f"where each of `{name}` lies")
@@ -77,7 +81,7 @@ def of_line(item: Laid, model: Known) -> Iterator[Weighed]:
     half = model.value(reach) / 2 if reach is not None else 0.0
     axis = model.axis(name)[0]
     edges = [-half, axis, half] if -half < axis < half else [-half, half]
-    for low, high in zip(edges, edges[1:], strict=False):
+    for low, high in pairwise(edges):
         yield ((low + high) / 2, 0.0), (high - low) / (2 * half)
 
 
@@ -97,3 +101,49 @@ def around(r: float, share: float) -> Iterator[Weighed]:
     for k in range(ROUND):
         angle = 2.0 * math.pi * k / ROUND
         yield (r * math.cos(angle), r * math.sin(angle)), share / ROUND
+
+
+def plates(item: Clutch, model: Known) -> float:
+    """The torque of plates: over their own face where it is told, else over what both of them have."""
+    if item.radii or item.radius is not None:
+        return collar(item, model)
+    edges = [face_of_plate(ref, model) for ref in item.clutch]
+    return pressed(item, max(edges[0][0], edges[1][0]), edges[0][1], model)
+
+
+def collar(item: Any, model: Known) -> float:
+    """The torque of a face of which the radii are told."""
+    if item.radius is not None:
+        return pressed(item, 0.0, model.value(item.radius), model)
+    walls = {word: model.value(size) for word, size in item.radii}
+    return pressed(item, walls["inner"], walls["outer"], model)
+
+
+def pressed(item: Any, inner: float, outer: float, model: Known) -> float:
+    """Σ μ r ΔN over rings, by the two points of Gauss's rule on each of many: the pressure tells how the force is shared among them.
+
+    On a cone a ring of the force ΔF along the axis is pressed by ΔF/sin β.
+    """
+    if item.press is None or item.friction is None:
+        raise NotConfirmed(f"nothing tells how hard `{item.name}` is pressed")
+    force = model.value(item.press) / (math.sin(model.value(item.cone)) if item.cone is not None else 1.0)
+    if outer - inner < 1e-12 * outer:
+        return model.value(item.friction) * force * outer
+    width, arms, shares = (outer - inner) / RINGS, 0.0, 0.0
+    for k in range(RINGS):
+        for side in (-1.0, 1.0):
+            r = inner + width * (k + 0.5 + side / math.sqrt(12.0))
+            share = r * (1.0 / r if item.uniform == "wear" else 1.0)  # the pressure, times the ring's circumference
+            arms, shares = arms + share * r, shares + share
+    return model.value(item.friction) * force * arms / shares
+
+
+def face_of_plate(ref: PointRef, model: Known) -> tuple[float, float]:
+    """Inner and outer edge of the face of a plate."""
+    body = model.body(ref.owner)
+    part = part_of(body, ref.point)
+    body, point = (body, ref.point) if part is None else (part.body, None)
+    outer = radius_of(body, point, model.value) or 0.0
+    walls = dict(getattr(body.shape, "radii", ()))
+    thin = isinstance(body.shape, Ring) and not walls
+    return (outer if thin else model.value(walls["inner"]) if "inner" in walls else 0.0), outer

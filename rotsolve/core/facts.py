@@ -251,7 +251,7 @@ class Potential(Struct, frozen=True):
 
 
 class Summed(Struct, frozen=True):
-    """The friction torque of a face, τ = ∫ μ r dN: its letter, the integral over its elements, what is printed beside it, what these are."""
+    """The friction torque of a face, τ = ∫ r μ dN: its letter, the integral over its elements, its label, and what these are."""
 
     owner: str
     letter: Formula

@@ -207,7 +207,9 @@ class OfElements(AtInstant, frozen=True):
         held = [body for body, force in forces if force.role.holds]
         shared = next((couple.owner for body in held for couple in body.couples if couple.role.shared), None)
         if shared is not None:
-            raise NotYet(f"the force of `{path.owner}` is not told: how friction of `{shared}` at rest is shared nothing tells")
+            raise NotYet(
+                f"the force of `{path.owner}` is not told: how friction of `{shared}` at rest is shared nothing tells"
+            )
         belt = next((couple.owner for body in held for couple in body.couples if couple.role.strained), None)
         if belt is not None:
             raise NotYet(

@@ -65,7 +65,7 @@ class Contact(Touch, frozen=True):
         """From above what lies on a level table rubs over its whole face."""
         if scene.plane != "horizontal" or self.friction.kind != "coefficient" or self.contact[1].owner not in level:
             return self
-        from rotsolve.elements.connections.faces import Laid
+        from rotsolve.elements.connections.flat import Laid
 
         own = self.contact[0].owner
         others = (ref.owner for item in scene.connections if item is not self for ref in item.touches())

@@ -1,32 +1,32 @@
-"""Faces: friction spread over a face, τ = ∫ μ r dN: of plates, cones and collars that are pressed, and of what lies flat on a rough table."""
+"""Faces: friction of plates, cones and collars that a force presses together: τ = ∫ μ r dN over the rings of the face."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from typing import Any, Protocol
 
-from msgspec import Struct, field
+from msgspec import Struct
 
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, call, negate, sqrt, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, call
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.facts import FRICTION, SHARED_FRICTION, Couple, Force, Summed, enough, held_still, signed
+from rotsolve.core.facts import Summed
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.limits import Limit
-from rotsolve.core.vectors.heading import NOWHERE, Vector, unit, vector
-from rotsolve.elements.connections.touch import Friction
-from rotsolve.elements.shapes import shape_of
-from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Moment
 from rotsolve.language.keys import amount, key
 
-WEAR = "wear"
+WEAR, WALLS = "wear", ("inner", "outer")
+Radii = tuple[tuple[str, Formula], ...]
 
 
 def face_radii() -> Any:
     """The key of the face itself, where no body tells it."""
     words = "inner and outer radius of the face that rubs"
-    return key("radii", words, limits="positive", default=(), choices=("inner", "outer"), plane=True)
+    return key("radii", words, limits="positive", default=(), choices=WALLS, plane=True)
+
+
+def face_radius() -> Any:
+    """The key of a face without a hole."""
+    return amount("radius of a full face that rubs", "length", "R", "positive", default=None, plane=True)
 
 
 def face_cone() -> Any:
@@ -55,182 +55,72 @@ class Face(Struct, frozen=True):
             return force / (self.outer - self.inner)
         return force * (2 * r) / (self.outer**2 - self.inner**2)
 
-    def torque(self, friction: Formula, force: Formula, instant: Moment) -> tuple[Formula, Words]:
+    def torque(self, owner: str, friction: Formula, force: Formula, bodies: tuple[str, ...], instant: Moment) -> Summed:
         """∫ μ r dN over its rings, and what these are; of a thin ring μ F R."""
-        sine = call("sin", self.cone) if self.cone is not None else None
+        letter = instant.ask("torque", owner, when="")
+        sine = call("sin", self.cone) if self.cone is not None else ONE
         if self.inner == self.outer:
-            return friction * force * self.outer / (sine if sine is not None else 1), ()
+            return Summed(owner, letter, friction * force * self.outer / sine, "friction torque", bodies)
         r = instant.coordinate("rho")
-        push = self.share(force, r)
-        push = push if sine is None else push / sine
-        even = "as much as any other of its width, since the faces are worn in: " if self.worn else "by its area: "
-        words: Words = ("Cut the face into rings of radius ", r, " and width d", r, ". Each is pressed on ", even)
-        words = (*words, "dN = ", push, " d", r, " (across the cone)" if sine is not None else "")
-        words = (*words, NEXT, "Each rubs with the torque μ ", r, " dN, at the distance ", r, " from the axis.")
-        return Integral(friction * r * push, r.name, self.inner, self.outer), words
+        push = self.share(force, r) / sine
+        why: Words = (
+            ("On worn faces, where the pressure goes as 1/", r, ",") if self.worn else ("Under a uniform pressure",)
+        )
+        words: Words = (
+            "Cut the face into rings of radius ",
+            r,
+            " and width d",
+            r,
+            ". ",
+            *why,
+            " each is pressed by dN = ",
+        )
+        words += (push, " d", r, "." if sine == ONE else ", square to the cone.", NEXT)
+        words += ("Each rubs with the force μ dN at the distance ", r, " from the axis: torque μ ", r, " dN.")
+        integral = friction * Integral(r * push, r.name, self.inner, self.outer)
+        return Summed(owner, letter, integral, "friction torque, τ = ∫ r μ dN", bodies, words)
 
 
-class Spot(Struct, frozen=True):
-    """How what lies on a table rubs about an axis, per μ g: ∫ r dm, and the sum of the ways in which its pieces lie from there, ∫ (r/|r|) dm."""
+class Pressed(Protocol):
+    """What a force presses together over a face."""
 
-    arms: Formula
-    ways: Vector
-    words: Words = ()
-
-
-class Laid(Connection, frozen=True):
-    """A body that lies flat on a rough level table seen from above: each piece rubs by its weight, against the turn. What a contact is there.
-
-    `spins` marks one that nothing else holds: it spins in place, about its centre of mass.
-    """
-
-    word = "contact"
-    quantities = ("torque", "friction", "work", "power")
-    pointed = ("contact",)
-
-    contact: tuple[PointRef, ...] = ()
-    friction: Friction = field(default_factory=Friction)
-    spins: bool = False
-
-    def brakes(self) -> tuple[PointRef, ...]:
-        return self.contact[:1]
-
-    def fixed_points(self) -> tuple[PointRef, ...]:
-        return (PointRef(self.contact[0].owner, "cm", span=self.contact[0].span),) if self.spins else ()
-
-    def twists(self) -> bool:
-        return True
-
-    def rooms(self, scene: Surroundings) -> Iterator[Limit]:
-        return self.friction.rooms(self.name)
-
-    def check(self, scene: Surroundings) -> None:
-        """A body that turns about a fixed axis or spins in place, and lies on the table with what its shape tells."""
-        ref = self.contact[0]
-        body = scene.bodies[ref.owner]
-        led = body.moves is not None or bool(body.moved)
-        states = scene.throughout(self.name)
-        turns = self.spins or all(scene.host(ref.owner, state) in scene.held for state in states)
-        if led or not turns or len(self.contact) > 2 or ref.point not in (None, "center", "cm"):
-            message = f"`{body.name}`, which travels over `{self.contact[1].owner}` seen from above, rubs on it in a way that is not solved"
-            help = "leave out `plane: horizontal` where it slides along a line; solved is what turns on an `axle` or `hinge`, or spins in place"
-            raise Unsolvable(message, span=ref.span, help=help)
-        if body.parts or body.holes or (body.shape is None and not turns):
-            message = f"how `{body.name}`, which is put together, lies on `{self.contact[1].owner}` is not solved"
-            raise Unsolvable(message, span=ref.span, help="`weld` what it is made of, each with a contact of its own")
-        if self.friction.static != self.friction.kinetic:
-            message = f"static and kinetic friction that differ over a face, as those of `{self.name}`, are not solved"
-            raise Unsolvable(message, span=ref.span, help="give one coefficient: what turns rubs with the kinetic one")
-        if self.spins:
-            self.check_spins(body, scene)
-
-    def check_spins(self, body: Body, scene: Surroundings) -> None:
-        """What spins in place is pushed by nothing but couples, and its centre of mass is at rest."""
-        ref, span = self.contact[0], self.contact[0].span
-        pushed = [item.name for item in scene.problem.actions if ref.owner in owners(item.touches()) and not item.twists()]
-        pushed += [event.name for event in scene.problem.events]
-        pushed += ["velocity" for value in scene.mentions.values(ref.owner, "velocity") if value != ZERO]
-        if pushed:
-            message = f"`{body.name}` lies on a rough table, and does not just spin in place there: `{pushed[0]}` moves its centre"
-            help = f"give it an `axle` or a `hinge`, if it turns about that: `axle: {body.name}`"
-            raise Unsolvable(message, span=span, help=help)
-
-    def spot(self, instant: Moment) -> Spot:
-        """How it rubs about the axis of the body that it is part of."""
-        ref = self.contact[0]
-        body = instant.body(ref.owner)
-        mass, shape = body.mass or ZERO, shape_of(body)
-        arm = instant.point(PointRef(ref.owner, "cm"))
-        if shape.pointlike:
-            return point_spot(mass, arm)
-        face = shape.face()
-        if face is not None and not arm.parts:
-            return Spot(*round_spot(mass, Face(*face), instant))
-        found = self.along(mass, body, instant)
-        if found is None:
-            message = f"how `{body.name}`, a {shape.word}, rubs on `{self.contact[1].owner}` about that axis is not solved"
-            help = "solved are round bodies about their centres, rods and particles; a torque may be told as `friction_torque`"
-            raise Unsolvable(message, span=ref.span, help=help)
-        return found
-
-    def along(self, mass: Formula, body: Body, instant: Moment) -> Spot | None:
-        """Of a straight body about a point of its line: ∫ x dm on both sides of that."""
-        shape, name = shape_of(body), instant.host(body.name)
-        cut = shape.slicing() if shape.slender and not shape.graded and name == body.name else None
-        start, end = (instant.point(PointRef(body.name, point)) for point in ("start", "end"))
-        along = (end - start).along(instant.motion(name).orientation)
-        if cut is None or len(start.parts) > 1 or len(end.parts) > 1:
-            return None
-        way = instant.motion(name).orientation
-        near, far = simplify(negate(start.along(way))), simplify(end.along(way))
-        signs = [instant.configuration.signs.sign(side) for side in (near, far)]
-        if -1 in signs or None in signs and not within(near, far, along):
-            return None
-        x = instant.coordinate("x")
-        density = mass / shape.measure()
-        halves = [Integral(density * x, x.name, ZERO, side) for side in (near, far) if side != ZERO]
-        arms = 2 * halves[0] if len(halves) == 2 and near == far else total(halves)
-        words: Words = ("Cut into pieces of length d", x, ": dm = ", density, " d", x, ".", *each_rubs(x))
-        over = simplify(density * (far - near))
-        ways = NOWHERE if over == ZERO else vector(over, way)
-        return Spot(arms, ways, words)
-
-    def facts(self, instant: Moment) -> Iterator[Fact]:
-        """Friction against the turn, whichever way that is; as large as it takes while it holds the body still."""
-        ref, gravity = self.contact[0], instant.configuration.problem.gravity or ZERO
-        name = instant.host(ref.owner)
-        sense, mode = instant.sense(name), instant.mode(f"{self.name}.{name}")
-        forward, back = instant.turn_words(name)
-        spot, rough = self.spot(instant), self.friction
-        press, most = (rough.kinetic or ZERO) * gravity, instant.ask("torque", self.name, when="")
-        label = "friction torque, τ = ∫ r μ g dm" if spot.words else "friction torque"
-        yield Summed(self.name, most, press * spot.arms, label, (name,), spot.words)
-        if mode == "holds":
-            size = instant.ask("torque", self.name, when=instant.span(name), words=(forward, back))
-            yield Couple(self.name, SHARED_FRICTION, name, signed(size, sense), "friction torque", size)
-            yield held_still(self.name, name, instant.motion(name))
-            if instant.in_balance:
-                yield enough(self.name, size, most, "turn")
-            return
-        turn, against = (sense, forward) if mode == "turns back" else (-sense, back)
-        yield Couple(self.name, FRICTION, name, signed(most, turn), "friction torque", most, against)
-        for part, way in spot.ways.parts:
-            size, along = simplify(press * part, order=instant.configuration.order), unit(way.turned(90 * turn))
-            told = "in all, against its motion"
-            yield Force(self.name, FRICTION, name, size, along, NOWHERE, "kinetic friction", told, works=False)
+    @property
+    def name(self) -> str: ...
+    @property
+    def press(self) -> Formula | None: ...
+    @property
+    def friction(self) -> Formula | None: ...
+    @property
+    def friction_torque(self) -> Formula | None: ...
+    @property
+    def radius(self) -> Formula | None: ...
+    @property
+    def radii(self) -> Radii: ...
+    @property
+    def cone(self) -> Formula | None: ...
+    @property
+    def uniform(self) -> str: ...
 
 
-def owners(refs: tuple[PointRef, ...]) -> set[str]:
-    """The bodies of points."""
-    return {ref.owner for ref in refs}
+def face_between(item: Pressed) -> Face | None:
+    """The face that an element tells itself, a full one by its `radius`."""
+    if item.radius is None and not item.radii:
+        return None
+    inner, outer = (ZERO, item.radius) if item.radius is not None else (dict(item.radii)[word] for word in WALLS)
+    return Face(inner, outer, item.uniform == WEAR, item.cone)
 
 
-def within(near: Formula, far: Formula, whole: Formula) -> bool:
-    """Whether an axis lies between the ends by what the scene asks of a place on a rod."""
-    return simplify(near + far - whole) == ZERO
-
-
-def point_spot(mass: Formula, arm: Vector) -> Spot:
-    """A particle, all of it at one place."""
-    if not arm.parts:
-        return Spot(ZERO, NOWHERE)
-    if len(arm.parts) == 1:
-        size, way = arm.parts[0]
-        return Spot(mass * size, vector(mass, way))
-    distance = simplify(sqrt(arm.dot(arm)))
-    return Spot(mass * distance, arm.times(mass / distance))
-
-
-def round_spot(mass: Formula, face: Face, instant: Moment) -> tuple[Formula, Vector, Words]:
-    """Of a round body about its centre, ring by ring."""
-    if face.inner == face.outer:
-        return mass * face.outer, NOWHERE, ()
-    r: Symbol = instant.coordinate("rho")
-    ring = face.share(mass, r)
-    words: Words = ("Cut into rings of radius ", r, " and width d", r, ", each with its share of the area: dm = ")
-    return Integral(r * ring, r.name, face.inner, face.outer), NOWHERE, (*words, ring, " d", r, ".", *each_rubs(r))
-
-
-def each_rubs(r: Symbol) -> Words:
-    """What friction does on each piece, at its distance from the axis."""
-    return (NEXT, "Each rubs with the force μ g dm, square to its distance ", r, " from the axis: torque μ g ", r, " dm.")
+def check_pressed(item: Pressed, ref: PointRef) -> None:
+    """What belongs to a face stands beside a press and a friction, and not beside a torque that is told already."""
+    said = [word for word in ("press", "friction", "radius", "radii", "cone") if getattr(item, word)]
+    said += ["uniform"] if item.uniform == WEAR else []
+    if item.friction_torque is not None and said:
+        message = f"`{item.name}` tells its `friction_torque` and, by `{said[0]}`, what that is made of"
+        raise Unsolvable(message, span=ref.span, help="leave out one of them")
+    missing = [word for word in ("press", "friction") if getattr(item, word) is None]
+    if said and missing:
+        message = f"`{item.name}` has a `{said[0]}` and no `{missing[0]}`, so that nothing tells its torque"
+        raise Unsolvable(message, span=ref.span, help=f"give it `{missing[0]}`")
+    if item.radius is not None and item.radii:
+        message = f"`{item.name}` has a `radius`, as of a full face, and `radii`, as of a ring"
+        raise Unsolvable(message, span=ref.span, help="leave out one of them")
