@@ -101,8 +101,7 @@ class Role(Struct, frozen=True):
     axle: bool = False  # of a support in whose axis a wheel turns
     unseen: bool = False  # told in a free-body diagram only where an equation speaks of it
     meshes: bool = False  # between rims, where the way it points hangs on where the wheels stand: told by its size
-    strained: bool = False  # it also draws its bodies together, as strongly as it was put on, which nobody tells
-    shared: bool = False  # over a face, so that nothing tells how its pieces push beside their torque
+    hides: str = ""  # why nothing tells the force of what holds its body: what else it does to that
     noun: str = ""  # what all forces of this role are called where several are listed
 
 
@@ -111,7 +110,10 @@ HANGING = Role("hanging", stores=True)  # the weight of a part of a rope
 TENSION = Role("tension", pulls=True)
 NORMAL = Role("normal", presses=True)
 FRICTION = Role("friction", loses=True, rubs=True)
-SHARED_FRICTION = Role("friction shared over a face", loses=True, rubs=True, shared=True)
+SHARED_FRICTION = Role(
+    "friction shared over a face", loses=True, rubs=True, hides="holds it at many places, and how it is shared is not told"
+)
+BAND = Role("friction of a band", loses=True, rubs=True, hides="draws on it from where its ends run, which is not told")
 REACTION = Role("reaction", holds=True, unseen=True)
 AXLE = Role("axle", holds=True, axle=True, unseen=True)
 GRIP = Role("grip", unseen=True)  # of a rope and the wheel over which it runs
@@ -120,7 +122,7 @@ TORSION = Role("torsion", stores=True)
 APPLIED = Role("applied")
 DRIVE = Role("drive", loses=True)  # whatever makes a given motion true
 COUPLING = Role("coupling", meshes=True)
-PULL = Role("pull of a belt", strained=True)
+PULL = Role("pull of a belt", hides="presses on it as strongly as it was put on")
 POWERED = Role("power", powered=True)
 INNER = Role("inner", loses=True, inner=True)
 BLOW = Role("blow")  # from outside the scene

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.course.reading import (
     NATURAL,
     Reckoned,
@@ -23,6 +24,7 @@ from rotsolve.confirm.course.reading import (
 )
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Way
+from rotsolve.elements.actions import Band
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.touch import Touch
@@ -69,6 +71,8 @@ def last_body(at: Node, name: str) -> str:
 def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Of the leg that leaves the body that is named, towards the next; one for all legs where they are the same."""
     item = element(at, path.owner)
+    if isinstance(item, Band):
+        return other_end(at, item)
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("tension")]
     if not sizes:
         raise NotConfirmed(f"the tension of `{path.owner}`")
@@ -80,6 +84,16 @@ def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
     if max(sizes) - min(sizes) > 1e-6 * max(map(abs, sizes), default=1.0):
         raise NotConfirmed(f"the tension of `{path.owner}` is not the same throughout")
     return number(sizes[0])
+
+
+def other_end(at: Node, item: Band) -> Reckoned:
+    """The tension at the end of a band that is held: its torque on the drum is the difference of both, times the radius."""
+    body, ref = last_body(at, item.name), item.on
+    radius = radius_of(at.model.body(body), ref.point if ref is not None else None, at.model.value) or 0.0
+    if item.band is None or radius == 0.0:
+        raise NotConfirmed(f"the tension of `{item.name}`")
+    drawn, pull = (1 if item.direction == "counterclockwise" else -1), at.model.value(item.band)
+    return number(pull - drawn * on_body(at, body, loads(at, item.name))[1] / radius, pull)
 
 
 def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
