@@ -11,12 +11,13 @@ from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot, part_of, radius_of
-from rotsolve.confirm.constraints import Held
+from rotsolve.confirm.constraints import Held, end_along
 from rotsolve.confirm.jet import merged
 from rotsolve.confirm.pose import Pose, load
 from rotsolve.confirm.rows import Grip, Row, held
 from rotsolve.elements.connections.flat import Laid
 from rotsolve.elements.connections.rubbing import Clutch
+from rotsolve.elements.connections.strings import String
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.shapes.round import Ring
 from rotsolve.language.bodies import PointRef
@@ -147,3 +148,20 @@ def face_of_plate(ref: PointRef, model: Known) -> tuple[float, float]:
     walls = dict(getattr(body.shape, "radii", ()))
     thin = isinstance(body.shape, Ring) and not walls
     return (outer if thin else model.value(walls["inner"]) if "inner" in walls else 0.0), outer
+
+
+def round_post(item: String, pose: Pose, model: Known) -> Held:
+    """A rope round a post: with T₁ = N + f and T₂ = N − f it slips at f = N tanh(μ φ/2), where T₁/T₂ = e^(μ φ).
+
+    N keeps both parts of one length in all; f, which sticks or slips, keeps each as it is.
+    """
+    if item.friction is None or item.wrap is None:
+        raise NotConfirmed(f"nothing tells how `{item.name}` runs round its post")
+    before, after = model.legs(item)
+    if before.along is None or after.along is None:
+        raise NotConfirmed(f"`{item.name}` runs from a place")
+    one = end_along(before.first, before.sides[0], before.along, pose, model) * -1.0
+    two = end_along(after.second, after.sides[1], after.along, pose, model)
+    limit = math.tanh(model.value(item.friction) * model.value(item.wrap) / 2.0)
+    yield held(item.name, "tension", one + two, pose, pull=True)
+    yield Grip(item.name, held(item.name, "friction", two - one, pose), limit, limit, (item.name, "tension"))

@@ -215,6 +215,7 @@ class Need(Struct, frozen=True):
 
 
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
+BINDS = Need("binds", closed=True)  # a band or a rope round what it does not slip on
 APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on

@@ -261,7 +261,7 @@ class Band(Action, frozen=True):
         if instant.in_balance:
             for more, less in ((other, pull), (pull, other)):
                 kept, otherwise = "the drum does not turn in the band", "the drum turns in the band"
-                yield facts.Requirement(self.name, facts.GRIPS, less * growth, more, kept, otherwise)
+                yield facts.Requirement(self.name, facts.BINDS, less * growth - more, ZERO, kept, otherwise)
 
 
 EULER = (

@@ -80,6 +80,9 @@ def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
         places = [number for number, ref in enumerate(item.string) if path.point in (ref.owner, ref.point)]
         if not places:
             raise NotConfirmed(f"`{path.owner}` does not touch `{path.point}`")
+        if item.friction is not None:  # of the rope at either side of its post what it does there
+            end = item.string[0 if places[0] == 0 else -1].owner
+            return number(math.hypot(*on_body(at, end, loads(at, path.owner))[0]))
         return number(sizes[min(places[0], len(sizes) - 1)], max(map(abs, sizes)))
     if max(sizes) - min(sizes) > 1e-6 * max(map(abs, sizes), default=1.0):
         raise NotConfirmed(f"the tension of `{path.owner}` is not the same throughout")
