@@ -25,6 +25,7 @@ from rotsolve.language.bodies import PointRef
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
 
+FAR_ROUND = 10.0  # μ φ beyond which T₂/T₁ = e^(−μ φ) is lost beside 1
 ROUND, RINGS = 12, 8  # pieces into which a ring is cut; rings of a face that is pressed
 
 Weighed = tuple[Spot, float]
@@ -162,6 +163,9 @@ def round_post(item: String, pose: Pose, model: Known) -> Held:
         raise NotConfirmed(f"`{item.name}` runs from a place")
     one = end_along(before.first, before.sides[0], before.along, pose, model) * -1.0
     two = end_along(after.second, after.sides[1], after.along, pose, model)
-    limit = math.tanh(model.value(item.friction) * model.value(item.wrap) / 2.0)
+    around = model.value(item.friction) * model.value(item.wrap)
+    if around > FAR_ROUND:
+        raise NotConfirmed(f"`{item.name}` holds more by its friction than numbers tell")
+    limit = math.tanh(around / 2.0)
     yield held(item.name, "tension", one + two, pose, pull=True)
     yield Grip(item.name, held(item.name, "friction", two - one, pose), limit, limit, (item.name, "tension"))

@@ -111,7 +111,10 @@ TENSION = Role("tension", pulls=True)
 NORMAL = Role("normal", presses=True)
 FRICTION = Role("friction", loses=True, rubs=True)
 SHARED_FRICTION = Role(
-    "friction shared over a face", loses=True, rubs=True, hides="holds it at many places, and how it is shared is not told"
+    "friction shared over a face",
+    loses=True,
+    rubs=True,
+    hides="holds it at many places, and how it is shared is not told",
 )
 BAND = Role("friction of a band", loses=True, rubs=True, hides="draws on it from where its ends run, which is not told")
 REACTION = Role("reaction", holds=True, unseen=True)

@@ -423,6 +423,11 @@ class Connection(ActingElement, frozen=True):
         """The coefficient by which a push limits the friction that holds; None where the push has no part in it."""
         return None
 
+    def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
+        """What is equal on the point of slipping, in one sense and in the other, where no push and no coefficient alone tell it; each with
+        what can't be negative then."""
+        return ()
+
     def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
         """How fast a body slips along the sense that counts as positive, or the rate of that; None where nothing tells the sense."""
         return None

@@ -31,10 +31,15 @@ def check_round(item: String, scene: Surroundings) -> None:
         message = f"`{item.name}` does not just run from one body round one post to another"
         help = "`string: [load, bollard, crate], friction: mu, wrap: 1/2 rev`, with `bollard: post` among the surfaces"
         raise Unsolvable(message, span=(posts or ends)[0].span, help=help)
+    if scene.problem.events:
+        message = f"events in a scene in which `{item.name}` runs round `{posts[0].owner}` are not solved"
+        raise Unsolvable(message, span=posts[0].span, help="begin the scene behind them, with how all moves then")
     missing = [word for word in ("friction", "wrap") if getattr(item, word) is None]
     if missing:
         message = f"`{item.name}` runs round `{posts[0].owner}`, and has no `{missing[0]}`"
-        raise Unsolvable(message, span=posts[0].span, help=f"give it `{missing[0]}`; a smooth peg is a pulley with `mass: 0`")
+        raise Unsolvable(
+            message, span=posts[0].span, help=f"give it `{missing[0]}`; a smooth peg is a pulley with `mass: 0`"
+        )
 
 
 def pace_past(course: Routing, *, acceleration: bool) -> Formula:
@@ -54,7 +59,7 @@ def round_post(item: String, course: Routing, instant: Moment) -> Iterator[Fact]
         yield Requirement(item.name, TAUT, tension, ZERO, "the string stays taut", "the string goes slack")
         for leg in strand:
             yield from item.pulls_of(leg, tension, instant, slips=mode.startswith("slips"))
-    growth = call("exp", (item.friction or ZERO) * (item.wrap or ZERO))
+    growth = growth_round(item)
     if mode.startswith("slips"):
         slack, tight = tensions[::-1] if mode.startswith("slips back") else tensions
         bodies = tuple(ref.owner for ref in (item.string[0], item.string[-1]))
@@ -65,3 +70,14 @@ def round_post(item: String, course: Routing, instant: Moment) -> Iterator[Fact]
         kept, otherwise = "the rope does not slip on the post", f"{item.name} slips"
         yield Requirement(item.name, BINDS, other * growth - tension, ZERO, kept, otherwise)
         yield from item.rules(strand, instant)
+
+
+def growth_round(item: String) -> Formula:
+    """By how much the tension is larger behind the post where the rope slips, e^(μ φ)."""
+    return call("exp", (item.friction or ZERO) * (item.wrap or ZERO))
+
+
+def on_the_verge(item: String, course: Routing) -> tuple[tuple[Formula, Formula, Formula], ...]:
+    """T₁ = T₂ e^(μ φ), the one tension or the other the larger, with the smaller one."""
+    one, two = (item.tension(strand, course) for strand in course.strands())
+    return (two, one * growth_round(item), one), (one, two * growth_round(item), two)
