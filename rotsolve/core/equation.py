@@ -139,7 +139,7 @@ TORQUES = Law("torques", "balance of torques, {body} about {point}", NEWTON, 3)
 CUT_TORQUES = Law("balance at a cut", "balance of torques about the cut, {body}", NEWTON, 3)
 SUMMED_OVER_WAY = Law("summed over the way", "Newton's law summed over the {over}, {body}", NEWTON, 5)
 POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μₛ N", NEWTON)
-POINT_OF_SLIPPING_ROUND = Law("point of slipping round", "on the point of slipping, T₁ = T₂ e^(μ φ)", NEWTON)
+VERGE = Law("verge of slipping", "on the point of slipping", NEWTON)
 
 ANGULAR_MOMENTUM_IN_SPACE = Law("angular momentum in space", "angular momentum, {body}{about}, along {axis}", cost=1)
 COUPLE_OF_BEARINGS = Law("couple of bearings", "couple of the bearings of {owner}, along {axis}", NEWTON, 2)

@@ -208,7 +208,7 @@ class Press(Action, frozen=True):
 
 class Band(Action, frozen=True):
     word = "band"
-    about = "a band brake: a band or a rope round a drum, pulled at one end and held at the other; T₁ = T₂ e^(μ φ) where the drum turns in it"
+    about = "a band brake: a band round a drum, pulled at one end and held at the other; T₁ = T₂ e^(μ φ) where the drum turns in it"
     instead = "while it turns one way, a couple against that does the same: `actions: {brake: {couple: -M, on: BODY}}`"
     quantities = ("tension", "torque", "work", "power")
     band: Formula | None = amount("force that pulls at its one end", "force", "F", "nonnegative", required=True)
@@ -265,8 +265,8 @@ class Band(Action, frozen=True):
 
 
 EULER = (
-    "Where the band goes on round by dθ, it presses with dN = T dθ, and T grows by the friction μ dN: dT/T = μ dθ, summed up T₁ = T₂ e^(μ φ). "
-    "The tension is the larger one, T₁, at the end that the rim runs away from.",
+    "Where the band goes on round by dθ, it presses with dN = T dθ, and T grows by the friction μ dN: dT/T = μ dθ, summed up"
+    " T₁ = T₂ e^(μ φ). The tension is the larger one, T₁, at the end that the rim runs away from.",
 )
 
 

@@ -35,6 +35,8 @@ class SceneElements(Protocol):
     @property
     def events(self) -> tuple[Event, ...]: ...
     @property
+    def bodies(self) -> tuple[Body, ...]: ...
+    @property
     def gravity(self) -> Formula | None: ...
     @property
     def states(self) -> tuple[Any, ...]: ...
@@ -421,6 +423,10 @@ class Connection(ActingElement, frozen=True):
 
     def static(self) -> Formula | None:
         """The coefficient by which a push limits the friction that holds; None where the push has no part in it."""
+        return None
+
+    def rubbing_force(self, instant: Moment) -> Formula | None:
+        """The letter of a friction within one body, which no free-body diagram has."""
         return None
 
     def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:

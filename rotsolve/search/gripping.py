@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula, negate
-from rotsolve.core.equation import POINT_OF_SLIPPING, POINT_OF_SLIPPING_ROUND, Equation
+from rotsolve.core.equation import POINT_OF_SLIPPING, VERGE, Equation
 from rotsolve.core.facts import Force, Requirement
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
@@ -49,7 +49,7 @@ def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equa
     verge = item.verge(scene.instant(state)) if item is not None else ()
     if verge:
         section = scene.section(state)
-        return [(POINT_OF_SLIPPING_ROUND.equation(left, right, section), push) for left, right, push in verge]
+        return [(VERGE.equation(left, right, section), push) for left, right, push in verge]
     static = item.static() if item is not None else None
     rubbing, pressing = contact_forces(contact, [force for body in bodies for force in body.forces])
     if static is None or rubbing is None or pressing is None:

@@ -27,6 +27,7 @@ from rotsolve.confirm.pose import Way
 from rotsolve.elements.actions import Band
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.elements import ActingElement
 from rotsolve.language.problem import Path, Term
@@ -109,6 +110,8 @@ def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Its size, and which way it points on the body that the contact names first."""
+    if isinstance(item := element(at, path.owner), Rides):
+        return number(math.hypot(*on_body(at, item.rides[0].owner, loads(at, path.owner))[0]))
     at.told(path.owner, "friction", "normal")
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
     normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]

@@ -12,6 +12,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.rubbing import Rims
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Friction, Touch, is_level
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
@@ -62,12 +63,18 @@ class Contact(Touch, frozen=True):
         super().check(scene)
 
     def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
-        """From above what lies on a level table rubs over its whole face."""
-        if scene.plane != "horizontal" or self.friction.kind != "coefficient" or self.contact[1].owner not in level:
+        """From above what lies on a level table rubs over its whole face, and a particle on what turns goes round with it."""
+        own, under = self.contact[0].owner, self.contact[1].owner
+        if scene.plane != "horizontal" or self.friction.kind == "none" or len(self.contact) > 2:
+            return self
+        bodies = {body.name: body for body in scene.bodies}
+        if own in bodies and under in bodies and shape_of(bodies[own]).pointlike and self.press is None:
+            held = {ref.owner for item in scene.connections for ref in item.fixed_points()}
+            return Rides(self.name, self.contact, self.friction) if under in held and own not in held else self
+        if under not in level or self.friction.kind == "any":
             return self
         from rotsolve.elements.connections.flat import Laid
 
-        own = self.contact[0].owner
         others = (ref.owner for item in scene.connections if item is not self for ref in item.touches())
         return Laid(self.name, self.contact, self.friction, own not in others)
 

@@ -7,13 +7,27 @@ from collections.abc import Iterator
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, negate, sqrt, total
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, multiply, negate, sqrt, total
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.facts import FRICTION, SHARED_FRICTION, Couple, Force, Summed, enough, held_still, signed
+from rotsolve.core.facts import (
+    BINDS,
+    FRICTION,
+    SHARED_FRICTION,
+    Couple,
+    Force,
+    Requirement,
+    Summed,
+    enough,
+    held_still,
+    signed,
+    square,
+)
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import NOWHERE, Vector, unit, vector
+from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.faces import Face
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef
@@ -198,3 +212,29 @@ def each_rubs(r: Symbol) -> Words:
         r,
         " dm.",
     )
+
+
+def on_a_circle(item: Rides, instant: Moment) -> Iterator[Fact]:
+    """Friction gives what lies on a turning table all of its acceleration: f = m a, with r ω² inwards and r α along the circle."""
+    rider = item.rides[0].owner
+    body, host = instant.body(rider), instant.host(rider)
+    motion, order = instant.motion(host), instant.configuration.order
+    radius, mass = simplify(shape_of(body).centroid()[0]), body.mass or ZERO
+    friction, inward, along = instant.ask("friction_force", item.name), square(motion.spin), motion.spin_rate
+    pull = simplify(mass * radius, order=order)
+    gives = "r ω² inwards" + (" and r α along the circle" if along != ZERO else "")
+    words: Words = (f"Friction alone holds {spoken(rider)} on its circle: it gives the acceleration {gives}.",)
+    sides = (friction, multiply(pull, inward))
+    if along != ZERO:
+        sides = (friction**2, multiply(pull**2, inward**2 + along**2))
+    yield Summed(item.name, *sides, f"Newton's second law, {spoken(rider)}", (host,), words)
+    if item.friction is not None and item.friction.static is not None:
+        kept, otherwise = f"{spoken(rider)} does not slip", f"{spoken(rider)} slips"
+        yield Requirement(item.name, BINDS, most_on_a_circle(item, instant) - friction, ZERO, kept, otherwise)
+
+
+def most_on_a_circle(item: Rides, instant: Moment) -> Formula:
+    """μ m g."""
+    mass, gravity = instant.body(item.rides[0].owner).mass or ZERO, instant.configuration.problem.gravity or ZERO
+    static = item.friction.static if item.friction is not None else None
+    return simplify((static or ZERO) * mass * gravity, order=instant.configuration.order)

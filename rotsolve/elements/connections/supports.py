@@ -38,6 +38,7 @@ from rotsolve.elements.connections.faces import (
     face_radius,
     face_uniform,
 )
+from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import ends_at, rims, room_from, shape_of
 from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
@@ -398,19 +399,25 @@ class Rides(Connection, frozen=True):
     word = "rides"
     about = "a particle slides along another body and turns with it, at its `radius` from the axis"
     instead = "`slide: [BAR.P, BEAD], along: x` lets it slide along what carries it, from a point of that"
-    quantities = ("work",)
+    quantities = ("work", "friction_force")
+    words = ("slips", "sticks")
     bodily = True
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
-    friction: str = key(
-        "choice",
-        "`none`: it is let go and slides freely; else it is held or drawn, and at rest on the bar at each state",
-        choices=("none",),
-        default="",
+    friction: Friction | None = key(
+        "friction",
+        "`none`: it is let go and slides freely; a coefficient: it lies on what it rides, seen from above, and friction holds it there;"
+        " else it is held or drawn, and at rest on the bar at each state",
+        default=None,
+        letter="mu",
+        limits="nonnegative",
     )
 
     def check(self, scene: Surroundings) -> None:
         """A particle on a body that an axle or hinge holds; of what slides freely each state says where, and no event happens meanwhile."""
         rider, carrier = self.rides
+        if self.lies() and (scene.problem.plane != "horizontal" or scene.problem.gravity in (None, ZERO)):
+            message = f"`{rider.owner}` lies on `{carrier.owner}`, which turns about an upright axis, in a scene seen from above"
+            raise Unsolvable(message, span=rider.span, help="say `plane: horizontal`, and leave out `gravity: none`")
         if not shape_of(scene.bodies[rider.owner]).pointlike:
             help = "leave out its `shape`: its mass is at its `radius` from the axis"
             raise Unsolvable(f"`{rider.owner}` rides: it has to be a particle", span=rider.span, help=help)
@@ -460,7 +467,29 @@ class Rides(Connection, frozen=True):
                 raise Unsolvable(message, span=rider.span, help="give it a `radius` or a `velocity.radial` there")
 
     def ride(self) -> Ride:
-        return Ride(self.name, self.rides[0], self.rides[1], self.friction == "none")
+        return Ride(self.name, self.rides[0], self.rides[1], self.friction is not None and self.friction.kind == "none")
+
+    def lies(self) -> bool:
+        """Whether friction holds it on its circle."""
+        return self.friction is not None and self.friction.kind != "none"
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
+        """The friction that holds what lies on a turning table, and the most that it can be."""
+        if self.lies():
+            from rotsolve.elements.connections.flat import on_a_circle
+
+            yield from on_a_circle(self, instant)
+
+    def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
+        if not self.lies() or self.friction is None or self.friction.static is None:
+            return ()
+        from rotsolve.elements.connections.flat import most_on_a_circle
+
+        friction, most = instant.ask("friction_force", self.name), most_on_a_circle(self, instant)
+        return ((friction, most, friction), (friction, most, friction))
+
+    def rubbing_force(self, instant: Moment) -> Formula | None:
+        return instant.ask("friction_force", self.name) if self.lies() else None
 
 
 def travels_straight(joint: tuple[PointRef, ...], configuration: Surroundings, state: str) -> bool:
