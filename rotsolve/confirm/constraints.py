@@ -222,6 +222,10 @@ def friction(item: Touch, slip: Jet, pose: Pose, model: Known) -> Held:
     grip, row = item.grip(), held(item.name, "friction", slip, pose)
     if grip.kind == "any" or isinstance(item, Rolls):
         yield Grip(item.name, row, None, None, (item.name, "normal"))
+        if isinstance(item, Rolls) and item.rolling_friction is not None:  # a couple b N, against the turn
+            name, ahead = item.rolls[0].owner, model.value(item.rolling_friction)
+            couple = held(item.name, "resistance", pose.turn(name), pose)
+            yield Grip(f"{item.name}.{name}", couple, ahead, ahead, (item.name, "normal"))
     elif grip.kind == "coefficient":
         sizes = (model.value(size) if size is not None else 0.0 for size in (grip.static, grip.kinetic))
         static, kinetic = sizes

@@ -79,9 +79,13 @@ class Laid(Connection, frozen=True):
             message = f"`{body.name}`, which travels over `{self.contact[1].owner}` seen from above, rubs on it in a way that is not solved"
             help = "solved is what turns on an `axle` or `hinge`, or spins in place; without `plane: horizontal` what slides along a line"
             raise Unsolvable(message, span=ref.span, help=help)
-        if body.parts or body.holes or (body.shape is None and not turns):
+        if body.parts or body.holes:
             message = f"how `{body.name}`, which is put together, lies on `{self.contact[1].owner}` is not solved"
             raise Unsolvable(message, span=ref.span, help="`weld` what it is made of, each with a contact of its own")
+        wheel = body.shape is None and (body.inertia or body.radius or body.gyration or body.radii)
+        if wheel or (self.spins and shape_of(body).pointlike):
+            message = f"over what face `{body.name}` rubs on `{self.contact[1].owner}` nothing tells"
+            raise Unsolvable(message, span=ref.span, help="give it a `shape`: disc, ring, annulus, cylinder or rod")
         if scene.problem.gravity in (None, ZERO):
             message = f"nothing presses `{body.name}` on `{self.contact[1].owner}`: the scene has no gravity"
             raise Unsolvable(message, span=ref.span, help="leave out `gravity: none`")
