@@ -49,11 +49,11 @@ class Face(Struct, frozen=True):
     worn: bool = False
     cone: Formula | None = None
 
-    def share(self, force: Formula, r: Formula) -> Formula:
-        """What a ring of radius r takes of the force, per its width: F 2 r/(R² − r₁²) by its area, F/(R − r₁) of a worn face."""
-        if self.worn:
-            return force / (self.outer - self.inner)
-        return force * (2 * r) / (self.outer**2 - self.inner**2)
+    def share(self, force: Formula, r: Formula, sine: Formula = ONE) -> Formula:
+        """What presses a ring of radius r, per its width: F 2 r/(R² − r₁²) by its area, F/(R − r₁) of a worn face; over the sine of a cone."""
+        share = force if self.worn else force * (2 * r)
+        width = self.outer - self.inner if self.worn else self.outer**2 - self.inner**2
+        return share / (width if sine == ONE else width * sine)
 
     def torque(self, owner: str, friction: Formula, force: Formula, bodies: tuple[str, ...], instant: Moment) -> Summed:
         """∫ μ r dN over its rings, and what these are; of a thin ring μ F R."""
@@ -62,7 +62,7 @@ class Face(Struct, frozen=True):
         if self.inner == self.outer:
             return Summed(owner, letter, friction * force * self.outer / sine, "friction torque", bodies)
         r = instant.coordinate("rho")
-        push = self.share(force, r) / sine
+        push = self.share(force, r, sine)
         why: Words = (
             ("On worn faces, where the pressure goes as 1/", r, ",") if self.worn else ("Under a uniform pressure",)
         )
