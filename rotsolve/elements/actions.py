@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, call, sqrt
 from rotsolve.core import facts
+from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, combined, pace_of
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Vector, along_text, heading, unit, vector
@@ -264,9 +265,11 @@ class Band(Action, frozen=True):
                 yield facts.Requirement(self.name, facts.BINDS, less * growth - more, ZERO, kept, otherwise)
 
 
-EULER = (
-    "Where the band goes on round by dθ, it presses with dN = T dθ, and T grows by the friction μ dN: dT/T = μ dθ, summed up"
-    " T₁ = T₂ e^(μ φ). The tension is the larger one, T₁, at the end that the rim runs away from.",
+EULER: Words = (
+    "Where the band goes on round the drum by dθ, it presses on that with dN = T dθ.",
+    NEXT,
+    "T grows by the friction μ dN: dT/T = μ dθ. Summed up that is T₁ = T₂ e^(μ φ), with the larger T₁ at the end from which the rim"
+    " runs away.",
 )
 
 

@@ -50,7 +50,7 @@ class Face(Struct, frozen=True):
     cone: Formula | None = None
 
     def share(self, force: Formula, r: Formula, sine: Formula = ONE) -> Formula:
-        """What presses a ring of radius r, per its width: F 2 r/(R² − r₁²) by its area, F/(R − r₁) of a worn face; over the sine of a cone."""
+        """What presses a ring of radius r, per its width: F 2 r/(R² − r₁²), F/(R − r₁) of a worn face; over the sine of a cone."""
         share = force if self.worn else force * (2 * r)
         width = self.outer - self.inner if self.worn else self.outer**2 - self.inner**2
         return share / (width if sine == ONE else width * sine)
@@ -63,9 +63,7 @@ class Face(Struct, frozen=True):
             return Summed(owner, letter, friction * force * self.outer / sine, "friction torque", bodies)
         r = instant.coordinate("rho")
         push = self.share(force, r, sine)
-        why: Words = (
-            ("On worn faces, where the pressure goes as 1/", r, ",") if self.worn else ("Under a uniform pressure",)
-        )
+        why: Words = ("On worn faces, with a pressure as 1/", r, ",") if self.worn else ("Under a uniform pressure",)
         words: Words = (
             "Cut the face into rings of radius ",
             r,
@@ -75,8 +73,8 @@ class Face(Struct, frozen=True):
             *why,
             " each is pressed by dN = ",
         )
-        words += (push, " d", r, "." if sine == ONE else ", square to the cone.", NEXT)
-        words += ("Each rubs with the force μ dN at the distance ", r, " from the axis: torque μ ", r, " dN.")
+        words += (push, " d", r, "." if sine == ONE else " (square to the cone).", NEXT)
+        words += ("Each rubs with μ dN at the distance ", r, " from the axis: torque μ ", r, " dN.")
         integral = friction * Integral(r * push, r.name, self.inner, self.outer)
         return Summed(owner, letter, integral, "friction torque, τ = ∫ r μ dN", bodies, words)
 

@@ -99,7 +99,9 @@ class Laid(Connection, frozen=True):
         """What spins in place is pushed by nothing but couples, and its centre of mass is at rest."""
         ref, span = self.contact[0], self.contact[0].span
         pushed = [
-            item.name for item in scene.problem.actions if ref.owner in owners(item.touches()) and not item.twists()
+            item.name
+            for item in scene.problem.actions
+            if ref.owner in owners(item.touches()) and (item.brakes() or not item.twists())
         ]
         pushed += [event.name for event in scene.problem.events]
         pushed += ["velocity" for value in scene.mentions.values(ref.owner, "velocity") if value != ZERO]
@@ -202,20 +204,13 @@ def round_spot(mass: Formula, face: Face, instant: Moment) -> tuple[Formula, Vec
         return mass * face.outer, NOWHERE, ()
     r: Symbol = instant.coordinate("rho")
     ring = face.share(mass, r)
-    words: Words = ("Cut into rings of radius ", r, " and width d", r, ", each with its share of the area: dm = ")
+    words: Words = ("Cut into rings of radius ", r, " and width d", r, ": dm = ")
     return Integral(r * ring, r.name, face.inner, face.outer), NOWHERE, (*words, ring, " d", r, ".", *each_rubs(r))
 
 
 def each_rubs(r: Symbol) -> Words:
     """What friction does on each piece, at its distance from the axis."""
-    return (
-        NEXT,
-        "Each rubs with the force μ g dm, square to its distance ",
-        r,
-        " from the axis: torque μ g ",
-        r,
-        " dm.",
-    )
+    return (NEXT, "Each rubs with μ g dm at the distance ", r, " from the axis: torque μ g ", r, " dm.")
 
 
 def on_a_circle(item: Rides, instant: Moment) -> Iterator[Fact]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, call
-from rotsolve.core.derivation import Words
+from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.facts import BINDS, TAUT, Requirement, Summed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.connections.routing import Routing
@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from rotsolve.language.bodies import PointRef
 
 EULER: Words = (
-    "Where the rope goes on round the post by dθ, it presses on that with dN = T dθ, and T grows by the friction μ dN on the way against "
-    "which it slips: dT/T = μ dθ, summed up T₁ = T₂ e^(μ φ).",
+    "Where the rope goes on round the post by dθ, it presses on that with dN = T dθ.",
+    NEXT,
+    "Against the way in which it slips T grows by the friction μ dN: dT/T = μ dθ. Summed up that is T₁ = T₂ e^(μ φ).",
 )
 
 
