@@ -108,6 +108,7 @@ class Role(Struct, frozen=True):
 WEIGHT = Role("weight", weighs=True, stores=True, noun="weight")
 HANGING = Role("hanging", stores=True)  # the weight of a part of a rope
 TENSION = Role("tension", pulls=True)
+SLIPPING = Role("tension of a rope that slips on a post", pulls=True, loses=True)
 NORMAL = Role("normal", presses=True)
 FRICTION = Role("friction", loses=True, rubs=True)
 SHARED_FRICTION = Role(

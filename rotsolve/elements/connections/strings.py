@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import TAUT, TENSION, Force, Motion, Requirement, Rule
+from rotsolve.core.facts import SLIPPING, TAUT, TENSION, Force, Motion, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector, along_text, opposite
 from rotsolve.core.writing import balance, spoken
@@ -202,7 +202,8 @@ class String(Connection, frozen=True):
                 if not way:
                     way, place = pull_words(push, arm, instant.motion(ref.owner).kind, instant)
                 name = instant.host(ref.owner)
-                yield Force(self.name, TENSION, name, tension, push, arm, "tension", way, place, internal=not slips)
+                role = SLIPPING if slips else TENSION
+                yield Force(self.name, role, name, tension, push, arm, "tension", way, place, internal=not slips)
 
     def over_one_wheel(self, course: Routing) -> bool:
         """Whether a wheel with inertia turns on an axle at rest between two bodies that do not turn: these move alike."""
