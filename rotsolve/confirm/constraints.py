@@ -255,9 +255,9 @@ def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
 def string(item: String, pose: Pose, model: Known) -> Held:
     """The ends of each leg move equally fast along it, a wheel's rim with it; it can only pull."""
     if item.friction is not None:
-        from rotsolve.confirm.faces import round_post
+        from rotsolve.confirm.faces import rope_on_post
 
-        yield from round_post(item, pose, model)
+        yield from rope_on_post(item, pose, model)
         return
     for number, leg in enumerate(model.legs(item)):
         if leg.along is None:

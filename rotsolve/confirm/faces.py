@@ -42,7 +42,7 @@ def laid(item: Laid, pose: Pose, model: Known) -> Held:
     if item.spins:  # in place: how its centre is pushed then is told by the pieces
         yield from (Row(item.name, axis, place.slope, 0.0, None, {}) for axis, place in (("x", u), ("y", w)))
     column: dict[int, float] = {}
-    for spot, share in spread(item, model):
+    for spot, share in weighed_pieces(item, model):
         x, y = pose.place(name, spot)
         away = math.hypot(x.value - u.value, y.value - w.value)
         if away > 0.0:
@@ -59,7 +59,7 @@ def laid(item: Laid, pose: Pose, model: Known) -> Held:
     yield Grip(f"{item.name}.{carrier}", replace(row, column=column), static, kinetic)
 
 
-def spread(item: Laid, model: Known) -> Iterator[Weighed]:
+def weighed_pieces(item: Laid, model: Known) -> Iterator[Weighed]:
     """Pieces of what lies on a table, in its own axes, with their shares of its mass."""
     name = item.contact[0].owner
     body, shape = model.body(name), shape_of(model.body(name))
@@ -91,14 +91,14 @@ def of_rings(inner: float, outer: float) -> Iterator[Weighed]:
     """Pieces of rings round the middle, by the two points of Gauss's rule, exact for what goes as r²; a thin ring is one."""
     width = (outer - inner) / 2
     if width <= 0.0:
-        yield from around(outer, 1.0)
+        yield from pieces_round(outer, 1.0)
         return
     for side in (-1.0, 1.0):
         r = inner + width * (1.0 + side / math.sqrt(3.0))
-        yield from around(r, 2.0 * r * width / (outer**2 - inner**2))
+        yield from pieces_round(r, 2.0 * r * width / (outer**2 - inner**2))
 
 
-def around(r: float, share: float) -> Iterator[Weighed]:
+def pieces_round(r: float, share: float) -> Iterator[Weighed]:
     """A ring cut into equal pieces."""
     for k in range(ROUND):
         angle = 2.0 * math.pi * k / ROUND
@@ -110,18 +110,18 @@ def plates(item: Clutch, model: Known) -> float:
     if item.radii or item.radius is not None:
         return collar(item, model)
     edges = [face_of_plate(ref, model) for ref in item.clutch]
-    return pressed(item, max(edges[0][0], edges[1][0]), edges[0][1], model)
+    return torque_of_rings(item, max(edges[0][0], edges[1][0]), edges[0][1], model)
 
 
 def collar(item: Any, model: Known) -> float:
     """The torque of a face of which the radii are told."""
     if item.radius is not None:
-        return pressed(item, 0.0, model.value(item.radius), model)
+        return torque_of_rings(item, 0.0, model.value(item.radius), model)
     walls = {word: model.value(size) for word, size in item.radii}
-    return pressed(item, walls["inner"], walls["outer"], model)
+    return torque_of_rings(item, walls["inner"], walls["outer"], model)
 
 
-def pressed(item: Any, inner: float, outer: float, model: Known) -> float:
+def torque_of_rings(item: Any, inner: float, outer: float, model: Known) -> float:
     """Σ μ r ΔN over rings, by the two points of Gauss's rule on each of many: the pressure tells how the force is shared among them.
 
     On a cone a ring of the force ΔF along the axis is pressed by ΔF/sin β.
@@ -151,7 +151,7 @@ def face_of_plate(ref: PointRef, model: Known) -> tuple[float, float]:
     return (outer if thin else model.value(walls["inner"]) if "inner" in walls else 0.0), outer
 
 
-def round_post(item: String, pose: Pose, model: Known) -> Held:
+def rope_on_post(item: String, pose: Pose, model: Known) -> Held:
     """A rope round a post: with T₁ = N + f and T₂ = N − f it slips at f = N tanh(μ φ/2), where T₁/T₂ = e^(μ φ).
 
     N keeps both parts of one length in all; f, which sticks or slips, keeps each as it is.

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, add, multiply, negate, sqrt, total
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Sum, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words, in_a_row
 from rotsolve.core.equation import CARRIED, CUT_TORQUES, FACE_FRICTION, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
 from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, Role, signed, square
@@ -32,6 +32,16 @@ def frictions_of_faces(at: AtMoment) -> Iterator[Equation]:
         yield FACE_FRICTION.equation(
             item.letter, item.integral, at.section, item.bodies, item.words, defines="", words=item.label
         )
+
+
+def frictions_summed_up(at: AtMoment) -> Iterator[Equation]:
+    """The same with its integral carried out, where nobody reads it."""
+    for equation in frictions_of_faces(at):
+        if equation.right.holds(Integral):
+            from rotsolve.algebra.calculus.integral import carried_out
+
+            equation = replace(equation, right=carried_out(equation.right, equation.right.symbols()))
+        yield equation
 
 
 def component_equation(body: BodyFacts, axis: Heading, section: str) -> Equation | None:

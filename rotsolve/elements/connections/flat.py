@@ -141,7 +141,7 @@ class Laid(Connection, frozen=True):
         way = instant.motion(name).orientation
         near, far = simplify(negate(start.along(way))), simplify(end.along(way))
         signs = [instant.configuration.signs.sign(side) for side in (near, far)]
-        if -1 in signs or (None in signs and not within(near, far, along)):
+        if -1 in signs or (None in signs and not holds_axis(near, far, along)):
             return None
         x = instant.coordinate("x")
         density = mass / shape.measure()
@@ -182,7 +182,7 @@ def owners(refs: tuple[PointRef, ...]) -> set[str]:
     return {ref.owner for ref in refs}
 
 
-def within(near: Formula, far: Formula, whole: Formula) -> bool:
+def holds_axis(near: Formula, far: Formula, whole: Formula) -> bool:
     """Whether an axis lies between the ends by what the scene asks of a place on a rod."""
     return simplify(near + far - whole) == ZERO
 

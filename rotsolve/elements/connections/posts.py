@@ -78,7 +78,7 @@ def growth_round(item: String) -> Formula:
     return call("exp", (item.friction or ZERO) * (item.wrap or ZERO))
 
 
-def on_the_verge(item: String, course: Routing) -> tuple[tuple[Formula, Formula, Formula], ...]:
+def verge_round(item: String, course: Routing) -> tuple[tuple[Formula, Formula, Formula], ...]:
     """T₁ = T₂ e^(μ φ), the one tension or the other the larger, with the smaller one."""
     one, two = (item.tension(strand, course) for strand in course.strands())
     return (two, one * growth_round(item), one), (one, two * growth_round(item), two)

@@ -108,9 +108,9 @@ class String(Connection, frozen=True):
         return pace_past(self.course(instant), acceleration=acceleration)
 
     def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
-        from rotsolve.elements.connections.posts import on_the_verge
+        from rotsolve.elements.connections.posts import verge_round
 
-        return on_the_verge(self, self.course(instant)) if self.friction is not None else ()
+        return verge_round(self, self.course(instant)) if self.friction is not None else ()
 
     def check(self, scene: Surroundings) -> None:
         """It leaves a wheel on a tangent of its rim, and pulls what it is tied to one way."""
