@@ -147,6 +147,8 @@ def word_gauge(line: Condition, model: Model) -> Gauge:
 
 
 def slip_of(owner: str, at: Node) -> float:
+    if owner in at.moment.clasped:
+        return 0.0
     grips = [grip for grip in gathered(at.model, at.pose)[1] if owner in (grip.name, grip.row.owner)]
     if not grips:
         raise NotConfirmed(f"`{owner}` does not rub")
