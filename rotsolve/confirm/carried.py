@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import frame, radius_of, spread
@@ -33,13 +35,22 @@ def riding(item: Rides, pose: Pose, model: Known) -> Held:
         yield held(item.name, "across", (y - axis[1]) * cosine(turn) - (x - axis[0]) * sine(turn), pose, hard=True)
     else:
         x, y = pose.place(rider.owner, (0.0, 0.0))
-        yield held(item.name, "x", x - axis[0], pose)
-        yield held(item.name, "y", y - axis[1], pose)
+        most = most_that_holds(item, model)
+        yield replace(held(item.name, "x", x - axis[0], pose), most=most)
+        yield replace(held(item.name, "y", y - axis[1], pose), most=most)
     yield held(item.name, "torque", pose.turn(rider.owner) - pose.turn(carrier.owner), pose, hard=True)
     if model.body(rider.owner).count > 1 and item.ride().free:  # what several press on the axis cancels
         first = model.seats[carrier.owner].first
         yield unknown(item.name, "press_x", {first: 1.0})
         yield unknown(item.name, "press_y", {first + 1: 1.0})
+
+
+def most_that_holds(item: Rides, model: Known) -> float | None:
+    """The largest friction of what lies on a body seen from above, μ m g; None where nothing limits it."""
+    rough, gravity = item.friction, model.problem.gravity
+    if rough is None or rough.static is None or gravity is None:
+        return None
+    return model.value(rough.static) * model.seats[item.rides[0].owner].rigid.mass * model.value(gravity)
 
 
 def forward(item: Drapes, model: Known) -> float:

@@ -110,9 +110,18 @@ def driven(item: Driven, refs: tuple[PointRef, ...], carrier: PointRef | None, p
             coordinate = turn + model.lean(ref) if word == "angle" else turn
             row = prescribed(item.name, f"torque_{ref}", coordinate, TURNING.index(word), sign, value, pose, model)
             yield row if word == given[-1][0] else replace(row, kind=f"{word}_{ref}", bend=None)
-        if item.friction_torque is not None:
-            size = model.now(item.friction_torque, pose)
+        if item.rubbing():
+            size = rubs_with(item, pose, model)
             yield Grip(f"{item.name}.{ref}", held(item.name, f"torque_{ref}", turn, pose), size, size)
+
+
+def rubs_with(item: Driven, pose: Pose, model: Known) -> float:
+    """The torque with which an axis rubs: told, or of a collar that is pressed on its bearing."""
+    if item.friction_torque is not None:
+        return model.now(item.friction_torque, pose)
+    from rotsolve.confirm.faces import collar
+
+    return collar(item, model)
 
 
 def prescribed(
@@ -213,6 +222,10 @@ def friction(item: Touch, slip: Jet, pose: Pose, model: Known) -> Held:
     grip, row = item.grip(), held(item.name, "friction", slip, pose)
     if grip.kind == "any" or isinstance(item, Rolls):
         yield Grip(item.name, row, None, None, (item.name, "normal"))
+        if isinstance(item, Rolls) and item.rolling_friction is not None:  # a couple b N, against the turn
+            name, ahead = item.rolls[0].owner, model.value(item.rolling_friction)
+            couple = held(item.name, "resistance", pose.turn(name), pose)
+            yield Grip(f"{item.name}.{name}", couple, ahead, ahead, (item.name, "normal"))
     elif grip.kind == "coefficient":
         sizes = (model.value(size) if size is not None else 0.0 for size in (grip.static, grip.kinetic))
         static, kinetic = sizes
@@ -241,6 +254,11 @@ def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
 
 def string(item: String, pose: Pose, model: Known) -> Held:
     """The ends of each leg move equally fast along it, a wheel's rim with it; it can only pull."""
+    if item.friction is not None:
+        from rotsolve.confirm.faces import rope_on_post
+
+        yield from rope_on_post(item, pose, model)
+        return
     for number, leg in enumerate(model.legs(item)):
         if leg.along is None:
             ends = [tied_at(ref, pose, model) for ref in (leg.first, leg.second)]

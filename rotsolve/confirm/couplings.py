@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import part_of, radius_of
+from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.constraints import Held, prescribed
+from rotsolve.confirm.faces import laid, plates
 from rotsolve.confirm.jet import arctangent, distance
 from rotsolve.confirm.pose import Pose, load
 from rotsolve.confirm.rows import Grip, held, unknown
@@ -19,10 +20,10 @@ from rotsolve.confirm.signs import RIGHT, UP
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
+from rotsolve.elements.connections.flat import Laid
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides, Shaft
-from rotsolve.elements.shapes.round import Ring
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
 
@@ -102,27 +103,8 @@ def clutch(item: Clutch, pose: Pose, model: Known) -> Held:
     else:
         if item.press is None or item.friction is None:
             raise NotConfirmed(f"nothing tells the torque of `{item.name}`")
-        size = model.value(item.friction) * model.value(item.press) * average_arm(item, model)
+        size = plates(item, model)
     yield Grip(item.name, held(item.name, "torque", second - first, pose), size, size)
-
-
-def average_arm(item: Clutch, model: Known) -> float:
-    """Where friction acts on plates on the average: of two of which a smaller disc is cut out of a larger one, weighed by their areas."""
-    edges = [face_between(ref, model) for ref in item.clutch]
-    outer, inner = edges[0][1], max(edges[0][0], edges[1][0])
-    area = outer**2 - inner**2
-    return (outer**2 * (2 / 3 * outer) - inner**2 * (2 / 3 * inner)) / area if area > 1e-12 * outer**2 else outer
-
-
-def face_between(ref: PointRef, model: Known) -> tuple[float, float]:
-    """Inner and outer edge of the face of a plate."""
-    body = model.body(ref.owner)
-    part = part_of(body, ref.point)
-    body, point = (body, ref.point) if part is None else (part.body, None)
-    outer = radius_of(body, point, model.value) or 0.0
-    walls = dict(getattr(body.shape, "radii", ()))
-    thin = isinstance(body.shape, Ring) and not walls
-    return (outer if thin else model.value(walls["inner"]) if "inner" in walls else 0.0), outer
 
 
 def rims(item: Rims, pose: Pose, model: Known) -> Held:
@@ -149,6 +131,7 @@ COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Gear: gear,
     MutualDrive: mutual,
     Clutch: clutch,
+    Laid: laid,
     Rims: rims,
     Rides: riding,
     Drapes: draping,

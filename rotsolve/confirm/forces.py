@@ -14,7 +14,7 @@ from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, mover, pointing
-from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Press
+from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Band, Press
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import MutualDrive
 from rotsolve.elements.connections.rubbing import Rims
@@ -214,6 +214,19 @@ def press(item: Press, pose: Pose, model: Known) -> Pushes:
     )
 
 
+def band(item: Band, pose: Pose, model: Known) -> Pushes:
+    """Both ends of a band: T at the other one lies between F e^(−μ φ) and F e^(μ φ), F cosh μφ ± F sinh μφ; the drum slips at either."""
+    if item.on is None or item.band is None or item.friction is None or item.wrap is None:
+        return
+    name, size = item.on.owner, model.value(item.band)
+    radius, turn = radius_of(model.body(name), item.on.point, model.value) or 0.0, model.seats[name].turn
+    drawn = 1 if item.direction == "counterclockwise" else -1
+    around = model.value(item.friction) * model.value(item.wrap)
+    yield item.name, {turn: drawn * size * (1.0 - math.cosh(around)) * radius}
+    limit = size * math.sinh(around) * radius
+    yield Grip(f"{item.name}.{name}", held(item.name, "band", pose.turn(name), pose), limit, limit)
+
+
 def power(item: AppliedPower, pose: Pose, model: Known) -> Pushes:
     """The couple P/ω."""
     if item.on is None or item.power is None:
@@ -241,5 +254,6 @@ FORCES: dict[type[ActingElement], Callable[[Any, Pose, Known], Pushes]] = {
     AppliedForce: applied,
     AppliedCouple: couple,
     Press: press,
+    Band: band,
     AppliedPower: power,
 }

@@ -120,7 +120,17 @@ class Dynamics(Struct, frozen=True, dict=True):
             for key in ((FORWARD, grip.name), (BACK, grip.name)):
                 found[key] = self.shared[key].room if key in self.shared else found[key]
         pushes = [(key, value) for key, value in self.reactions.items() if self.rows[key].push]
+        found |= {(f"{PUSHES}slip", owner): room for owner, room in self.clasped.items()}
         return found | {(f"{PUSHES}{kind}", owner): value for (owner, kind), value in pushes}
+
+    @property
+    def clasped(self) -> dict[str, float]:
+        """How far what lies on a turning body is from slipping on it: μ m g less all that holds it."""
+        holding: dict[str, list[float]] = {}
+        for key, row in self.rows.items():
+            if row.most is not None:
+                holding.setdefault(row.owner, [row.most]).append(self.reactions[key])
+        return {owner: most - math.hypot(*parts) for owner, (most, *parts) in holding.items()}
 
     @property
     def lifted(self) -> list[tuple[str, str]]:

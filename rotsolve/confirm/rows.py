@@ -12,6 +12,7 @@ class Row(Struct, frozen=True):
     """slope · q̇ = speed and slope · q̈ = bend, kept up by a reaction λ that acts along `column` on the coordinates.
 
     `gap` is by how much the places miss, where that matters (`hard`); a `push` can only be positive, as a normal force or a tension.
+    `most` is how large all reactions of its owner that have one may be together, as one vector.
     `loose` marks what holds in places but not in rates: it only says where things are; a
     `speed` or `bend` of None, what tells accelerations alone, or rates alone.
     """
@@ -26,6 +27,7 @@ class Row(Struct, frozen=True):
     hard: bool = False
     push: bool = False
     loose: bool = False
+    most: float | None = None
 
     @property
     def key(self) -> tuple[str, str]:

@@ -139,6 +139,7 @@ TORQUES = Law("torques", "balance of torques, {body} about {point}", NEWTON, 3)
 CUT_TORQUES = Law("balance at a cut", "balance of torques about the cut, {body}", NEWTON, 3)
 SUMMED_OVER_WAY = Law("summed over the way", "Newton's law summed over the {over}, {body}", NEWTON, 5)
 POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μₛ N", NEWTON)
+VERGE = Law("verge of slipping", "on the point of slipping", NEWTON)
 
 ANGULAR_MOMENTUM_IN_SPACE = Law("angular momentum in space", "angular momentum, {body}{about}, along {axis}", cost=1)
 COUPLE_OF_BEARINGS = Law("couple of bearings", "couple of the bearings of {owner}, along {axis}", NEWTON, 2)
@@ -214,6 +215,7 @@ REVERSAL = Law("reversal", family=KINEMATICS, cost=1)
 
 INERTIA = Law("inertia", cost=1)  # what a mass, a centre of mass or a moment of inertia is
 INTEGRATED = Law("inertia by integration", cost=1, explained=True)  # the same as an integral over elements
+FACE_FRICTION = Law("friction over a face", cost=1, explained=True)  # a torque as an integral over elements
 PARALLEL_AXES = Law("parallel axes", cost=1, shifts=True)
 PART_OF_ROOTS = Law("part of the roots of a cubic", "{words}", cost=1, apart=True)
 

@@ -101,15 +101,23 @@ class Role(Struct, frozen=True):
     axle: bool = False  # of a support in whose axis a wheel turns
     unseen: bool = False  # told in a free-body diagram only where an equation speaks of it
     meshes: bool = False  # between rims, where the way it points hangs on where the wheels stand: told by its size
-    strained: bool = False  # it also draws its bodies together, as strongly as it was put on, which nobody tells
+    hides: str = ""  # why nothing tells the force of what holds its body: what else it does to that
     noun: str = ""  # what all forces of this role are called where several are listed
 
 
 WEIGHT = Role("weight", weighs=True, stores=True, noun="weight")
 HANGING = Role("hanging", stores=True)  # the weight of a part of a rope
 TENSION = Role("tension", pulls=True)
+SLIPPING = Role("tension of a rope that slips on a post", pulls=True, loses=True)
 NORMAL = Role("normal", presses=True)
 FRICTION = Role("friction", loses=True, rubs=True)
+SHARED_FRICTION = Role(
+    "friction shared over a face",
+    loses=True,
+    rubs=True,
+    hides="holds it at many places, and how it is shared is not told",
+)
+BAND = Role("friction of a band", loses=True, rubs=True, hides="draws on it from where its ends run, which is not told")
 REACTION = Role("reaction", holds=True, unseen=True)
 AXLE = Role("axle", holds=True, axle=True, unseen=True)
 GRIP = Role("grip", unseen=True)  # of a rope and the wheel over which it runs
@@ -118,7 +126,7 @@ TORSION = Role("torsion", stores=True)
 APPLIED = Role("applied")
 DRIVE = Role("drive", loses=True)  # whatever makes a given motion true
 COUPLING = Role("coupling", meshes=True)
-PULL = Role("pull of a belt", strained=True)
+PULL = Role("pull of a belt", hides="presses on it as strongly as it was put on")
 POWERED = Role("power", powered=True)
 INNER = Role("inner", loses=True, inner=True)
 BLOW = Role("blow")  # from outside the scene
@@ -211,6 +219,7 @@ class Need(Struct, frozen=True):
 
 
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
+BINDS = Need("binds", closed=True)  # a band or a rope round what it does not slip on
 APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
@@ -246,6 +255,17 @@ class Potential(Struct, frozen=True):
     words: Words
     label: str = "the spring stretches with the motion"
     placed: bool = False
+
+
+class Summed(Struct, frozen=True):
+    """The friction torque of a face, τ = ∫ r μ dN: its letter, the integral over its elements, its label, and what these are."""
+
+    owner: str
+    letter: Formula
+    integral: Formula
+    label: str
+    bodies: tuple[str, ...]
+    words: Words = ()
 
 
 class Sweep(Struct, frozen=True):
@@ -354,6 +374,7 @@ class Facts(Struct, frozen=True):
     potentials: tuple[Potential, ...]
     given: tuple[GivenMotion, ...] = ()
     cuts: tuple[Cut, ...] = ()
+    sums: tuple[Summed, ...] = ()
 
     def body(self, name: str) -> BodyFacts | None:
         return next((body for body in self.diagrams if body.name == name), None)

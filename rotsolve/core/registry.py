@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from msgspec import Struct, field
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.dimension import LENGTH, Dimension
 from rotsolve.core.symbols import COURSE, PHASE, SPOKEN, TIME, SymbolKey, phase_midst
 
 SPAN = "time"  # the kind of how long a phase takes
@@ -59,6 +59,12 @@ class Registry(Struct):
         self.quantities.setdefault(key, quantity)
         self.spoken_of.add(key)
         return self.known.get(key, Symbol(key))
+
+    def coordinate(self, name: str) -> Symbol:
+        """The printed letter of a variable of integration: x, or x₁ where a given has that name."""
+        quantity = SceneQuantity(f"coordinate {name}", "1", "", "", name, LENGTH)
+        self.ask(quantity)
+        return quantity.symbol
 
     def fix(self, quantity: SceneQuantity, value: Formula) -> None:
         self.quantities.setdefault(quantity.key, quantity)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, call, sqrt
 from rotsolve.core import facts
+from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, combined, pace_of
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Vector, along_text, heading, unit, vector
@@ -206,6 +207,72 @@ class Press(Action, frozen=True):
             yield facts.enough(self.name, size, (self.friction or ZERO) * push, "turn")
 
 
+class Band(Action, frozen=True):
+    word = "band"
+    about = "a band brake: a band round a drum, pulled at one end and held at the other; T₁ = T₂ e^(μ φ) where the drum turns in it"
+    instead = "while it turns one way, a couple against that does the same: `actions: {brake: {couple: -M, on: BODY}}`"
+    quantities = ("tension", "torque", "work", "power")
+    band: Formula | None = amount("force that pulls at its one end", "force", "F", "nonnegative", required=True)
+    on: PointRef | None = key("point", "the rim of the drum", required=True, example="drum.rim")
+    friction: Formula | None = amount("coefficient of friction", "number", "mu", "nonnegative", required=True)
+    wrap: Formula | None = amount("angle through which it touches the drum", "angle", "phi", "positive", required=True)
+    direction: str | None = key(
+        "choice",
+        "the way round in which that pull draws on the drum: clockwise or counterclockwise",
+        choices=("clockwise", "counterclockwise"),
+        required=True,
+    )
+
+    def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
+        return self.touches()
+
+    def check(self, scene: Surroundings) -> None:
+        for ref in self.touches():
+            check_wheel(ref, "a band brake is solved for a wheel on a fixed axle only", scene)
+
+    def brakes(self) -> tuple[PointRef, ...]:
+        return self.touches()
+
+    def twists(self) -> bool:
+        return True
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
+        """The torque of both tensions, that at the end which the drum runs towards the smaller: against the turn; as large as it takes
+        while it holds the drum."""
+        if self.on is None:
+            return
+        name, pull = instant.host(self.on.owner), self.now(instant)
+        mode, sense = instant.mode(f"{self.name}.{name}"), instant.sense(name)
+        forward, back = instant.turn_words(name)
+        drawn, moving = turn_sense(self.direction, sense), -sense if mode == "turns back" else sense
+        other = instant.ask("tension", self.name, when=instant.span(name))
+        radius = rim_radius(instant.body(self.on.owner), self.on.point) or ZERO
+        growth = call("exp", (self.friction or ZERO) * (self.wrap or ZERO))
+        if mode != "holds":
+            tight = moving == drawn
+            size = (other - pull if tight else pull - other) * radius
+            label = "band round the drum, T₁ = T₂ e^(μ φ)"
+            yield facts.Summed(self.name, other, pull * growth if tight else pull / growth, label, (name,), EULER)
+            way = forward if moving != sense else back
+            yield facts.Couple(self.name, facts.BAND, name, facts.signed(size, -moving), "friction torque", size, way)
+            return
+        size = (pull - other) * radius
+        yield facts.Couple(self.name, facts.BAND, name, facts.signed(size, drawn), "torque of the band", size)
+        yield facts.held_still(self.name, name, instant.motion(name))
+        if instant.in_balance:
+            for more, less in ((other, pull), (pull, other)):
+                kept, otherwise = "the drum does not turn in the band", "the drum turns in the band"
+                yield facts.Requirement(self.name, facts.BINDS, less * growth - more, ZERO, kept, otherwise)
+
+
+EULER: Words = (
+    "Where the band goes on round the drum by dθ, it presses on that with dN = T dθ.",
+    NEXT,
+    "T grows by the friction μ dN: dT/T = μ dθ. Summed up that is T₁ = T₂ e^(μ φ), with the larger T₁ at the end from which the rim"
+    " runs away.",
+)
+
+
 class AppliedPower(Action, frozen=True):
     word = "power"
     about = "a motor of given power turning a body"
@@ -259,4 +326,4 @@ def pointing(direction: Direction) -> Vector:
     return unit(heading(direction))
 
 
-ACTIONS: list[type[Action]] = [AppliedForce, AppliedCouple, Press, AppliedPower]
+ACTIONS: list[type[Action]] = [AppliedForce, AppliedCouple, Press, Band, AppliedPower]

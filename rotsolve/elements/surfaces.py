@@ -152,9 +152,18 @@ class Dome(Curved, frozen=True):
         return self.dome
 
 
+class Post(Surface, frozen=True):
+    word = "post"
+    about = "a fixed rough post, peg or beam round which a rope runs: `bollard: post`"
+    post = True
+
+    def ways(self) -> tuple[str, ...]:
+        return ()
+
+
 class Track(Curved, frozen=True):
     word = "profile unknown"
     about = "a smooth track of which only heights matter: `track: profile unknown`"
 
 
-SURFACES: list[type[Surface]] = [Level, Slope, Wall, Corner, Hollow, Dome, Track]
+SURFACES: list[type[Surface]] = [Level, Slope, Wall, Corner, Hollow, Dome, Post, Track]

@@ -284,6 +284,9 @@ class Statements(Struct):
             self.fixed.fix(self._letter(state.name, Path(path.owner, "tension")), ZERO)
         elif condition.word == "leaves":
             self._leaves(state, condition, path.owner)
+        elif condition.word == "slips" and (verge := self._verge(path.owner, state.name)):
+            label = f"{spoken(path.owner)} is on the point of slipping"
+            self._state(*verge[0][:2], state.name, label, condition, cost=2)
         elif condition.word in EXTREMES:
             rate = RATE_OF.get(path.quantity)
             if rate is None:
@@ -339,6 +342,11 @@ class Statements(Struct):
             friction = self._letter(state.name, Path(contact, "friction_force"))
             label = f"no friction where the {spoken(surface.name)} does not push"
             self._state(friction, ZERO, state.name, label, condition)
+
+    def _verge(self, owner: str, state: str) -> tuple[tuple[Formula, Formula, Formula], ...]:
+        """What is equal on the point of slipping of what does not slip on in the scene."""
+        item = self.configuration.connection(owner, state)
+        return () if item is None or item.rubs() else item.verge(self.fixed.instant(state))
 
     def _label(self, path: Path) -> str:
         """What a stated equation is called: of one body against another, which two."""

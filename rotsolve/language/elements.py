@@ -10,10 +10,10 @@ from collections.abc import Callable, Container, Iterator, Sequence
 from typing import Any, ClassVar, Protocol
 
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import Drive
-from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Whirl
+from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Summed, Whirl
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import pace_of
@@ -21,7 +21,7 @@ from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
 from rotsolve.language.bodies import Body, Coupling, Joint, Orbit, PointRef, Ride, Surface
 from rotsolve.language.keys import Element, key
 
-Fact = Force | Couple | Rule | Requirement | Potential
+Fact = Force | Couple | Rule | Requirement | Potential | Summed
 PlaceOf = Callable[[PointRef], Formula | None]
 
 
@@ -34,6 +34,8 @@ class SceneElements(Protocol):
     def actions(self) -> tuple[Action, ...]: ...
     @property
     def events(self) -> tuple[Event, ...]: ...
+    @property
+    def bodies(self) -> tuple[Body, ...]: ...
     @property
     def gravity(self) -> Formula | None: ...
     @property
@@ -113,6 +115,7 @@ class Moment(Protocol):
         words: tuple[str, str] = ("", ""),
         letter: str = "",
     ) -> Formula: ...
+    def coordinate(self, name: str) -> Symbol: ...
     def held_by_friction(self, owner: str, when: str, words: tuple[str, str]) -> tuple[Formula, int]: ...
     def mode(self, contact: str) -> str: ...
     def span(self, name: str) -> str: ...
@@ -254,6 +257,10 @@ class Connection(ActingElement, frozen=True):
 
     def among(self, moving: Container[str]) -> Connection:
         """The connection as it stands among all others, which let the bodies `moving` move where it touches them."""
+        return self
+
+    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
+        """The connection as the scene is seen; `level` are the names of what is level in it."""
         return self
 
     def between_points(self, middle: Callable[[PointRef], PointRef]) -> Connection:
@@ -417,6 +424,15 @@ class Connection(ActingElement, frozen=True):
     def static(self) -> Formula | None:
         """The coefficient by which a push limits the friction that holds; None where the push has no part in it."""
         return None
+
+    def rubbing_force(self, instant: Moment) -> Formula | None:
+        """The letter of a friction within one body, which no free-body diagram has."""
+        return None
+
+    def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
+        """What is equal on the point of slipping, in one sense and in the other, where no push and no coefficient alone tell it; each with
+        what can't be negative then."""
+        return ()
 
     def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
         """How fast a body slips along the sense that counts as positive, or the rate of that; None where nothing tells the sense."""

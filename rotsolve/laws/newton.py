@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, add, multiply, negate, sqrt, total
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Sum, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import CARRIED, CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
+from rotsolve.core.equation import CARRIED, CUT_TORQUES, FACE_FRICTION, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
 from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, Role, signed, square
 from rotsolve.core.vectors.heading import Heading, Vector
 from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
@@ -24,6 +24,24 @@ def second_law(at: AtMoment) -> Iterator[Equation]:
             equation = component_equation(body, axis, at.section)
             if equation is not None:
                 yield equation
+
+
+def frictions_of_faces(at: AtMoment) -> Iterator[Equation]:
+    """τ = ∫ μ r dN of what rubs over a whole face."""
+    for item in at.facts.sums:
+        yield FACE_FRICTION.equation(
+            item.letter, item.integral, at.section, item.bodies, item.words, defines="", words=item.label
+        )
+
+
+def frictions_summed_up(at: AtMoment) -> Iterator[Equation]:
+    """The same with its integral carried out, where nobody reads it."""
+    for equation in frictions_of_faces(at):
+        if equation.right.holds(Integral):
+            from rotsolve.algebra.calculus.integral import carried_out
+
+            equation = replace(equation, right=carried_out(equation.right, equation.right.symbols()))
+        yield equation
 
 
 def component_equation(body: BodyFacts, axis: Heading, section: str) -> Equation | None:

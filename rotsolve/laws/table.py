@@ -34,6 +34,7 @@ from rotsolve.core.equation import (
     CYCLIC,
     DERIVATIVE,
     ENERGY_FUNCTION,
+    FACE_FRICTION,
     GIVEN_MOTION,
     IN_TIME,
     INERTIA,
@@ -189,6 +190,8 @@ STEADY_ACCELERATION = (
 
 LAWS = (
     Principle((INERTIA,), (STATE, MIDST, NEAR), "newton:moments_of_inertia"),
+    Principle((FACE_FRICTION,), (STATE, MIDST), "newton:frictions_of_faces"),
+    Principle((FACE_FRICTION,), (FOLLOWED,), "newton:frictions_summed_up"),
     Principle((SECOND_LAW,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:second_law"),
     Principle((CARRIED,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:carried_apart"),
     Principle((ROTATION,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:law_of_rotation"),

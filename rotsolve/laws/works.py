@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import HALF, ZERO, Formula, Integral, Sum, Symbol,
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import WAY_OF_SLIP, WORK, Equation
 from rotsolve.core.facts import Rule
-from rotsolve.core.symbols import CONSTANT, is_key, key_of
+from rotsolve.core.symbols import CONSTANT, is_key, key_of, of_kinds
 from rotsolve.core.writing import is_negative, spoken
 from rotsolve.laws.table import OverPhase
 
@@ -60,6 +60,8 @@ def by_way_of_its_point(work: Formula) -> ByItsPoint | None:
     one, other = sorted(terms, key=lambda term: ways[0] not in term.symbols())
     force = simplify(one / along)
     turned = simplify(other / force)
+    if of_kinds(turned.symbols(), ("tension",)):  # of two forces that differ, as on both sides of a post
+        return None
     return None if ways[0] in (force.symbols() | turned.symbols()) else ByItsPoint(force, along, turned)
 
 

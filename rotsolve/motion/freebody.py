@@ -22,6 +22,7 @@ from rotsolve.core.facts import (
     Potential,
     Requirement,
     Rule,
+    Summed,
 )
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
@@ -69,6 +70,7 @@ def facts_at(instant: Instant) -> Facts:
         tuple(of_hosts(fact, instant) for fact in stated if isinstance(fact, Potential)),
         given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
         cuts=cuts,
+        sums=tuple(fact for fact in stated if isinstance(fact, Summed)),
     )
 
 

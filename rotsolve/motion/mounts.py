@@ -18,10 +18,9 @@ Others = Sequence[Connection]
 def on_mounts(problem: Problem) -> Problem:
     """The problem with its connections as they stand among each other: an axle on a body that moves is no fixed one."""
     bodies = {body.name: body for body in problem.bodies}
-    items = [
-        item.between_points(lambda ref: middle(ref, bodies)) if on_one_axle(item) else item
-        for item in problem.connections
-    ]
+    level = {"ground", *(surface.name for surface in problem.surfaces if surface.level)}
+    seen = (item.seen(problem, level) for item in problem.connections)
+    items = [item.between_points(lambda ref: middle(ref, bodies)) if on_one_axle(item) else item for item in seen]
     while carried := next(
         ((item, moving) for item in filter(on_one_axle, items) if (moving := moving_on(item, items, bodies))), None
     ):

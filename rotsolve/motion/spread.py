@@ -67,9 +67,7 @@ class Spread(Struct, frozen=True):
 
     def coordinate(self, name: str) -> Symbol:
         """The printed letter of a coordinate: x, or x₁ where a given has that name."""
-        quantity = SceneQuantity(f"coordinate {name}", "1", "", "", name, base.LENGTH)
-        self.registry.ask(quantity)
-        return quantity.symbol
+        return self.registry.coordinate(name)
 
     def tidy(self, formula: Formula) -> Formula:
         """Textbook form, with the letters in the order in which a textbook writes them."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.formula import ZERO, Formula, add, negate
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate
 from rotsolve.core.drive import TRAVELLING, Drive
 from rotsolve.core.facts import signed
 from rotsolve.core.faults import Unsolvable
@@ -111,6 +111,10 @@ class Standing(Struct, frozen=True, dict=True):
         moment = self.when if when is None else when
         quantity = SceneQuantity(word, owner, moment, component, letter or kind.letter, kind.dimension, *words)
         return self.registry.ask(quantity)
+
+    def coordinate(self, name: str) -> Symbol:
+        """The letter of a variable of integration."""
+        return self.registry.coordinate(name)
 
     def held_by_friction(self, owner: str, when: str, words: tuple[str, str]) -> tuple[Formula, int]:
         """The friction that holds a contact, as large as it takes, and its sense: +1 where it is drawn by the first of two words, as it is

@@ -136,6 +136,9 @@ class OfElements(AtInstant, frozen=True):
         """The push of a surface or its friction, on the body that a contact names first."""
         rubs = path.quantity == "friction_force"
         item = self._connection(path.owner)
+        within = item.rubbing_force(self.instant) if item is not None and rubs else None
+        if within is not None:
+            return within
         first = self.instant.host(item.touches()[0].owner) if item is not None and item.touches() else ""
         forces = sorted(acting.forces, key=lambda pair: pair[0].name != first)
         force = next((force for _, force in forces if (force.role.rubs if rubs else force.role.presses)), None)
@@ -169,6 +172,8 @@ class OfElements(AtInstant, frozen=True):
         if tension is not None:
             return tension
         sizes = {force.size: None for _, force in acting.forces if force.role.pulls}
+        told = (name for _, couple in acting.couples for name in couple.size.symbols())
+        sizes |= {Symbol(name): None for name in of_kinds(told, ("tension",))}
         if not sizes:
             raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
         if len(sizes) > 1:
@@ -203,13 +208,11 @@ class OfElements(AtInstant, frozen=True):
         return Meaning(vector_size(vector), QUANTITIES["force"].dimension, vector)
 
     def _refuse_strain(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> None:
-        """No force of a support is told that a belt presses on, as strongly as it was put on."""
+        """No force of a support is told of a body on which something else acts in a way that nobody tells, as a belt does."""
         held = [body for body, force in forces if force.role.holds]
-        belt = next((couple.owner for body in held for couple in body.couples if couple.role.strained), None)
-        if belt is not None:
-            raise NotYet(
-                f"the force of `{path.owner}` is not told: `{belt}` presses on it as strongly as it was put on"
-            )
+        hidden = next((couple for body in held for couple in body.couples if couple.role.hides), None)
+        if hidden is not None:
+            raise NotYet(f"the force of `{path.owner}` is not told: `{hidden.owner}` {hidden.role.hides}")
 
     def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:
         """Component across the arm of the force, of a force at the pivot across the line to the centre of mass; or along it, inwards."""

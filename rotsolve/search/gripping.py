@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula, negate
-from rotsolve.core.equation import POINT_OF_SLIPPING, Equation
+from rotsolve.core.equation import POINT_OF_SLIPPING, VERGE, Equation
 from rotsolve.core.facts import Force, Requirement
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
@@ -46,6 +46,10 @@ def smooth(rub: Rub, signs: SignOracle) -> bool:
 def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equation, Formula]]:
     """|f| = μₛ N of a contact on the point of slipping, for either direction, each with the normal force that must not be negative."""
     item, bodies = scene.configuration.connection(contact, state), scene.facts(state).bodies
+    verge = item.verge(scene.instant(state)) if item is not None else ()
+    if verge:
+        section = scene.section(state)
+        return [(VERGE.equation(left, right, section), push) for left, right, push in verge]
     static = item.static() if item is not None else None
     rubbing, pressing = contact_forces(contact, [force for body in bodies for force in body.forces])
     if static is None or rubbing is None or pressing is None:

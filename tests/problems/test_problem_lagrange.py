@@ -32,7 +32,7 @@ rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship w
 fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance two-plane-balancing masses-that-balance-a-rotor
 sign-held-by-two-cables"""
 FRICTION = """ball-with-back-spin spinning-cylinder-set-down
-spinning-wheel-set-down spool-largest-pull"""
+spinning-wheel-set-down spool-largest-pull hawser-round-a-bollard"""
 NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
 which-pair-of-angles stone-from-a-tower shell-fired-east"""

@@ -82,6 +82,8 @@ def grip_holds(condition: Condition, course: Course, state: str, *, looked_for: 
     try:
         at = course.node(state)
         modes = at.moment.modes
+        if condition.owner in at.moment.clasped:
+            return at.moment.clasped[condition.owner] >= 0.0
     except SlipsOn as reason:
         if reason.owner != condition.owner:
             raise

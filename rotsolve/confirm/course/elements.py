@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.course.reading import (
     NATURAL,
     Reckoned,
@@ -23,8 +24,10 @@ from rotsolve.confirm.course.reading import (
 )
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Way
+from rotsolve.elements.actions import Band
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.elements import ActingElement
 from rotsolve.language.problem import Path, Term
@@ -69,6 +72,8 @@ def last_body(at: Node, name: str) -> str:
 def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Of the leg that leaves the body that is named, towards the next; one for all legs where they are the same."""
     item = element(at, path.owner)
+    if isinstance(item, Band):
+        return other_end(at, item)
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("tension")]
     if not sizes:
         raise NotConfirmed(f"the tension of `{path.owner}`")
@@ -76,10 +81,23 @@ def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
         places = [number for number, ref in enumerate(item.string) if path.point in (ref.owner, ref.point)]
         if not places:
             raise NotConfirmed(f"`{path.owner}` does not touch `{path.point}`")
+        if item.friction is not None:  # of the rope at either side of its post what it does there
+            end = item.string[0 if places[0] == 0 else -1].owner
+            return number(math.hypot(*on_body(at, end, loads(at, path.owner))[0]))
         return number(sizes[min(places[0], len(sizes) - 1)], max(map(abs, sizes)))
     if max(sizes) - min(sizes) > 1e-6 * max(map(abs, sizes), default=1.0):
         raise NotConfirmed(f"the tension of `{path.owner}` is not the same throughout")
     return number(sizes[0])
+
+
+def other_end(at: Node, item: Band) -> Reckoned:
+    """The tension at the end of a band that is held: its torque on the drum is the difference of both, times the radius."""
+    body, ref = last_body(at, item.name), item.on
+    radius = radius_of(at.model.body(body), ref.point if ref is not None else None, at.model.value) or 0.0
+    if item.band is None or radius == 0.0:
+        raise NotConfirmed(f"the tension of `{item.name}`")
+    drawn, pull = (1 if item.direction == "counterclockwise" else -1), at.model.value(item.band)
+    return number(pull - drawn * on_body(at, body, loads(at, item.name))[1] / radius, pull)
 
 
 def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
@@ -92,6 +110,8 @@ def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
 
 def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Its size, and which way it points on the body that the contact names first."""
+    if isinstance(item := element(at, path.owner), Rides):
+        return number(math.hypot(*on_body(at, item.rides[0].owner, loads(at, path.owner))[0]))
     at.told(path.owner, "friction", "normal")
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
     normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]

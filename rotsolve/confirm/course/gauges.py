@@ -137,6 +137,8 @@ def word_gauge(line: Condition, model: Model) -> Gauge:
         return Gauge(lambda at: slip_of(owner, at), 1.0, f"{owner}: {line.word}")
     if line.word in ("leaves", "slack"):
         return Gauge(lambda at: least(owner, at), 1.0, f"{owner}: {line.word}")
+    if line.word == "slips":
+        return Gauge(lambda at: clasp(owner, at), 1.0, f"{owner}: {line.word}")
     if line.word in EXTREMES and line.path is not None:
         path = line.path
         way = 1 if line.word == "smallest" else -1
@@ -145,10 +147,19 @@ def word_gauge(line: Condition, model: Model) -> Gauge:
 
 
 def slip_of(owner: str, at: Node) -> float:
+    if owner in at.moment.clasped:
+        return 0.0
     grips = [grip for grip in gathered(at.model, at.pose)[1] if owner in (grip.name, grip.row.owner)]
     if not grips:
         raise NotConfirmed(f"`{owner}` does not rub")
     return slip_speed(grips[0], at.placed.speed)
+
+
+def clasp(owner: str, at: Node) -> float:
+    """How far what lies on a turning body is from slipping."""
+    if owner not in at.moment.clasped:
+        raise NotConfirmed(f"a state that says `{owner}: slips`")
+    return at.moment.clasped[owner]
 
 
 def least(owner: str, at: Node) -> float:

@@ -7,15 +7,16 @@ from collections.abc import Container, Iterator
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import REACHES, Requirement, Rule
+from rotsolve.core.facts import FRICTION, REACHES, Couple, Requirement, Rule, enough, held_still, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.rubbing import Rims
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Friction, Touch, is_level
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
-from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
+from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, SceneElements, Surroundings
 from rotsolve.language.keys import amount, key
 
 
@@ -61,6 +62,22 @@ class Contact(Touch, frozen=True):
             raise Unsolvable(f"`press` of `{self.name}` is for two wheels", span=under.span, help=help)
         super().check(scene)
 
+    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
+        """From above what lies on a level table rubs over its whole face, and a particle on what turns goes round with it."""
+        own, under = self.contact[0].owner, self.contact[1].owner
+        if scene.plane != "horizontal" or self.friction.kind == "none" or len(self.contact) > 2:
+            return self
+        bodies = {body.name: body for body in scene.bodies}
+        if own in bodies and under in bodies and shape_of(bodies[own]).pointlike and self.press is None:
+            held = {ref.owner for item in scene.connections for ref in item.fixed_points()}
+            return Rides(self.name, self.contact, self.friction) if under in held and own not in held else self
+        if under not in level or self.friction.kind == "any":
+            return self
+        from rotsolve.elements.connections.flat import Laid
+
+        others = (ref.owner for item in scene.connections if item is not self for ref in item.touches())
+        return Laid(self.name, self.contact, self.friction, own not in others)
+
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """Between two wheels on fixed axles it is their rims that rub."""
         if self.contact[1].owner not in held:
@@ -77,11 +94,47 @@ class Rolls(Touch, frozen=True):
     rolls: tuple[PointRef, ...] = key(
         "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
     )
+    rolling_friction: Formula | None = amount(
+        "how far ahead of the middle the ground presses on what rolls: a couple of that times the normal force, against the turn",
+        "length",
+        "b",
+        "nonnegative",
+        default=None,
+        plane=True,
+    )
 
     spatial = True
 
+    def brakes(self) -> tuple[PointRef, ...]:
+        return self.rolls[:1] if self.rolling_friction is not None else ()
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
+        yield from super().facts(instant)
+        if self.rolling_friction is not None:
+            yield from self.resistance(self.rolling_friction, instant)
+
+    def resistance(self, ahead: Formula, instant: Moment) -> Iterator[Fact]:
+        """The couple b N against the turn; as large as it takes while it holds the wheel still."""
+        name = instant.host(self.rolls[0].owner)
+        sense, mode, span = instant.sense(name), instant.mode(f"{self.name}.{name}"), instant.span(name)
+        forward, back = instant.turn_words(name)
+        most = ahead * instant.ask("normal_force", self.name, when=span)
+        if mode == "holds":
+            size = instant.ask("torque", self.name, when=span, words=(forward, back))
+            yield Couple(self.name, FRICTION, name, signed(size, sense), "rolling resistance", size)
+            yield held_still(self.name, name, instant.motion(name))
+            if instant.in_balance:
+                yield enough(self.name, size, most, "roll")
+            return
+        turn, against = (sense, forward) if mode == "turns back" else (-sense, back)
+        yield Couple(self.name, FRICTION, name, signed(most, turn), "rolling resistance", most, against)
+
     def check(self, scene: Surroundings) -> None:
         """What rolls is round where it touches."""
+        surface = scene.surfaces.get(self.rolls[1].owner)
+        if self.rolling_friction is not None and (surface is None or surface.curved or len(self.rolls) > 2):
+            message = f"`rolling_friction` of `{self.name}` is solved on one flat surface only"
+            raise Unsolvable(message, span=self.rolls[1].span, help="leave it out")
         wheel, body = self.rolls[0], scene.bodies.get(self.rolls[0].owner)
         is_round = body is None or "rim" in shape_of(body).points or rim_radius(body, wheel.point) is not None
         if not (scene.problem.space or is_round):

@@ -3,24 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
-from fractions import Fraction
 
 from msgspec import field
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ZERO, Formula, Number, negate
-from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule, enough
+from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule, Summed, enough
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
+from rotsolve.elements.connections.faces import (
+    WEAR,
+    Face,
+    Radii,
+    check_pressed,
+    face_between,
+    face_cone,
+    face_radii,
+    face_radius,
+    face_uniform,
+)
 from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import rim_radius, round_part, shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
-
-TWO_THIRDS = Number(Fraction(2, 3))
 
 
 class Rubbing(Connection, frozen=True):
@@ -69,13 +77,17 @@ class Clutch(Rubbing, frozen=True):
     clutch: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[plate, disc]")
     friction_torque: Formula | None = amount("friction torque between them", "torque", "tau", "positive", default=None)
     press: Formula | None = amount(
-        "force that presses plates together evenly, with `friction`: torque ⅔ μ F R of discs, R that of the smaller one, named first",
+        "force that presses plates together, with `friction`: torque ⅔ μ F R of discs, R that of the smaller one, named first",
         "force",
         "F",
         "positive",
         default=None,
     )
     friction: Formula | None = amount("coefficient of friction", "number", "mu", "positive", default=None)
+    radius: Formula | None = face_radius()
+    radii: Radii = face_radii()
+    cone: Formula | None = face_cone()
+    uniform: str = face_uniform()
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         if self.friction_torque is not None or (self.press is not None and self.friction is not None):
@@ -84,7 +96,7 @@ class Clutch(Rubbing, frozen=True):
 
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         """Plates rub on each other as far out as the smaller one reaches."""
-        return self.clutch[:1] if self.friction_torque is None else ()
+        return self.clutch[:1] if self.friction_torque is None and face_between(self) is None else ()
 
     def rooms(self, scene: Surroundings) -> Iterator[Limit]:
         """Of two plates the first is not the larger, which else would rub beyond the other's rim, and lies on it, not in a hole of it."""
@@ -101,17 +113,29 @@ class Clutch(Rubbing, frozen=True):
     def between(self) -> tuple[PointRef, ...]:
         return self.clutch
 
-    def torque(self, instant: Moment) -> Formula:
-        """The torque given, or that of flat plates under uniform pressure p: ∫ μ p r dA, with F = ∫ p dA."""
-        if self.friction_torque is not None:
-            return self.friction_torque
+    def check(self, scene: Surroundings) -> None:
+        super().check(scene)
+        check_pressed(self, self.clutch[0])
+
+    def face(self, instant: Moment) -> Face:
+        """The face with which plates rub: told, or where both of them are: out to the smaller one's rim, in to the larger hole."""
+        if (told := face_between(self)) is not None:
+            return told
         (inner, outer), (hole, _) = (face_of(instant.body(ref.owner), ref) for ref in self.clutch)
         if hole != inner and instant.configuration.signs.sign(hole - inner) != -1:
             if inner != ZERO and instant.configuration.signs.sign(hole - inner) is None:
                 message = f"which of the holes of `{self.clutch[0].owner}` and `{self.clutch[1].owner}` is the larger one nothing tells"
                 raise Unsolvable(message, span=self.clutch[0].span, help="give numbers to their radii")
             inner = hole
-        return (self.friction or ZERO) * (self.press or ZERO) * mean_arm(inner, outer)
+        return Face(inner, outer, self.uniform == WEAR, self.cone)
+
+    def most(self, instant: Moment) -> tuple[Formula, tuple[Summed, ...]]:
+        """The torque given, or that of the face, τ = ∫ r μ dN, with what defines it."""
+        if self.friction_torque is not None:
+            return self.friction_torque, ()
+        friction, press = self.friction or ZERO, self.press or ZERO
+        summed = self.face(instant).torque(self.name, friction, press, self.names(instant), instant)
+        return summed.letter, (summed,)
 
     def sides(self, instant: Moment, *, acceleration: bool) -> tuple[Formula, Formula]:
         motions = [instant.motion(name) for name in self.names(instant)]
@@ -126,7 +150,9 @@ class Clutch(Rubbing, frozen=True):
         first, second = self.names(instant)
         mode = instant.mode(self.name)
         sticks = not mode.startswith("slips")
-        size = instant.ask("torque", self.name, when=instant.span(second)) if sticks else self.torque(instant)
+        most, defined = self.most(instant)
+        yield from defined
+        size = instant.ask("torque", self.name, when=instant.span(second)) if sticks else most
         turn = 1 if sticks or mode.startswith("slips back") else -1
         for name, way in ((first, -turn), (second, turn)):
             torque, sense = (size, "counterclockwise") if way > 0 else (negate(size), "clockwise")
@@ -134,7 +160,7 @@ class Clutch(Rubbing, frozen=True):
         if sticks:
             yield self.grip_rule(instant)
         if sticks and instant.says_to_stick(self.name):
-            yield enough(self.name, size, self.torque(instant), "slip")
+            yield enough(self.name, size, most, "slip")
 
 
 def face_of(body: Body, ref: PointRef) -> tuple[Formula, Formula]:
@@ -152,15 +178,6 @@ def face_of(body: Body, ref: PointRef) -> tuple[Formula, Formula]:
             message, span=ref.span, help="give the clutch its `friction_torque`, or it a disc, ring or tube"
         )
     return face
-
-
-def mean_arm(inner: Formula, outer: Formula) -> Formula:
-    """∫ r dA/A of a ring between two radii: ⅔ R of a disc, R of a thin ring, ⅔ (R³ − r³)/(R² − r²) between them."""
-    if inner == outer:
-        return outer
-    if inner == ZERO:
-        return TWO_THIRDS * outer
-    return TWO_THIRDS * (outer**2 + outer * inner + inner**2) / (outer + inner)
 
 
 class Rims(Rubbing, frozen=True):

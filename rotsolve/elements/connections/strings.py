@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import TAUT, TENSION, Force, Motion, Requirement, Rule
+from rotsolve.core.facts import SLIPPING, TAUT, TENSION, Force, Motion, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector, along_text, opposite
 from rotsolve.core.writing import balance, spoken
@@ -17,6 +17,11 @@ from rotsolve.elements.shapes import round_part
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
+
+
+def is_post(ref: PointRef, scene: Surroundings) -> bool:
+    """Whether a point is a post, round which a rope runs."""
+    return ref.owner in scene.surfaces and scene.surfaces[ref.owner].post
 
 
 def told_along(push: Vector, name: str, instant: Moment) -> str:
@@ -50,7 +55,7 @@ class String(Connection, frozen=True):
         "at one moment a string pulls with a force along it: `actions: {pull: {force: T, on: BODY.P, direction: [x, y, z]}}`, with"
         " `T: unknown` under `given` where that is sought"
     )
-    words = ("slack", "taut")
+    words = ("slack", "taut", "slips", "sticks")
     string: tuple[PointRef, ...] = key(
         "points", "what it touches, in order", count=(2, 200), required=True, example="[left, pulley, right]"
     )
@@ -77,10 +82,42 @@ class String(Connection, frozen=True):
         later=True,
     )
 
+    friction: Formula | None = amount(
+        "coefficient of friction on the post round which it runs, `string: [load, bollard, crate]`",
+        "number",
+        "mu",
+        "nonnegative",
+        default=None,
+    )
+    wrap: Formula | None = amount(
+        "angle through which it touches the post", "angle", "phi", "positive", default=None, example="3/2 rev"
+    )
+
     repeats = True
+
+    def rubs(self) -> bool:
+        return self.friction is not None
+
+    def slider(self) -> PointRef:
+        return self.string[-1]
+
+    def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
+        """How fast it runs round its post towards its last end."""
+        from rotsolve.elements.connections.posts import pace_past
+
+        return pace_past(self.course(instant), acceleration=acceleration)
+
+    def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
+        from rotsolve.elements.connections.posts import verge_round
+
+        return verge_round(self, self.course(instant)) if self.friction is not None else ()
 
     def check(self, scene: Surroundings) -> None:
         """It leaves a wheel on a tangent of its rim, and pulls what it is tied to one way."""
+        if self.friction is not None or any(is_post(ref, scene) for ref in self.string):
+            from rotsolve.elements.connections.posts import check_round
+
+            check_round(self, scene)
         ends = (self.string[0].owner, self.string[-1].owner)
         for name, way in self.pulls:
             if name not in ends:
@@ -119,6 +156,11 @@ class String(Connection, frozen=True):
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """A tension for each strand, its pulls on the bodies, and the rule that the strand keeps its length."""
         course = self.course(instant)
+        if self.friction is not None:
+            from rotsolve.elements.connections.posts import round_post
+
+            yield from round_post(self, course, instant)
+            return
         for strand in course.strands():
             tension = self.tension(strand, course)
             yield Requirement(self.name, TAUT, tension, ZERO, "the string stays taut", "the string goes slack")
@@ -152,15 +194,16 @@ class String(Connection, frozen=True):
         owner = next(ref.owner for ref in self.string if ref.owner in instant.configuration.bodies)
         return instant.ask("tension", self.name, when=instant.span(instant.host(owner)), component=component)
 
-    def pulls_of(self, leg: Leg, tension: Formula, instant: Moment) -> Iterator[Force]:
-        """The tension on the bodies at both ends of a leg."""
+    def pulls_of(self, leg: Leg, tension: Formula, instant: Moment, *, slips: bool = False) -> Iterator[Force]:
+        """The tension on the bodies at both ends of a leg; one that slips on what it runs round loses energy there."""
         for ref, arm, push in ((leg.first, leg.arms[0], leg.along), (leg.second, leg.arms[1], -leg.along)):
             if ref.owner in instant.configuration.bodies:
                 way, place = told_along(push, ref.owner, instant), ""
                 if not way:
                     way, place = pull_words(push, arm, instant.motion(ref.owner).kind, instant)
                 name = instant.host(ref.owner)
-                yield Force(self.name, TENSION, name, tension, push, arm, "tension", way, place, internal=True)
+                role = SLIPPING if slips else TENSION
+                yield Force(self.name, role, name, tension, push, arm, "tension", way, place, internal=not slips)
 
     def over_one_wheel(self, course: Routing) -> bool:
         """Whether a wheel with inertia turns on an axle at rest between two bodies that do not turn: these move alike."""

@@ -19,6 +19,7 @@ from rotsolve.core.facts import (
     Force,
     Role,
     Rule,
+    Summed,
     Whirl,
     enough,
     held_still,
@@ -28,6 +29,16 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import TIME, combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
+from rotsolve.elements.connections.faces import (
+    Radii,
+    check_pressed,
+    face_between,
+    face_cone,
+    face_radii,
+    face_radius,
+    face_uniform,
+)
+from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import ends_at, rims, room_from, shape_of
 from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
@@ -60,8 +71,16 @@ class Driven(Connection, frozen=True):
         """The bodies that turn about it."""
         return ()
 
+    def rubbing(self) -> bool:
+        """Whether it rubs against the turn of what it holds."""
+        return self.friction_torque is not None
+
+    def most(self, name: str, instant: Moment) -> tuple[Formula, tuple[Summed, ...]]:
+        """The torque with which it rubs on a body, with what defines it."""
+        return (self.friction_torque or ZERO).substitute({"time": instant.time()}), ()
+
     def brakes(self) -> tuple[PointRef, ...]:
-        return self.held() if self.friction_torque is not None else ()
+        return self.held() if self.rubbing() else ()
 
     def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
         yield from ((rate, ref) for ref in self.held() for rate in (self.angular_velocity, self.angular_acceleration))
@@ -74,7 +93,7 @@ class Driven(Connection, frozen=True):
 
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
         values = [(word, value) for word in TURNING if (value := getattr(self, word)) is not None]
-        if (values or self.friction_torque is not None) and not self.fixed_points():
+        if (values or self.rubbing()) and not self.fixed_points():
             does = "drives one moving body" if values else "rubs with a friction torque of one moving body"
             raise Unsolvable(f"`{self.name}` {does} against another: not solved yet", span=self.held()[-1].span)
         for word, value in values:
@@ -94,12 +113,12 @@ class Driven(Connection, frozen=True):
         return combined([pace_of(self.friction_torque or ZERO), *(drive.pace for drive in drives)])
 
     def twists(self) -> bool:
-        return self.friction_torque is not None
+        return self.rubbing()
 
     def couples(self, instant: Moment) -> Iterator[Fact]:
         """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
         hosts = dict.fromkeys(instant.host(ref.owner) for ref in self.held())
-        if self.friction_torque is not None and len(hosts) < len(self.held()):
+        if self.rubbing() and len(hosts) < len(self.held()):
             names = " and ".join(f"`{ref.owner}`" for ref in self.held())
             message = (
                 f"{names} are one body: whether the friction of `{self.name}` acts on it once or on each is not told"
@@ -108,9 +127,9 @@ class Driven(Connection, frozen=True):
             raise Unsolvable(message, span=self.held()[-1].span, help=help)
         for name in hosts:
             sense = instant.sense(name)
-            if self.friction_torque is not None:
-                yield from self.friction(instant, name, sense)
-            asked = self.friction_torque is None and instant.configuration.mentions.asks(self.name, "torque")
+            if self.rubbing():
+                yield from self.friction_on(instant, name, sense)
+            asked = not self.rubbing() and instant.configuration.mentions.asks(self.name, "torque")
             if asked or any(getattr(self, word) is not None for word in TURNING):
                 size = self.torque_on(name, instant, instant.turn_words(name))
                 yield Couple(self.name, DRIVE, name, signed(size, sense), "torque", size)
@@ -120,11 +139,12 @@ class Driven(Connection, frozen=True):
         several = len({instant.host(ref.owner) for ref in self.held()}) > 1
         return instant.ask("torque", self.name, when=instant.span(name), component=name if several else "", words=words)
 
-    def friction(self, instant: Moment, name: str, sense: int) -> Iterator[Fact]:
+    def friction_on(self, instant: Moment, name: str, sense: int) -> Iterator[Fact]:
         """Friction of the axle: against the turn, whichever way that is; as large as it takes while it holds the body still."""
         mode = instant.mode(f"{self.name}.{name}")
         forward, back = instant.turn_words(name)
-        most = (self.friction_torque or ZERO).substitute({"time": instant.time()})
+        most, defined = self.most(name, instant)
+        yield from defined
         if mode == "holds":
             size = self.torque_on(name, instant, (forward, back))
             yield Couple(self.name, FRICTION, name, signed(size, sense), "friction torque", size)
@@ -248,6 +268,21 @@ class Axle(Driven, frozen=True):
 
     along: Axis = key("axis in space", "its direction, in the axes of what carries it", default=(), space=True)
     bearings: tuple[Formula, ...] = two_bearings()
+    press: Formula | None = amount(
+        "force along it that presses a collar or a foot on its bearing, with `friction` and `radii`",
+        "force",
+        "F",
+        "positive",
+        default=None,
+        plane=True,
+    )
+    friction: Formula | None = amount(
+        "coefficient of friction of that", "number", "mu", "positive", default=None, plane=True
+    )
+    radius: Formula | None = face_radius()
+    radii: Radii = face_radii()
+    cone: Formula | None = face_cone()
+    uniform: str = face_uniform()
 
     independent = True
     axial = True
@@ -263,9 +298,28 @@ class Axle(Driven, frozen=True):
             bearings=self.bearings,
         )
 
+    def rubbing(self) -> bool:
+        return self.friction_torque is not None or self.press is not None
+
+    def most(self, name: str, instant: Moment) -> tuple[Formula, tuple[Summed, ...]]:
+        """Of a collar or a foot that is pressed on its bearing τ = ∫ r μ dN."""
+        face = face_between(self)
+        if self.press is None or face is None:
+            return super().most(name, instant)
+        summed = face.torque(self.name, self.friction or ZERO, self.press, (name,), instant)
+        return summed.letter, (summed,)
+
     def check(self, scene: Surroundings) -> None:
         """It runs through the centre of a wheel; what carries it may do so at any point."""
         super().check(scene)
+        check_pressed(self, self.axle[-1])
+        if self.press is not None and face_between(self) is None:
+            help = "give it `radii: {inner: r, outer: R}`, or `radius: R` of a foot"
+            message = f"`{self.name}`, along which a force presses, has no face that rubs"
+            raise Unsolvable(message, span=self.axle[-1].span, help=help)
+        if self.press is not None and len(self.axle) > 1:
+            message = f"`{self.name}`, along which a force presses, names several bodies"
+            raise Unsolvable(message, span=self.axle[-1].span, help="give each an `axle` of its own")
         for ref in self.axle[-1:] if len(self.axle) < 3 else self.axle[1:]:
             if ref.owner in scene.bodies and ref.point in {*rims(scene.bodies[ref.owner]), "rim", "top", "bottom"}:
                 help = f"write `axle: {ref.owner}`, or `hinge: {ref.owner}.{ref.point}` for what hangs by its rim"
@@ -345,19 +399,25 @@ class Rides(Connection, frozen=True):
     word = "rides"
     about = "a particle slides along another body and turns with it, at its `radius` from the axis"
     instead = "`slide: [BAR.P, BEAD], along: x` lets it slide along what carries it, from a point of that"
-    quantities = ("work",)
+    quantities = ("work", "friction_force")
+    words = ("slips", "sticks")
     bodily = True
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
-    friction: str = key(
-        "choice",
-        "`none`: it is let go and slides freely; else it is held or drawn, and at rest on the bar at each state",
-        choices=("none",),
-        default="",
+    friction: Friction | None = key(
+        "friction",
+        "`none`: it is let go and slides freely; a coefficient: it lies on what it rides, seen from above, and friction holds it there;"
+        " else it is held or drawn, and at rest on the bar at each state",
+        default=None,
+        letter="mu",
+        limits="nonnegative",
     )
 
     def check(self, scene: Surroundings) -> None:
         """A particle on a body that an axle or hinge holds; of what slides freely each state says where, and no event happens meanwhile."""
         rider, carrier = self.rides
+        if self.lies() and (scene.problem.plane != "horizontal" or scene.problem.gravity in (None, ZERO)):
+            message = f"`{rider.owner}` lies on `{carrier.owner}`, which turns about an upright axis, in a scene seen from above"
+            raise Unsolvable(message, span=rider.span, help="say `plane: horizontal`, and leave out `gravity: none`")
         if not shape_of(scene.bodies[rider.owner]).pointlike:
             help = "leave out its `shape`: its mass is at its `radius` from the axis"
             raise Unsolvable(f"`{rider.owner}` rides: it has to be a particle", span=rider.span, help=help)
@@ -407,7 +467,29 @@ class Rides(Connection, frozen=True):
                 raise Unsolvable(message, span=rider.span, help="give it a `radius` or a `velocity.radial` there")
 
     def ride(self) -> Ride:
-        return Ride(self.name, self.rides[0], self.rides[1], self.friction == "none")
+        return Ride(self.name, self.rides[0], self.rides[1], self.friction is not None and self.friction.kind == "none")
+
+    def lies(self) -> bool:
+        """Whether friction holds it on its circle."""
+        return self.friction is not None and self.friction.kind != "none"
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
+        """The friction that holds what lies on a turning table, and the most that it can be."""
+        if self.lies():
+            from rotsolve.elements.connections.flat import on_a_circle
+
+            yield from on_a_circle(self, instant)
+
+    def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
+        if not self.lies() or self.friction is None or self.friction.static is None:
+            return ()
+        from rotsolve.elements.connections.flat import most_on_a_circle
+
+        friction, most = instant.ask("friction_force", self.name), most_on_a_circle(self, instant)
+        return ((friction, most, friction), (friction, most, friction))
+
+    def rubbing_force(self, instant: Moment) -> Formula | None:
+        return instant.ask("friction_force", self.name) if self.lies() else None
 
 
 def travels_straight(joint: tuple[PointRef, ...], configuration: Surroundings, state: str) -> bool:

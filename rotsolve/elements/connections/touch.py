@@ -164,6 +164,14 @@ class Touch(Connection, frozen=True):
     def check_places(self, scene: Surroundings) -> None:
         """Of surfaces that join, a track of unknown profile leads into a curved one; a curved one takes what fits it."""
         places = [scene.surfaces[ref.owner] for ref in self.places() if ref.owner in scene.surfaces]
+        post = next(
+            (ref for ref in self.places() if ref.owner in scene.surfaces and scene.surfaces[ref.owner].post), None
+        )
+        if post is not None:
+            message = f"`{self.lying()}` on `{post.owner}`, a post: nothing tells how it lies on that"
+            raise Unsolvable(
+                message, span=post.span, help="a rope runs round a post; what lies on something round lies on a `dome`"
+            )
         unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
         curved = all(place.curved for place in places)
         carrier = next((ref for ref in self.places() if ref.owner in scene.bodies), None)
