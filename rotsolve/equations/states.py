@@ -22,8 +22,9 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
 from rotsolve.motion.timeline import Interval
-from rotsolve.motion.travels import angle_turned, way_gone
+from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import NotYet
+from rotsolve.paths.points import way_between
 from rotsolve.paths.reader import PathReader
 
 
@@ -365,11 +366,16 @@ class Statements(Struct):
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
         instant = self.fixed.instant(state)
         if path.quantity == "displacement":
-            parts = self.configuration.timeline.since(state)
-            return total([way_gone(path.owner, part, instant) for part in parts])
+            return self._gone(path, instant)
         if path.quantity == "rotation":
             return total([angle_turned(path.owner, part, instant) for part in self.configuration.timeline.since(state)])
         return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
+
+    def _gone(self, path: Path, instant: Instant) -> Formula:
+        """The way of a body since the state before, along its line or in one direction."""
+        parts = self.configuration.timeline.since(instant.state)
+        instants = [(part, self.fixed.instant(part.start), self.fixed.instant(part.end)) for part in parts]
+        return total([way_between(path, *ends) for ends in instants if ends[0].event is None])
 
     def _rest(self, state: State, condition: Condition) -> None:
         instant = self.fixed.instant(state.name)

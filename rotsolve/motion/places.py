@@ -82,6 +82,15 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
     return None if before is None or after is None else (before, after)
 
 
+def gone_along(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Formula | None:
+    """How far a body's reference goes along x or y in a phase: by geometry, else a component of its free motion; None where neither tells."""
+    ends = ends_of(name, way, interval, first, last)
+    if ends is not None:
+        return ends[1] - ends[0]
+    free = first.motion(name).kind == "plane" and way in (RIGHT, UP)
+    return displacement(name, interval, first, "x" if way == RIGHT else "y") if free else None
+
+
 def heights(name: str, interval: Interval, first: Instant, last: Instant) -> Ends | None:
     """Heights of a body's reference at both ends of a phase; 0 where nothing weighs."""
     return ends_of(name, UP, interval, first, last) if first.configuration.heavy else (ZERO, ZERO)

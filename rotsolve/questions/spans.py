@@ -17,7 +17,7 @@ from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import potential
 from rotsolve.laws.momentum import over_time
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.places import ends_of
+from rotsolve.motion.places import gone_along
 from rotsolve.motion.rigid import rim_ways, tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
@@ -294,11 +294,9 @@ def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Form
         return ZERO  # an event moves nothing
     if path.quantity != "displacement":
         return angle_turned(path.owner, interval, scene.instant(interval.start))
-    from rotsolve.paths.points import way
+    from rotsolve.paths.points import way_between
 
-    instant = scene.instant(interval.start)
-    name = instant.host(path.owner) if path.owner in scene.configuration.bodies else path.owner
-    return way(path, name, interval, instant)
+    return way_between(path, interval, scene.instant(interval.start), scene.instant(interval.end))
 
 
 def goes_round(path: Path, instant: Instant) -> bool:
@@ -306,7 +304,8 @@ def goes_round(path: Path, instant: Instant) -> bool:
     if path.point is not None or path.owner not in instant.configuration.bodies:
         return path.point is not None
     motion = instant.motion(path.owner)
-    return motion.kind == "axis" or (motion.turns and instant.host(path.owner) != path.owner)
+    free = motion.kind == "plane" and path.component is None
+    return motion.kind == "axis" or free or (motion.turns and instant.host(path.owner) != path.owner)
 
 
 def of_point(term: Term, start: str, end: str, scene: SceneEquations) -> Meaning:
@@ -337,10 +336,10 @@ def way_of_reference(host: str, axis: Heading, start: str, end: str, scene: Scen
     parts: list[Formula] = []
     for interval in scene.configuration.timeline.between(start, end):
         if interval.event is None:
-            ends = ends_of(host, axis, interval, scene.instant(interval.start), scene.instant(interval.end))
-            if ends is None:
+            gone = gone_along(host, axis, interval, scene.instant(interval.start), scene.instant(interval.end))
+            if gone is None:
                 return None
-            parts.append(ends[1] - ends[0])
+            parts.append(gone)
     return total([part for part in parts if part != ZERO])
 
 
