@@ -213,6 +213,8 @@ class Need(Struct, frozen=True):
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
 APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
+COMES = Need("comes", placed=True)  # what strikes a surface, towards it
+SLIDES = Need("slides", placed=True, closed=True)  # what slips through a blow, on the same way
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
 LIES = Need("lies", placed=True, closed=True)  # a ladder in front of its wall, and not in it

@@ -6,7 +6,7 @@ it sees one `Moment` of the scene, and the `Surroundings` in which it acts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from typing import Any, ClassVar, Protocol
 
 from rotsolve.algebra.certified.sign import SignOracle
@@ -449,6 +449,22 @@ class Event(Element, frozen=True):
 
     def check(self, scene: Surroundings) -> None:
         """Refuses by name what the scene can't mean: raises Unsolvable."""
+
+    def completed(self, bodies: Container[str], surfaces: Mapping[str, Surface]) -> Event:
+        """The event as it is among the bodies and surfaces of a scene."""
+        return self
+
+    def rubs(self) -> bool:
+        """Whether what it strikes may slip, against friction of a size that is known."""
+        return False
+
+    def rules(self, before: Moment, after: Moment) -> Iterator[Rule]:
+        """What it ties right after it, and no longer."""
+        return iter(())
+
+    def needs(self, before: Moment, after: Moment) -> Iterator[Requirement]:
+        """What its blows, and the speeds before and after it, obey."""
+        return iter(())
 
     def no_torque(self, instant: Moment) -> str:
         """Why what acts at its place does not turn bodies about that."""
