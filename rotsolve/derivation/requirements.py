@@ -320,6 +320,8 @@ def holding_words(need: Requirement, search: Search, letters: Letters, settled: 
         if any(side is None or search.signs.lacking(side) for side in sides):
             return (f"friction suffices: {stays}",)
         size, limit_ = (decimal(side, search) for side in sides)
+        if of_kinds(need.right.symbols(), ("impulse",)):
+            return (f"impulse of friction needed {size} N s ≤ μ Jₙ = {limit_} N s: {stays}",)
         if of_kinds(need.right.symbols(), ("torque",)):
             return (f"friction torque needed {size} N m ≤ {limit_} N m: {stays}",)
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {stays}",)

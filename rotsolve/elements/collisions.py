@@ -161,6 +161,12 @@ class Bounces(Collides, frozen=True):
     def rubs(self) -> bool:
         return self.friction.kind == "coefficient"
 
+    def lying(self) -> str:
+        return self.struck.owner
+
+    def static(self) -> Formula | None:
+        return self.friction.static
+
     def completed(self, bodies: Container[str], surfaces: Mapping[str, Surface]) -> Event:
         return self
 

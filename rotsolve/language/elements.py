@@ -458,6 +458,14 @@ class Event(Element, frozen=True):
         """Whether what it strikes may slip, against friction of a size that is known."""
         return False
 
+    def lying(self) -> str:
+        """The body that strikes it."""
+        return ""
+
+    def static(self) -> Formula | None:
+        """The coefficient by which its push limits the friction that holds."""
+        return None
+
     def rules(self, before: Moment, after: Moment) -> Iterator[Rule]:
         """What it ties right after it, and no longer."""
         return iter(())
