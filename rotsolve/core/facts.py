@@ -214,6 +214,7 @@ TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), 
 APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 COMES = Need("comes", placed=True)  # what strikes a surface, towards it
+IN_FRONT = Need("in front", placed=True, closed=True)  # what has struck a surface, of that
 SLIDES = Need("slides", placed=True, closed=True)  # what slips through a blow, on the same way
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull

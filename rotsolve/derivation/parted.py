@@ -5,14 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import APART, GAINS, LIFTS, Requirement
+from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
+from rotsolve.core.facts import APART, GAINS, IN_FRONT, LIFTS, Requirement
 from rotsolve.core.symbols import CONSTANT
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading
 from rotsolve.core.writing import spoken
+from rotsolve.elements.collisions import FIXED
 from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import PointRef
 from rotsolve.motion.encounters import participants
-from rotsolve.motion.places import place_of_point
+from rotsolve.motion.places import gone_along, place_of_point
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 
@@ -37,6 +42,50 @@ def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
             left = space * (ahead if keeps_order(pair, encounter.closing, ahead, interval, search) else -ahead)
             words = both_spoken(pair)
             yield state, (Requirement(name, APART, left, ZERO, f"{words} stay apart", f"{words} meet again before"),)
+
+
+def in_front(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What has bounced off something obeys up to its next blow on that, by state: Δr · n ≥ 0, and = 0 at that blow."""
+    scene, timeline = search.scene, search.scene.configuration.timeline
+    for blow in timeline.intervals:
+        found = barrier_of(blow, search)
+        if found is None or found[2] is None:
+            continue
+        (ref, name, out), gap = found, ZERO
+        ahead = search.apart().settled(scene.encounters[blow.name].closing[0]) if name in FIXED else ONE
+        way = search.numbers.side(search.numbers.with_answers(ahead)) if ahead is not None else None
+        for interval in timeline.intervals[timeline.order[blow.end] :] if way else ():
+            gone = way_out(ref.owner, out, interval, search) if interval.event is None else ZERO
+            if gone is None:
+                break
+            gap = gap + gone * way
+            next_one = timeline.after(interval.end)
+            again = next_one is not None and (other := barrier_of(next_one, search)) is not None and other[:2] == found[:2]
+            words, apart = f"{spoken(ref.owner)} and {spoken(name)}", simplify(gap)
+            need = Requirement(blow.name, IN_FRONT, apart, ZERO, "", f"{words} meet again before")
+            if interval.event is None:
+                yield interval.end, (need,)
+            if again:
+                yield interval.end, (replace(need, left=negate(apart), otherwise=f"{words} are not at one place at"),)
+                break
+
+
+def barrier_of(interval: Interval, search: Search) -> tuple[PointRef, str, Heading | None] | None:
+    """The body that stays in front of what it strikes in an event, with what that is and the way out of it."""
+    return None if interval.event is None else interval.event.barrier(search.scene.instant(interval.start))
+
+
+def way_out(name: str, out: Heading, interval: Interval, search: Search) -> Formula | None:
+    """How far a body goes in a direction in a phase; None where that is not told."""
+    first, last = (search.scene.instant(state) for state in (interval.start, interval.end))
+    host, gone = first.host(name), ZERO
+    for axis in (RIGHT, UP):
+        share = (out - axis).cos()
+        way = gone_along(host, axis, interval, first, last) if share != ZERO else ZERO
+        if way is None:
+            return None
+        gone = gone + way * share
+    return gone
 
 
 def speeds_apart(
@@ -101,6 +150,17 @@ def ways_apart(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterato
                 yield interval.end, space
         if again:
             return
+
+
+def untold_barriers(search: Search) -> Iterator[str]:
+    """Whether what has bounced off something with an end or a corner, or as it turned, meets it again before a state that is asked about."""
+    timeline = search.scene.configuration.timeline
+    for blow in timeline.intervals:
+        found = barrier_of(blow, search)
+        onward = timeline.intervals[timeline.order[blow.end] :]
+        later = [interval.end for interval in onward if interval.event is None and asked_of(interval.end, search)]
+        if found is not None and found[2] is None and later:
+            yield f"whether {spoken(found[0].owner)} and {spoken(found[1])} meet again before {spoken(later[-1])}"
 
 
 def untold_meetings(search: Search) -> Iterator[str]:

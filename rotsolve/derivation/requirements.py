@@ -64,9 +64,9 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
         yield from shares_told(place, needs, search)
     yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
-        from rotsolve.derivation.parted import untold_meetings
+        from rotsolve.derivation.parted import untold_barriers, untold_meetings
 
-        yield from (Check((words,), None) for words in untold_meetings(search))
+        yield from (Check((words,), None) for words in (*untold_meetings(search), *untold_barriers(search)))
 
 
 def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[str, Words]]:
@@ -172,9 +172,10 @@ def requirements_by_state(
 
         yield from far_ends(search)
     if any(encounter.closing is not None for encounter in scene.encounters.values()):
-        from rotsolve.derivation.parted import partings
+        from rotsolve.derivation.parted import in_front, partings
 
         yield from partings(search)
+        yield from in_front(search)
     if any(scene.configuration.left.values()):
         from rotsolve.derivation.parted import liftings
 

@@ -248,6 +248,13 @@ class Bounces(Collides, frozen=True):
             size = (self.friction.kinetic or ZERO) * push
             yield Force(self.name, CONTACT, body.name, size, unit(way), arm, "friction", internal=True)
 
+    def barrier(self, before: Moment) -> tuple[PointRef, str, Heading | None] | None:
+        body, motion = before.body(self.struck.owner), before.motion(self.struck.owner)
+        point = self.struck.point is None and (rim_radius(body, None) is not None or shape_of(body).pointlike)
+        straight = motion.kind == "line" if self.surface is None else motion.kind != "axis"
+        told = straight and (point or not motion.turns)
+        return self.struck, self.against.owner, self.approach(before).turned(180) if told else None
+
     def holds(self, ref: PointRef, instant: Moment) -> str:
         return self.surface.held_at if self.surface is not None and self.grips else ""
 

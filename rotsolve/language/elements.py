@@ -466,6 +466,10 @@ class Event(Element, frozen=True):
         """The coefficient by which its push limits the friction that holds."""
         return None
 
+    def barrier(self, before: Moment) -> tuple[PointRef, str, Heading | None] | None:
+        """The body that stays in front of what it strikes, what that is, and the direction out of it, None where no one line tells that."""
+        return None
+
     def rules(self, before: Moment, after: Moment) -> Iterator[Rule]:
         """What it ties right after it, and no longer."""
         return iter(())

@@ -7,10 +7,13 @@ import math
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import on_rim
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.instant import Met
 from rotsolve.confirm.model import Model
-from rotsolve.confirm.pose import Pose, Way
+from rotsolve.confirm.pose import Pose, Way, along
+from rotsolve.confirm.signs import GROUND, normal
+from rotsolve.elements.collisions import Bounces
 from rotsolve.elements.events import Collides
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef
@@ -25,10 +28,33 @@ def met_through(before: Node, event: Event, model: Model, after: Pose) -> tuple[
     if not isinstance(event, Collides):
         return before.placed.met
     pair = event.collides[0], event.collides[1]
-    found = met_on_line(before, pair, model, after)
+    if isinstance(event, Bounces):
+        found = met_fixed(before, event, model)
+    else:
+        found = met_on_line(before, pair, model, after)
     anew = ({ref.owner for ref in pair}, set(found.pair) if found is not None else set())
     kept = tuple(met for met in before.placed.met if set(met.pair) not in anew)
     return kept if found is None else (*kept, found)
+
+
+def met_fixed(before: Node, event: Bounces, model: Model) -> Met | None:
+    """What has bounced off something fixed, its centre in front of that from then on; None of what may touch it with another point."""
+    name, body = event.struck.owner, model.body(event.struck.owner)
+    if event.surface is not None and event.against.owner not in GROUND:
+        out = normal(event.surface, model)
+    elif event.surface is not None:
+        out = (0.0, -1.0)
+    else:
+        way, place = model.way(name), before.pose.place(name, model.seats[name].rigid.centre)
+        coming = 0.0 if way is None else along(place, way).rate
+        if way is None or not coming:
+            return None
+        out = (-way[0], -way[1]) if coming > 0.0 else way
+    plain = event.struck.point is None and (on_rim(body, None) or shape_of(body).pointlike)
+    if not plain and model.turns(name):
+        return None
+    met = Met((name, event.against.owner), (-out[0], -out[1]), 0.0)
+    return replace(met, apart=gap_of(met, before.pose)[0])
 
 
 def met_on_line(before: Node, pair: tuple[PointRef, PointRef], model: Model, after: Pose) -> Met | None:
@@ -90,6 +116,9 @@ def gap_of(met: Met, pose: Pose) -> tuple[float, float]:
     """How far the second of two is ahead of the first, and how fast that grows, whatever they were apart as they met."""
     if met.rod is not None:
         return beside_rod(met, pose)[1:]
+    if met.pair[1] not in pose.seats:
+        gap = -along(pose.place(met.pair[0], pose.seats[met.pair[0]].rigid.centre), met.way)
+        return gap.value, gap.rate
     (x, y), (ahead, above) = (pose.place(name, (0.0, 0.0)) for name in met.pair)
     gap = (ahead - x) * met.way[0] + (above - y) * met.way[1]
     return gap.value, gap.rate
