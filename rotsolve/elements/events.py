@@ -93,6 +93,7 @@ class Impulse(Event, frozen=True):
 
 class Cuts(Event, frozen=True):
     word = "cuts"
+    lets_fly = True
     about = "a string or other connection is gone from then on"
     instead = AFTERWARDS
     cuts: tuple[str, ...] = key(
@@ -108,6 +109,7 @@ class Cuts(Event, frozen=True):
 
 class Removes(Event, frozen=True):
     word = "removes"
+    lets_fly = True
     about = "a support, action or body is taken away"
     instead = AFTERWARDS
     removes: tuple[str, ...] = key(
@@ -124,6 +126,15 @@ class Removes(Event, frozen=True):
 
     def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
         return self.removes
+
+
+class Leaves(Removes, frozen=True):
+    """What a state that says `touch: leaves` is followed by: the contact is gone."""
+
+    about = "what no longer presses on a surface leaves it"
+
+    def told(self) -> Words:
+        return ()
 
 
 class Fixes(Event, frozen=True):

@@ -123,11 +123,13 @@ def carry_over(state: State, fixed: Fixed) -> None:
 
 
 def kept_rates(body: str, last: Instant, fresh: Instant) -> Iterator[tuple[Formula, Formula]]:
-    """The rates of a body that an event leaves as they were, with those after it: what it lets go of an axis goes on as its centre went."""
+    """The rates of a body that an event leaves as they were, with those after it: what it lets go of an axis or a line goes on as its centre
+    went."""
     kinds = [instant.motion(body).kind for instant in (last, fresh)]
-    if kinds == ["axis", "plane"]:
-        centre = last.velocity_at(body, fresh.frame(body).reference)
-        before = [centre.along(RIGHT), centre.along(UP), last.rate("angular_velocity", body)]
+    if kinds in (["axis", "plane"], ["line", "plane"]):
+        centre, turns = last.velocity_at(body, fresh.frame(body).reference), last.motion(body).turns
+        spin = signed(last.rate("angular_velocity", body), last.sense(body) * fresh.sense(body)) if turns else ZERO
+        before = [centre.along(RIGHT), centre.along(UP), spin]
         yield from zip(before, rates_of_body("velocity", fresh, body), strict=False)
     elif kinds[0] == kinds[1]:
         rates = [rates_of_body("velocity", instant, body) for instant in (last, fresh)]
@@ -265,12 +267,13 @@ class Statements(Struct):
             self.fixed.fix(fresh.time(), ZERO if told is None else told)
             return
         last = self.fixed.instant(parts[0].start).time()
-        if parts[0].event is not None:
+        if all(part.event is not None for part in parts):
             self.fixed.fix(fresh.time(), last)
         if told is not None:
             self.fixed.fix(fresh.time(), simplify(last + told))
-            if len(parts) == 1:
-                self.fixed.fix(fresh.ask("time", "", when=parts[0].name), told)
+            phases = [part for part in parts if part.event is None] or list(parts)
+            if len(phases) == 1:
+                self.fixed.fix(fresh.ask("time", "", when=phases[0].name), told)
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
@@ -324,7 +327,7 @@ class Statements(Struct):
     def _leaves(self, state: State, condition: Condition, contact: str) -> None:
         """A contact is lost where the surface no longer pushes: N = 0."""
         after = self.configuration.timeline.after(state.name)
-        if after is not None:
+        if after is not None and after.event is None:
             raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
         item = self.configuration.connection(contact, state.name)
         surface = item.surface(self.configuration, state.name) if item is not None else None
@@ -368,7 +371,8 @@ class Statements(Struct):
         if path.quantity == "displacement":
             return self._gone(path, instant)
         if path.quantity == "rotation":
-            return total([angle_turned(path.owner, part, instant) for part in self.configuration.timeline.since(state)])
+            phases = [part for part in self.configuration.timeline.since(state) if part.event is None]
+            return total([angle_turned(path.owner, part, instant) for part in phases])
         return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _gone(self, path: Path, instant: Instant) -> Formula:

@@ -443,6 +443,7 @@ class Event(Element, frozen=True):
     heats: ClassVar[bool] = (
         False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
     )
+    lets_fly: ClassVar[bool] = False  # whether what lay on what it takes away is led along no line from then on
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
     to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)

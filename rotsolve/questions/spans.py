@@ -270,8 +270,9 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
         return of_point(term, start, end, scene), intervals[-1].name
     if path.quantity == "time":
         duration = scene.instant(end).time() - scene.instant(start).time()
-        if len(intervals) == 1 and intervals[0].name in scene.passages:
-            duration = scene.passages[intervals[0].name].duration
+        lasting = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
+        if len(lasting) == 1 and all(interval.event is not None for interval in intervals if interval.name not in scene.passages):
+            duration = lasting[0].duration
         return Meaning(duration, kind.dimension), intervals[-1].name
     result = total([over_interval(path, interval, scene) for interval in intervals])
     if path.quantity == "turns":

@@ -1,0 +1,44 @@
+"""Later: the equations of what comes behind all that states tell but by the clock: they tell nothing of what was before.
+
+A block leaves a dome and flies on for a second: its flight says nothing of where it leaves, though its equations outnumber their unknowns.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rotsolve.core.symbols import is_key, key_of
+from rotsolve.language.problem import State
+
+if TYPE_CHECKING:
+    from rotsolve.motion.timeline import Timeline
+    from rotsolve.search.search import Search
+
+
+def beyond(letter: str, search: Search) -> set[int]:
+    """The equations, by their place in the pool, of phases and states behind a letter's own from which on nothing is told but times."""
+    configuration = search.scene.configuration
+    timeline, problem = configuration.timeline, configuration.problem
+    telling = [number for number, state in enumerate(timeline.states) if tells(state)]
+    last = max(telling, default=0)
+    if last == len(timeline.states) - 1 or problem.sought or any(find.where is not None for find in problem.finds):
+        return set()
+    meaning = search.definitions.formula(letter)
+    names = {letter} if meaning is None else set(meaning.symbols())
+    own = [place_of(key_of(name).when, timeline) for name in names if is_key(name)]
+    last = max([last, *own]) if own else len(timeline.states)
+    return {index for index, law in enumerate(search.planner.pool) if place_of(law.section, timeline) > last}
+
+
+def tells(state: State) -> bool:
+    """Whether a state says more than when it is."""
+    lines = [line for line in state.conditions if line.path is None or line.path.quantity != "time"]
+    return bool(lines) or state.balance or state.steady
+
+
+def place_of(section: str, timeline: Timeline) -> int:
+    """The number of the state at which something is, or to which a phase or an event leads; −1 of what is there all the time."""
+    if section in timeline.order:
+        return timeline.order[section]
+    interval = timeline.interval(section)
+    return timeline.order[interval.end] if interval is not None else -1
