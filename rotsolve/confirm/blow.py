@@ -22,7 +22,7 @@ from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.seating import put, where
 from rotsolve.confirm.signs import GROUND, RIGHT, normal
 from rotsolve.elements.collisions import Bounces
-from rotsolve.elements.events import Collides, Cuts, Fixes, Grips, Impulse, Joins, Removes
+from rotsolve.elements.events import Collides, Cuts, Fixes, Grips, Impulse, Joins, Leaves, Removes
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Event
 
@@ -247,6 +247,7 @@ HITS: dict[type[Event], Callable[[Any, Pose, Known], Blowing]] = {
     Grips: nothing_but_holds,
     Cuts: nothing_but_holds,
     Removes: nothing_but_holds,
+    Leaves: nothing_but_holds,
     Impulse: impulse,
     Collides: collides,
     Bounces: bounces,

@@ -155,11 +155,23 @@ class Course:
         if stays(first, state):
             self._untimed.add(state.name)
             return Node(model, first.placed, self.budget)
-        phase = followed(first, state)
+        phase = followed(self._set_out(first, state), state)
         self._standing_between(phase)
         self._phases[self.names[number - 1]] = phase
         last = self.ending and number == len(self.states) - 1
         return Node(model, phase.end.placed, self.budget, phase.modes if last else None)
+
+    def _set_out(self, first: Node, state: State) -> Node:
+        """The instant from which a motion is followed; what the least push drives comes to its next state nobody knows when."""
+        if not any(line.word == "leaves" for line in state.conditions):
+            return first
+        from rotsolve.confirm.course.nudged import nudged
+
+        found = nudged(first, state)
+        if found is not None:
+            self._untimed.add(state.name)
+            self._lost[state.name] = NotConfirmed(f"the least push decides when `{state.name}` is")
+        return found or first
 
     def _begun(self, number: int) -> Node:
         """The state from which a motion is followed: reached by steps in time, unless nothing there goes by the clock."""
