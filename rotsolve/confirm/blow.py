@@ -21,8 +21,8 @@ from rotsolve.confirm.pose import Pose, Way, load, turned
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.seating import put, where
 from rotsolve.confirm.signs import GROUND, RIGHT, normal
-from rotsolve.elements.collisions import Bounces
-from rotsolve.elements.events import Collides, Cuts, Fixes, Grips, Impulse, Joins, Leaves, Removes
+from rotsolve.elements.collisions import Bounces, Collides
+from rotsolve.elements.events import Cuts, Fixes, Grips, Impulse, Joins, Leaves, Removes
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Event
 
@@ -53,7 +53,8 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
     at = met(model, before, event)
     pose = at.pose(model)
     hit = HITS.get(type(event), unheard)(event, pose, model)
-    rows, grips = split([*held_by(model, pose), *hit.grips])
+    rows, grips = split(held_by(model, pose))
+    grips = [*grips, *hit.grips]
     aims = [changed(row, at) for row in (*rows, *hit.rows) if not row.loose and row.speed is not None]
     gripped = [replace(grip, row=changed(grip.row, at)) for grip in grips]
     held = begun(event)

@@ -113,8 +113,8 @@ def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) 
 def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
     """A place that a path speaks of."""
     if path.owner in model.seats and (path.quantity, path.point) == ("displacement", "cm") and path.component:
-        way = RIGHT if path.component == "x" else UP
-        return along(pose.moved(path.owner, model.seats[path.owner].rigid.centre), way)
+        axis = RIGHT if path.component == "x" else UP
+        return along(pose.moved(path.owner, model.seats[path.owner].rigid.centre), axis)
     if path.owner in model.seats and path.point is None:
         seat, sign = model.seats[path.owner], model.sense(path.owner)
         if path.quantity == "angle":

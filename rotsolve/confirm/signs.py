@@ -174,7 +174,9 @@ def mover(name: str, model: Known) -> str:
 
 def taken_from_under(model: Known) -> list[Touch]:
     """The contacts that an event up to now has cut or removed: what lay on them is led by nothing since."""
-    names = {name for event in model.acting.past for name in getattr(event, "cuts", ()) or getattr(event, "removes", ())}
+    names = {
+        name for event in model.acting.past for name in getattr(event, "cuts", ()) or getattr(event, "removes", ())
+    }
     return [item for item in model.problem.connections if isinstance(item, Touch) and item.name in names]
 
 

@@ -181,6 +181,10 @@ def requirements_by_state(
         from rotsolve.derivation.parted import liftings
 
         yield from liftings(search)
+    if any(state.opened for state in scene.configuration.timeline.states):
+        from rotsolve.derivation.parted import within_hollows
+
+        yield from within_hollows(search)
     if any(pushes_vary(passage) for passage in scene.passages.values()):
         from rotsolve.derivation.on_the_way import least_pushes
 

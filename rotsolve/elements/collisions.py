@@ -12,13 +12,13 @@ from rotsolve.core.facts import COMES, CONTACT, GAINS, SLIDES, BodyFacts, Force,
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, NOWHERE, RIGHT, Heading, Vector, unit
 from rotsolve.core.writing import spoken
-
 from rotsolve.elements.connections.touch import Friction, contact_arm
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.elements.surfaces import Level
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
 from rotsolve.language.keys import amount, key
+
 
 def called(ref: PointRef) -> str:
     """A point in words: "plate's corner1"."""
@@ -196,11 +196,15 @@ class Bounces(Collides, frozen=True):
         name = instant.host(self.struck.owner)
         states = (self.from_ or "", self.to or "")
         held = [item for state in states for item in instant.configuration.connections(state)]
-        tied = any(instant.host(ref.owner) == name for item in held for ref in item.touches() if self.known(ref, instant))
+        tied = any(
+            instant.host(ref.owner) == name for item in held for ref in item.touches() if self.known(ref, instant)
+        )
         central = self.surface is not None and is_zero(self.spot(self.struck, instant).along(self.forward))
         if tied or instant.motion(name).kind != "plane" or not central:
             message = f"friction of `{self.name}`, whose push turns `{name}`, or which something else holds, is not solved yet"
-            help = f"solved are round bodies that fly freely, without `moves`; `fixes: {name}.end` holds a point for good"
+            help = (
+                f"solved are round bodies that fly freely, without `moves`; `fixes: {name}.end` holds a point for good"
+            )
             raise Unsolvable(message, span=self.struck.span, help=help)
 
     def known(self, ref: PointRef, instant: Moment) -> bool:
@@ -228,7 +232,9 @@ class Bounces(Collides, frozen=True):
         speeds = self.rate(before, line), negate(self.rate(after, line))
         if speeds == (ZERO, ZERO):
             message = f"`{self.struck.owner}` does not move towards `{self.against.owner}`"
-            raise Unsolvable(message, span=self.struck.span, help="leave out its `moves`, and give its velocity as [vx, vy]")
+            raise Unsolvable(
+                message, span=self.struck.span, help="leave out its `moves`, and give its velocity as [vx, vy]"
+            )
         return speeds
 
     def blows(self, ref: PointRef, body: BodyFacts, instant: Moment) -> Iterator[Force]:
@@ -272,7 +278,7 @@ class Bounces(Collides, frozen=True):
         yield Rule(self.name, label, (name,), sides, None, linear=False)
 
     def needs(self, before: Moment, after: Moment) -> Iterator[Requirement]:
-        """What strikes a surface comes towards it and does not leave it faster, nor into it; friction suffices, or slip goes on as it was."""
+        """What strikes a surface comes towards it and leaves it no faster, nor into it; friction suffices, or slip goes on as it was."""
         if self.surface is None:
             return
         body, on = spoken(self.struck.owner), spoken(self.against.owner)

@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.derivation import Words, direction_in_words
 from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import RIGHT, Heading, Vector, unit
+from rotsolve.core.vectors.heading import RIGHT, Vector, unit
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
 from rotsolve.elements.collisions import Collides, called, whereabouts
@@ -135,6 +135,9 @@ class Leaves(Removes, frozen=True):
 
     def told(self) -> Words:
         return ()
+
+    def left_behind(self, connections: Sequence[Connection]) -> tuple[Connection, ...]:
+        return tuple(item for item in connections if item.name in self.removes)
 
 
 class Fixes(Event, frozen=True):

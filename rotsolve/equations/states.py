@@ -123,8 +123,8 @@ def carry_over(state: State, fixed: Fixed) -> None:
 
 
 def kept_rates(body: str, last: Instant, fresh: Instant) -> Iterator[tuple[Formula, Formula]]:
-    """The rates of a body that an event leaves as they were, with those after it: what it lets go of an axis or a line goes on as its centre
-    went."""
+    """The rates of a body that an event leaves as they were, with those after it: what it lets go of an axis or a line goes on
+    as its centre went."""
     kinds = [instant.motion(body).kind for instant in (last, fresh)]
     if kinds in (["axis", "plane"], ["line", "plane"]):
         centre, turns = last.velocity_at(body, fresh.frame(body).reference), last.motion(body).turns

@@ -467,6 +467,10 @@ class Event(Element, frozen=True):
         """The coefficient by which its push limits the friction that holds."""
         return None
 
+    def left_behind(self, connections: Sequence[Connection]) -> tuple[Connection, ...]:
+        """The contacts whose surface is still there for what has left it."""
+        return ()
+
     def barrier(self, before: Moment) -> tuple[PointRef, str, Heading | None] | None:
         """The body that stays in front of what it strikes, what that is, and the direction out of it, None where no one line tells that."""
         return None

@@ -30,7 +30,9 @@ def with_flights(problem: Problem) -> Problem:
             words = f"{spoken(left[0].lying())} flies on"
             events.append(Leaves(name=unused("leaving", problem, events), from_=state.name, to=flying, removes=names))
             states.append(State(flying, span=state.span, opened=words))
-    return problem if len(states) == len(problem.states) else replace(problem, states=tuple(states), events=tuple(events))
+    return (
+        problem if len(states) == len(problem.states) else replace(problem, states=tuple(states), events=tuple(events))
+    )
 
 
 def unused(word: str, problem: Problem, made: Sequence[State | Event]) -> str:

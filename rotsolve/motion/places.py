@@ -83,7 +83,7 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
 
 
 def gone_along(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Formula | None:
-    """How far a body's reference goes along x or y in a phase: by geometry, else a component of its free motion; None where neither tells."""
+    """How far a body's reference goes along x or y in a phase: by geometry, else as it moves freely; None where neither tells."""
     ends = ends_of(name, way, interval, first, last)
     if ends is not None:
         return ends[1] - ends[0]

@@ -192,7 +192,9 @@ def way_between(path: Path, interval: Interval, first: Instant, last: Instant) -
     name, motion = first.host(path.owner), first.motion(path.owner)
     if motion.kind == "plane" and path.component is None:
         message = f"`{path_text(path)}` of what moves freely in the plane has two components"
-        raise NotYet(message, help=f"tell `{path_text(path)}.x`, `{path_text(path)}.y` or both, `[x, y]`", span=path.span)
+        raise NotYet(
+            message, help=f"tell `{path_text(path)}.x`, `{path_text(path)}.y` or both, `[x, y]`", span=path.span
+        )
     if path.component is None and path.point is None:
         return way(path, name, interval, first)
     arm = first.point(PointRef(path.owner, path.point or "cm", path.argument))

@@ -271,7 +271,9 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
     if path.quantity == "time":
         duration = scene.instant(end).time() - scene.instant(start).time()
         lasting = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
-        if len(lasting) == 1 and all(interval.event is not None for interval in intervals if interval.name not in scene.passages):
+        if len(lasting) == 1 and all(
+            interval.event is not None for interval in intervals if interval.name not in scene.passages
+        ):
             duration = lasting[0].duration
         return Meaning(duration, kind.dimension), intervals[-1].name
     result = total([over_interval(path, interval, scene) for interval in intervals])

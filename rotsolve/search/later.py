@@ -27,6 +27,8 @@ def beyond(letter: str, search: Search) -> set[int]:
     names = {letter} if meaning is None else set(meaning.symbols())
     own = [place_of(key_of(name).when, timeline) for name in names if is_key(name)]
     last = max([last, *own]) if own else len(timeline.states)
+    while last < len(timeline.intervals) and timeline.intervals[last].event is not None:
+        last += 1  # a blow from there on belongs to it
     return {index for index, law in enumerate(search.planner.pool) if place_of(law.section, timeline) > last}
 
 

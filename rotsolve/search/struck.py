@@ -29,22 +29,27 @@ def decide_blow(blow: Interval, trials: Trials) -> None:
     key = rub_key(event.name, configuration.phase_start(blow.start))
     search = trials.fresh(trials.modes, families_for(None))
     found = gripped(event.name, blow, search)
-    limit = None if found is None else greatest_friction(event, found[1])
-    needed = None if found is None else found[0].found.formula
-    sides = (None, None)
-    if needed is not None and limit is not None:
-        sides = search.numbers.side(needed), search.numbers.side(call("abs", needed) - limit)
-    if found is None or needed is None or limit is None or None in sides:
-        if trials.seeking():
-            return
-        message = f"whether `{event.name}` slips is not told by the laws in closed form"
-        raise unsolvable(configuration.problem, message, configuration.timeline.state(blow.start).span, kind=UNSOLVED)
+    sizes = None if found is None else (found[0].found.formula, greatest_friction(event, found[1]))
+    if found is None or sizes is None or sizes[0] is None or sizes[1] is None:
+        return untold(blow, trials)
+    needed, limit = sizes[0], sizes[1]
+    way, beyond = search.numbers.side(needed), search.numbers.side(call("abs", needed) - limit)
+    if way is None or beyond is None:
+        return untold(blow, trials)
+    holds = beyond != 1
     words: list[Words] = [("impulse of friction needed: ", needed), ("at most: ", limit)]
-    holds = sides[1] != 1
     trials.note({key: STICKS}, words, holds, "less than there can be" if holds else "more than there can be")
-    trials.modes[key] = STICKS if holds else BACK if sides[0] == 1 else FORWARD
+    trials.modes[key] = STICKS if holds else BACK if way == 1 else FORWARD
     if not holds:
         trials.slipping.append(SlippingContact(event, search, *found))
+
+
+def untold(blow: Interval, trials: Trials) -> None:
+    """Unsolvable where nothing tells whether it slips, and no question may tell it."""
+    if not trials.seeking():
+        problem, span = trials.configuration.problem, trials.configuration.timeline.state(blow.start).span
+        message = f"whether what strikes in `{blow.name}` slips is not told by the laws in closed form"
+        raise unsolvable(problem, message, span, kind=UNSOLVED)
 
 
 def gripped(name: str, blow: Interval, search: Search) -> tuple[Answered, Answered] | None:
@@ -52,7 +57,9 @@ def gripped(name: str, blow: Interval, search: Search) -> tuple[Answered, Answer
     before = search.scene.instant(blow.start)
     sizes = [before.ask("impulse", name, component=part) for part in "fn"]
     try:
-        friction, push = (search.answer(question(size, size_name)) for size, size_name in zip(sizes, ("J_f", "J_n"), strict=True))
+        friction, push = (
+            search.answer(question(size, size_name)) for size, size_name in zip(sizes, ("J_f", "J_n"), strict=True)
+        )
     except NoAnswer:
         return None
     return friction, push

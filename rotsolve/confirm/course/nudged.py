@@ -18,7 +18,9 @@ LEAST = 1e-7  # metres per second
 def nudged(first: Node, state: State) -> Node | None:
     """The same instant with the least speed; None where something drives it, or it is not to leave a surface."""
     owners = [line.path.owner for line in state.conditions if line.word == "leaves" and line.path is not None]
-    touch = next((item for item in first.model.acting.connections if item.name in owners and isinstance(item, Touch)), None)
+    touch = next(
+        (item for item in first.model.acting.connections if item.name in owners and isinstance(item, Touch)), None
+    )
     if touch is None or not unpushed(first):
         return None
     along, seat = first.line(touch.lying()), first.model.seats[touch.lying()]
