@@ -42,7 +42,7 @@ def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
             yield state, (Requirement(name, APART, left, ZERO, f"{words} stay apart", f"{words} meet again before"),)
 
 
-def in_front(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+def kept_in_front(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
     """What has bounced off something obeys up to its next blow on that, by state: Δr · n ≥ 0, and = 0 at that blow."""
     timeline = search.scene.configuration.timeline
     for blow in timeline.intervals:
@@ -50,7 +50,7 @@ def in_front(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
         way = out_of(name, blow, search) if out is not None else None
         gap: Formula = ZERO
         for interval in timeline.intervals[timeline.order[blow.end] :] if way else ():
-            gone = way_out(ref.owner, out, interval, search) if ref and out and interval.event is None else ZERO
+            gone = way_towards(ref.owner, out, interval, search) if ref and out and interval.event is None else ZERO
             if gone is None or ref is None or way is None:
                 break
             gap = gap + gone * way
@@ -95,7 +95,7 @@ def within_hollows(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...
             for interval in timeline.intervals[timeline.order[leaving.end] :]:
                 if interval.event is not None:
                     break
-                right, up = (way_out(name, axis, interval, search) for axis in (RIGHT, UP))
+                right, up = (way_towards(name, axis, interval, search) for axis in (RIGHT, UP))
                 if right is None or up is None:
                     break
                 places = [places[0] + right, places[1] + up]
@@ -109,7 +109,7 @@ def barrier_of(interval: Interval, search: Search) -> tuple[PointRef, str, Headi
     return None if interval.event is None else interval.event.barrier(search.scene.instant(interval.start))
 
 
-def way_out(name: str, out: Heading, interval: Interval, search: Search) -> Formula | None:
+def way_towards(name: str, out: Heading, interval: Interval, search: Search) -> Formula | None:
     """How far a body goes in a direction in a phase; None where that is not told."""
     first, last = (search.scene.instant(state) for state in (interval.start, interval.end))
     host = first.host(name)

@@ -173,10 +173,10 @@ def requirements_by_state(
 
         yield from far_ends(search)
     if any(encounter.closing is not None for encounter in scene.encounters.values()):
-        from rotsolve.derivation.parted import in_front, partings
+        from rotsolve.derivation.parted import kept_in_front, partings
 
         yield from partings(search)
-        yield from in_front(search)
+        yield from kept_in_front(search)
     if any(scene.configuration.left.values()):
         from rotsolve.derivation.parted import liftings
 

@@ -24,7 +24,7 @@ from rotsolve.motion.owndata import is_own
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import NotYet
-from rotsolve.paths.points import way_between
+from rotsolve.paths.points import displacement_over
 from rotsolve.paths.reader import PathReader
 
 
@@ -379,7 +379,7 @@ class Statements(Struct):
         """The way of a body since the state before, along its line or in one direction."""
         parts = self.configuration.timeline.since(instant.state)
         instants = [(part, self.fixed.instant(part.start), self.fixed.instant(part.end)) for part in parts]
-        return total([way_between(path, *ends) for ends in instants if ends[0].event is None])
+        return total([displacement_over(path, *ends) for ends in instants if ends[0].event is None])
 
     def _rest(self, state: State, condition: Condition) -> None:
         instant = self.fixed.instant(state.name)

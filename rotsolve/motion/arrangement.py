@@ -17,10 +17,9 @@ from rotsolve.core.symbols import is_key
 from rotsolve.language.bodies import Body, Ride, Surface
 from rotsolve.language.elements import Action, Connection, Event
 from rotsolve.language.problem import Problem
-from rotsolve.motion.flights import let_off
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, positive_letters
-from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, left_at, timeline
+from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, left_at, let_off, timeline
 
 if TYPE_CHECKING:
     from rotsolve.core.passage import Alteration

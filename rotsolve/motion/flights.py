@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from msgspec.structs import replace
 
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.events import Leaves
-from rotsolve.language.elements import Connection, Event
+from rotsolve.language.elements import Event
 from rotsolve.language.problem import Condition, Problem, State
 
 
@@ -46,9 +45,3 @@ def unused(word: str, problem: Problem, made: Sequence[State | Event]) -> str:
 def owner_of(line: Condition) -> str:
     """The element of which a line says a word."""
     return line.path.owner if line.path is not None else line.owner
-
-
-def let_off(events: Sequence[Event], connections: Sequence[Connection]) -> tuple[Connection, ...]:
-    """The contacts on which bodies lay before they were taken away."""
-    gone = {name for event in events if event.lets_fly for name in event.ends(connections)}
-    return tuple(item for item in connections if item.name in gone and isinstance(item, Touch))

@@ -187,7 +187,7 @@ def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> F
     return gone if axis else instant.as_travelled(gone, path.owner)
 
 
-def way_between(path: Path, interval: Interval, first: Instant, last: Instant) -> Formula:
+def displacement_over(path: Path, interval: Interval, first: Instant, last: Instant) -> Formula:
     """Displacement of a body's centre of mass over a phase, along its line or in one direction: x₂ − x₁."""
     name, motion = first.host(path.owner), first.motion(path.owner)
     if motion.kind == "plane" and path.component is None:

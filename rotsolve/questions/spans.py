@@ -297,9 +297,9 @@ def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Form
         return ZERO  # an event moves nothing
     if path.quantity != "displacement":
         return angle_turned(path.owner, interval, scene.instant(interval.start))
-    from rotsolve.paths.points import way_between
+    from rotsolve.paths.points import displacement_over
 
-    return way_between(path, interval, scene.instant(interval.start), scene.instant(interval.end))
+    return displacement_over(path, interval, scene.instant(interval.start), scene.instant(interval.end))
 
 
 def goes_round(path: Path, instant: Instant) -> bool:

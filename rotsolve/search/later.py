@@ -5,31 +5,30 @@ A block leaves a dome and flies on for a second: its flight says nothing of wher
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.language.problem import State
 
 if TYPE_CHECKING:
+    from rotsolve.core.equation import Equation
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.timeline import Timeline
-    from rotsolve.search.search import Search
 
 
-def beyond(letter: str, search: Search) -> set[int]:
-    """The equations, by their place in the pool, of phases and states behind a letter's own from which on nothing is told but times."""
-    configuration = search.scene.configuration
+def behind_all_told(names: Collection[str], configuration: Configuration, pool: Sequence[Equation]) -> set[int]:
+    """The equations, by their place in the pool, of phases and states behind those of letters from which on only times are told."""
     timeline, problem = configuration.timeline, configuration.problem
     telling = [number for number, state in enumerate(timeline.states) if tells(state)]
     last = max(telling, default=0)
     if last == len(timeline.states) - 1 or problem.sought or any(find.where is not None for find in problem.finds):
         return set()
-    meaning = search.definitions.formula(letter)
-    names = {letter} if meaning is None else set(meaning.symbols())
-    own = [place_of(key_of(name).when, timeline) for name in names if is_key(name)]
-    last = max([last, *own]) if own else len(timeline.states)
+    own = [number_of_state(key_of(name).when, timeline) for name in names if is_key(name)]
+    last = max([last, *own]) if own and min(own) >= 0 else len(timeline.states)
     while last < len(timeline.intervals) and timeline.intervals[last].event is not None:
         last += 1  # a blow from there on belongs to it
-    return {index for index, law in enumerate(search.planner.pool) if place_of(law.section, timeline) > last}
+    return {index for index, law in enumerate(pool) if number_of_state(law.section, timeline) > last}
 
 
 def tells(state: State) -> bool:
@@ -38,7 +37,7 @@ def tells(state: State) -> bool:
     return bool(lines) or state.balance or state.steady
 
 
-def place_of(section: str, timeline: Timeline) -> int:
+def number_of_state(section: str, timeline: Timeline) -> int:
     """The number of the state at which something is, or to which a phase or an event leads; −1 of what is there all the time."""
     if section in timeline.order:
         return timeline.order[section]

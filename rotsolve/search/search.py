@@ -30,7 +30,7 @@ from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, Chosen, NoAnswer, unsolvable
 from rotsolve.search.definitions import Definitions, Stepwise
-from rotsolve.search.later import beyond
+from rotsolve.search.later import behind_all_told
 from rotsolve.search.numbers import Numbers
 from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for, sums
 from rotsolve.solver import ENTANGLED, Solver
@@ -306,9 +306,10 @@ class Search(Struct, dict=True):
 
     def allowed(self, letter: str, banned: Collection[int] = ()) -> list[int]:
         """The equations with which a letter may be planned, definitions and rules among them, without some."""
-        barred, laws = self.retired | self.stepwise.foreign(letter) | set(banned), ("", *self.families)
-        barred |= beyond(letter, self)
-        return [index for index, law in enumerate(self.planner.pool) if index not in barred and law.family in laws]
+        pool, laws, meaning = self.planner.pool, ("", *self.families), self.definitions.formula(letter)
+        names = {letter} if meaning is None else meaning.symbols()
+        barred = self.retired | self.stepwise.foreign(letter) | behind_all_told(names, self.scene.configuration, pool)
+        return [index for index, law in enumerate(pool) if index not in barred.union(banned) and law.family in laws]
 
     def accept(self, answered: Answered, plan: Plan) -> None:
         """Take over an answer that the equations of a plan confirm."""

@@ -31,11 +31,11 @@ def decide_blow(blow: Interval, trials: Trials) -> None:
     found = gripped(event.name, blow, search)
     sizes = None if found is None else (found[0].found.formula, greatest_friction(event, found[1]))
     if found is None or sizes is None or sizes[0] is None or sizes[1] is None:
-        return untold(blow, trials)
+        return left_untold(blow, trials)
     needed, limit = sizes[0], sizes[1]
     way, beyond = search.numbers.side(needed), search.numbers.side(call("abs", needed) - limit)
     if way is None or beyond is None:
-        return untold(blow, trials)
+        return left_untold(blow, trials)
     holds = beyond != 1
     words: list[Words] = [("impulse of friction needed: ", needed), ("at most: ", limit)]
     trials.note({key: STICKS}, words, holds, "less than there can be" if holds else "more than there can be")
@@ -44,7 +44,7 @@ def decide_blow(blow: Interval, trials: Trials) -> None:
         trials.slipping.append(SlippingContact(event, search, *found))
 
 
-def untold(blow: Interval, trials: Trials) -> None:
+def left_untold(blow: Interval, trials: Trials) -> None:
     """Unsolvable where nothing tells whether it slips, and no question may tell it."""
     if not trials.seeking():
         problem, span = trials.configuration.problem, trials.configuration.timeline.state(blow.start).span

@@ -165,9 +165,9 @@ class Course:
         """The instant from which a motion is followed; what the least push drives comes to its next state nobody knows when."""
         if not any(line.word == "leaves" for line in state.conditions):
             return first
-        from rotsolve.confirm.course.nudged import nudged
+        from rotsolve.confirm.course.nudged import barely_moving
 
-        found = nudged(first, state)
+        found = barely_moving(first, state)
         if found is not None:
             self._untimed.add(state.name)
             self._lost[state.name] = NotConfirmed(f"the least push decides when `{state.name}` is")

@@ -32,8 +32,8 @@ def met_through(before: Node, event: Event, model: Model, after: Pose) -> tuple[
     if not isinstance(event, Collides):
         return before.placed.met
     pair = event.collides[0], event.collides[1]
-    fixed = isinstance(event, Bounces)
-    found = met_fixed(before, event, model) if fixed else met_on_line(before, pair, model, after)
+    fixed = event if isinstance(event, Bounces) else None
+    found = met_fixed(before, fixed, model) if fixed else met_on_line(before, pair, model, after)
     anew = ({ref.owner for ref in pair}, set(found.pair) if found is not None else set())
     kept = tuple(met for met in before.placed.met if set(met.pair) not in anew)
     return kept if found is None else (*kept, found)

@@ -15,7 +15,7 @@ from rotsolve.language.problem import Condition, Path, State
 LEAST = 1e-7  # metres per second
 
 
-def nudged(first: Node, state: State) -> Node | None:
+def barely_moving(first: Node, state: State) -> Node | None:
     """The same instant with the least speed; None where something drives it, or it is not to leave a surface."""
     owners = [line.path.owner for line in state.conditions if line.word == "leaves" and line.path is not None]
     touch = next(
