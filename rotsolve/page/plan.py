@@ -15,7 +15,6 @@ from rotsolve.core.equation import (
     INERTIA,
     INTEGRATED,
     KINETIC_ENERGY_AT,
-    NEWTON,
     PARALLEL_AXES,
     RATE_IN_AXES,
     RATE_IN_STILL_AXES,
@@ -107,8 +106,6 @@ def plan_sentences(section: Section, derivation: Derivation) -> Iterator[Phrase]
     yield from map(turned_alone, telling_forces(section))
     if laws and ties:
         yield (f"The motions are tied together: {and_joined(ties)}.",)
-    if len(set(newtonian(section))) > 1:
-        yield (f"That makes {len(section.laws)} equations for as many unknowns.",)
 
 
 def telling_forces(section: Section) -> Iterator[ForceLine]:
@@ -125,11 +122,6 @@ def turned_alone(line: ForceLine) -> Phrase:
     assert line.turned is not None
     noun, letter = line.turned
     return (f"Only the {noun} ", letter, f" turns {line.body}: it is unknown, and Newton's second law tells it.")
-
-
-def newtonian(section: Section) -> Iterator[str]:
-    """Labels of Newton's laws in a section."""
-    return (law.law for law in section.laws if law.family == NEWTON)
 
 
 def plan_stage(number: int, section: Section, found: Sequence[Answer]) -> Phrase:
