@@ -5,9 +5,10 @@ A block leaves a dome and flies on for a second: its flight says nothing of wher
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.language.problem import State
 
@@ -17,14 +18,14 @@ if TYPE_CHECKING:
     from rotsolve.motion.timeline import Timeline
 
 
-def behind_all_told(names: Collection[str], configuration: Configuration, pool: Sequence[Equation]) -> set[int]:
-    """The equations, by their place in the pool, of phases and states behind those of letters from which on only times are told."""
+def later_on(meaning: Formula, configuration: Configuration, pool: Sequence[Equation]) -> set[int]:
+    """The equations, by their place in the pool, of what is behind the letters of a formula and of which only times are told."""
     timeline, problem = configuration.timeline, configuration.problem
     telling = [number for number, state in enumerate(timeline.states) if tells(state)]
     last = max(telling, default=0)
     if last == len(timeline.states) - 1 or problem.sought or any(find.where is not None for find in problem.finds):
         return set()
-    own = [number_of_state(key_of(name).when, timeline) for name in names if is_key(name)]
+    own = [number_of_state(key_of(name).when, timeline) for name in meaning.symbols() if is_key(name)]
     last = max([last, *own]) if own and min(own) >= 0 else len(timeline.states)
     while last < len(timeline.intervals) and timeline.intervals[last].event is not None:
         last += 1  # a blow from there on belongs to it
