@@ -6,6 +6,8 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, heading
@@ -67,8 +69,15 @@ def place_of_point(
 
 
 def height(name: str, instant: Instant) -> Formula | None:
-    """Height of the reference point above a level that stays."""
-    return place_along(name, UP, instant, ways=False)
+    """Height of the reference point above a level that stays; of what flies on from where that was known, by how far it has gone up."""
+    found, before = place_along(name, UP, instant, ways=False), instant.configuration.timeline.before(instant.state)
+    if found is not None or instant.generic or before is None or instant.motion(name).kind != "plane":
+        return found
+    first = replace(instant, state=before.start)
+    base = height(name, first)
+    if base is None or before.event is not None:
+        return base
+    return base + displacement(name, before, first, "y")
 
 
 def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Ends | None:
