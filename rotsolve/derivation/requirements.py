@@ -16,7 +16,6 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.facts import COMES
 from rotsolve.core.faults import UNSOLVED
 from rotsolve.core.symbols import CONSTANT, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
@@ -236,11 +235,10 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
             if met and negative_margin(need.left - need.right, search):
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
-                message = f"in `{name}` {need.otherwise}"
-                if need.kind is COMES:  # there is no blow
-                    yield unsolvable(configuration.problem, message, span)
+                if need.kind.placed:  # there is no such blow
+                    yield unsolvable(configuration.problem, f"{need.otherwise} `{name}`", span)
                 else:
-                    message = f"{message}: what `{need.owner}` does then is not solved yet"
+                    message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
                     yield unsolvable(configuration.problem, message, span, kind=UNSOLVED)
 
 

@@ -72,7 +72,7 @@ class Collides(Event, frozen=True):
     tangential: Formula | None = amount(
         "coefficient of restitution along a surface that is struck: 0 where it grips, 1 of a super-ball",
         "number",
-        "e_t",
+        "",
         "fraction",
         default=None,
     )
@@ -283,7 +283,7 @@ class Bounces(Collides, frozen=True):
             return
         body, on = spoken(self.struck.owner), spoken(self.against.owner)
         came, went = self.closing(before, after)
-        yield Requirement(self.name, COMES, came, ZERO, "", f"{body} does not come towards the {on}")
+        yield Requirement(self.name, COMES, came, ZERO, "", f"{body} does not come towards the {on} in")
         if self.restitution is None:
             faster, into = f"{body} leaves the {on} faster than it came", f"{body} goes into the {on}"
             yield Requirement(self.name, GAINS, came - went, ZERO, "", f"{faster}: no blow gives energy, in")
