@@ -143,7 +143,7 @@ class Bounces(Collides, frozen=True):
     def told(self) -> Words:
         """In words: "ball bounces off floor, coefficient of restitution e, friction μ"."""
         bounce: Words = () if self.restitution is None else (", coefficient of restitution ", self.restitution)
-        along: Words = () if self.tangential is None else (", along it ", self.tangential)
+        along: Words = () if self.tangential is None else (", along the surface ", self.tangential)
         kinds: dict[str, Words] = {"any": (", which is rough",), "none": ()}
         rough = kinds.get(self.friction.kind, (", coefficient of friction ", self.friction.kinetic or ZERO))
         return (*whereabouts(self.struck), " bounces off ", spoken(self.against.owner), *bounce, *along, *rough)
