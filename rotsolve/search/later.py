@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 def later_on(meaning: Formula, configuration: Configuration, pool: Sequence[Equation]) -> set[int]:
     """The equations, by their place in the pool, of what is behind the letters of a formula and of which only times are told."""
     timeline, problem = configuration.timeline, configuration.problem
+    if problem.space:  # there the laws of a motion in time tell it from its start on
+        return set()
     telling = [number for number, state in enumerate(timeline.states) if tells(state)]
     last = max(telling, default=0)
     if last == len(timeline.states) - 1 or problem.sought or any(find.where is not None for find in problem.finds):
