@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Sum, Symbol
 from rotsolve.core.derivation import Answer, Derivation, Equality, ForceLine, LawLine, Section
 from rotsolve.core.equation import (
     ABOUT_CONTACT,
@@ -104,6 +104,7 @@ def plan_sentences(section: Section, derivation: Derivation) -> Iterator[Phrase]
     if laws:
         yield (capital(f"{and_joined(laws)}."),)
     yield from map(turned_alone, telling_forces(section))
+    yield from only_torques(section)
     if laws and ties:
         yield (f"The motions are tied together: {and_joined(ties)}.",)
 
@@ -115,6 +116,14 @@ def telling_forces(section: Section) -> Iterator[ForceLine]:
         laws = [law for law in section.laws if law.name == SECOND_LAW.name]
         if letters and any(letters & (law.equation.left.symbols() | law.equation.right.symbols()) for law in laws):
             yield line
+
+
+def only_torques(section: Section) -> Iterator[Phrase]:
+    """ "About the point of contact only F (R − r) turns reel.", where one torque alone acts about it."""
+    for law in section.laws:
+        left = law.equation.left
+        if law.name == ABOUT_CONTACT.name and not isinstance(left, Sum) and len(law.bodies) == 1:
+            yield ("About the point of contact only the torque ", left, f" turns {law.bodies[0]}.")
 
 
 def turned_alone(line: ForceLine) -> Phrase:
