@@ -163,7 +163,7 @@ class Course:
 
     def _set_out(self, first: Node, state: State) -> Node:
         """The instant from which a motion is followed; what the least push drives comes to its next state nobody knows when."""
-        if not any(line.word == "leaves" for line in state.conditions):
+        if len(state.conditions) > 1 or not any(line.word == "leaves" for line in state.conditions):
             return first
         from rotsolve.confirm.course.nudged import barely_moving
 
