@@ -19,7 +19,7 @@ from rotsolve.language.block import left_out
 from rotsolve.language.problem import EXTREMES, Find, Path, Problem, Term, TimeValue, before
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import sticks_at_last, with_hereafter
-from rotsolve.motion.rubs import rubs
+from rotsolve.motion.rubs import rough_blows, rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.idle import idle_words, noted
@@ -260,7 +260,7 @@ def other_roots(letter: str, search: Search) -> tuple[Formula, ...]:
 def decided(configuration: Configuration) -> Decision | None:
     """How all that rubs behaves; None where nothing does, and no state says how a contact moves."""
     spoken_of = any(line.word for state in configuration.timeline.states for line in state.conditions)
-    if not spoken_of and not rubs(configuration):
+    if not (spoken_of or rubs(configuration) or rough_blows(configuration)):
         return None
     from rotsolve.search.friction import check_goes_on, decide, said_otherwise
 

@@ -11,16 +11,19 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import on_rim, part_of, radius_of
 from rotsolve.confirm.constraints import held_by, rows_of
 from rotsolve.confirm.forces import aimed
 from rotsolve.confirm.instant import BACK, FORWARD, OPEN, STICKS, Dynamics, Placed, balanced, moment, slip_speed, split
 from rotsolve.confirm.jet import Slope, merged
 from rotsolve.confirm.lines import told
-from rotsolve.confirm.pose import Pose, Way, load
+from rotsolve.confirm.pose import Pose, Way, load, turned
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.seating import put, where
-from rotsolve.confirm.signs import RIGHT
-from rotsolve.elements.events import Collides, Cuts, Fixes, Grips, Impulse, Joins, Removes
+from rotsolve.confirm.signs import GROUND, RIGHT, normal
+from rotsolve.elements.collisions import Bounces, Collides
+from rotsolve.elements.events import Cuts, Fixes, Grips, Impulse, Joins, Leaves, Removes
+from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Event
 
 if TYPE_CHECKING:
@@ -42,6 +45,7 @@ class Blowing(Struct, frozen=True):
 
     rows: tuple[Row, ...] = ()
     loads: Mapping[str, Slope] = {}
+    grips: tuple[Grip, ...] = ()
 
 
 def struck(model: Known, before: Placed, event: Event) -> Struck:
@@ -50,6 +54,7 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
     pose = at.pose(model)
     hit = HITS.get(type(event), unheard)(event, pose, model)
     rows, grips = split(held_by(model, pose))
+    grips = [*grips, *hit.grips]
     aims = [changed(row, at) for row in (*rows, *hit.rows) if not row.loose and row.speed is not None]
     gripped = [replace(grip, row=changed(grip.row, at)) for grip in grips]
     held = begun(event)
@@ -189,6 +194,32 @@ def collides(event: Collides, pose: Pose, model: Known) -> Blowing:
     return Blowing((Row(event.name, "impulse", slope, -model.value(event.restitution) * now, 0.0, slope),))
 
 
+def bounces(event: Bounces, pose: Pose, model: Known) -> Blowing:
+    """Off a flat surface, across it and along it; off something fixed along the line on which the point comes."""
+    ref, name = event.struck, event.struck.owner
+    x, y = approach(event, pose, model) if event.surface is None else normal(event.surface, model)
+    out = (x, y) if event.surface is not None and event.against.owner not in GROUND else (-x, -y)
+    spot = model.meeting(ref, pose.q[model.seats[name].turn])
+    rim = radius_of(model.body(name), ref.point, model.value) if on_rim(model.body(name), ref.point) else None
+    if event.surface is not None and rim is not None:
+        middle = model.spot(PointRef(name, ref.point if part_of(model.body(name), ref.point) else None))
+        spot = pose.spatial(name, middle, (-rim * out[0], -rim * out[1]))
+    across, along_it = (load(pose.place(name, spot), way) for way in (out, turned(out, -1)))
+    came, slid = (sum([part * pose.speed[index] for index, part in slope.items()]) for slope in (across, along_it))
+    if event.restitution is None:
+        rows = (Row(event.name, "normal", {}, 0.0, 0.0, across), *after_lines(event, pose, model))
+    else:
+        push = event.surface is not None
+        rows = (Row(event.name, "normal", across, -model.value(event.restitution) * came, 0.0, across, push=push),)
+    if not event.grips:
+        return Blowing(rows)
+    back = 0.0 if event.tangential is None else model.value(event.tangential)
+    row = Row(event.name, "friction", along_it, -back * slid, 0.0, along_it)
+    told = event.friction.static, event.friction.kinetic
+    static, kinetic = (model.value(size) if size is not None else None for size in told)
+    return Blowing(rows, grips=(Grip(event.name, row, static, kinetic, (event.name, "normal")),))
+
+
 def after_lines(event: Event, pose: Pose, model: Known) -> Iterator[Row]:
     """What the state after tells of rates, as rows without a reaction."""
     for number, line in enumerate(told(model, pose, {})):
@@ -198,14 +229,15 @@ def after_lines(event: Event, pose: Pose, model: Known) -> Iterator[Row]:
 
 def approach(event: Collides, pose: Pose, model: Known) -> Way:
     """The line on which one of the bodies travels, else that of their relative velocity."""
-    for ref in event.collides:
+    points = event.points(())
+    for ref in points:
         way = model.line(ref.owner)
         if way is not None:
             return way
-    (x, y), (u, w) = (
-        pose.place(ref.owner, model.meeting(ref, pose.q[model.seats[ref.owner].turn])) for ref in event.collides
-    )
-    gap = u.rate - x.rate, w.rate - y.rate
+    places = [pose.place(ref.owner, model.meeting(ref, pose.q[model.seats[ref.owner].turn])) for ref in points]
+    (x, y), *others = places
+    u, w = (others[0][0].rate, others[0][1].rate) if others else (0.0, 0.0)
+    gap = u - x.rate, w - y.rate
     size = math.hypot(*gap)
     return (gap[0] / size, gap[1] / size) if size else RIGHT
 
@@ -216,6 +248,8 @@ HITS: dict[type[Event], Callable[[Any, Pose, Known], Blowing]] = {
     Grips: nothing_but_holds,
     Cuts: nothing_but_holds,
     Removes: nothing_but_holds,
+    Leaves: nothing_but_holds,
     Impulse: impulse,
     Collides: collides,
+    Bounces: bounces,
 }

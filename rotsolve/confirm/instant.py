@@ -51,6 +51,9 @@ class Met(Struct, frozen=True):
         0.0,
         0.0,
     )  # from where the first was drawn to where it has hit the rod: what is told of neither may tell of both
+    hollow: float | None = (
+        None  # of what has left the inside of a bowl or loop: the radius of the circle that its centre left
+    )
 
 
 class Placed(Struct, frozen=True):

@@ -13,7 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
-from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of
+from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
@@ -112,6 +112,9 @@ def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) 
 
 def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
     """A place that a path speaks of."""
+    if path.owner in model.seats and (path.quantity, path.point) == ("displacement", "cm") and path.component:
+        axis = RIGHT if path.component == "x" else UP
+        return along(pose.moved(path.owner, model.seats[path.owner].rigid.centre), axis)
     if path.owner in model.seats and path.point is None:
         seat, sign = model.seats[path.owner], model.sense(path.owner)
         if path.quantity == "angle":
@@ -197,6 +200,17 @@ def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
     return None
 
 
+def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:
+    """The contact by which a body that flies now was on a curved surface of known form."""
+    lying = {item.lying() for item in model.acting.connections}
+    for item in taken_from_under(model) if name not in lying else ():
+        places = [surface for surface in model.problem.surfaces if surface.name in {ref.owner for ref in item.places()}]
+        curved = [surface for surface in places if isinstance(surface, Curved) and surface.radius() is not None]
+        if item.lying() == name and curved:
+            return item, curved[0]
+    return None
+
+
 def circle_of(found: tuple[Touch, Curved], model: Known) -> float:
     """The radius of the circle on which the centre of a body goes."""
     item, surface = found
@@ -207,8 +221,8 @@ def circle_of(found: tuple[Touch, Curved], model: Known) -> float:
 
 
 def height(name: str, pose: Pose, model: Known) -> Jet | None:
-    """Of a body on a curved surface: above the centre of a dome, above the lowest place in a bowl."""
-    found = bent(name, model)
+    """Of a body on a curved surface, or that has left one: above the centre of a dome, above the lowest place in a bowl."""
+    found = bent(name, model) or left_from(name, model)
     if found is None:
         return None
     return pose.place(name, (0.0, 0.0))[1] + (0.0 if found[1].outside else circle_of(found, model))

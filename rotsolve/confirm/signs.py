@@ -172,6 +172,14 @@ def mover(name: str, model: Known) -> str:
     return seen[-1]
 
 
+def taken_from_under(model: Known) -> list[Touch]:
+    """The contacts that an event up to now has cut or removed: what lay on them is led by nothing since."""
+    names = {
+        name for event in model.acting.past for name in getattr(event, "cuts", ()) or getattr(event, "removes", ())
+    }
+    return [item for item in model.problem.connections if isinstance(item, Touch) and item.name in names]
+
+
 def line(name: str, model: Known) -> Way | None:
     """The positive direction of a body's travel: on what it lies, as it `moves`, up where it hangs; None where it is free."""
     if name in model.held:
@@ -188,7 +196,7 @@ def line(name: str, model: Known) -> Way | None:
             return LEFT if body.moves == "left" else RIGHT
     if bent:
         return None
-    if body.moves:
+    if body.moves and name not in {item.lying() for item in taken_from_under(model)}:
         return WORDS[body.moves]
     return UP if model.upright and hangs(name, model) else None
 
@@ -217,7 +225,7 @@ def sense(name: str, model: Known) -> int:
         return 1 if body.turns == "counterclockwise" else -1
     begun = {found for event in model.problem.events for found in event.begins()}
     late = [item for item in model.problem.connections if item.name in begun]
-    for item in (*model.acting.connections, *late):
+    for item in (*model.acting.connections, *late, *taken_from_under(model)):
         if isinstance(item, Touch) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
             if isinstance(surface, Curved):

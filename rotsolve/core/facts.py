@@ -222,6 +222,9 @@ TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), 
 BINDS = Need("binds", closed=True)  # a band or a rope round what it does not slip on
 APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
+COMES = Need("comes", placed=True)  # what strikes a surface, towards it
+IN_FRONT = Need("in front", placed=True, closed=True)  # what has struck a surface, of that
+SLIDES = Need("slides", placed=True, closed=True)  # what slips through a blow, on the same way
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
 LIES = Need("lies", placed=True, closed=True)  # a ladder in front of its wall, and not in it

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from rotsolve.algebra.formula import call
 from rotsolve.core.derivation import Equality, Move, Section, Words
+from rotsolve.core.symbols import of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.search.friction import SlippingContact
@@ -31,9 +32,10 @@ def section_of_slipping(shown: SlippingContact, first: int) -> tuple[Section, in
     needed, normal = shown.friction.found.formula, shown.normal.found.formula
     assert static is not None and needed is not None and normal is not None
     limit = shown.search.solver.simplify(static * normal)
+    unit = "N s" if of_kinds([shown.friction.asked.letter], ("impulse",)) else "N"
     numbers = [composer.results.value(value) for value in (needed, limit)]
     sizes = [number.text(4).lstrip("−") for number in numbers if number is not None]
-    compared = f"{' N > '.join(sizes)} N: " if len(sizes) == len(numbers) else ""
+    compared = f"{f' {unit} > '.join(sizes)} {unit}: " if len(sizes) == len(numbers) else ""
     words: Words = (f"{compared}more than the contact can give, so {body} slips",)
     friction, push = (composer.letters.symbols[force.asked.letter] for force in (shown.friction, shown.normal))
     sign = None if numbers[0] is None else numbers[0].sign

@@ -245,7 +245,7 @@ def energy_lost(search: Search) -> Iterator[Words]:
     if search.scene.configuration.problem.space:
         return
     for interval in search.scene.configuration.timeline.intervals:
-        if interval.event is None:
+        if interval.event is None or not interval.event.told():
             continue
         first, last = (energy_at(state, search) for state in (interval.start, interval.end))
         if first is None or last is None or not search.signs.sign(first):

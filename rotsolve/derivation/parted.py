@@ -6,13 +6,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import APART, GAINS, LIFTS, Requirement
+from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
+from rotsolve.core.facts import APART, GAINS, IN_FRONT, LIFTS, Requirement, square
 from rotsolve.core.symbols import CONSTANT
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, heading
 from rotsolve.core.writing import spoken
+from rotsolve.elements.collisions import FIXED
 from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import PointRef
 from rotsolve.motion.encounters import participants
-from rotsolve.motion.places import place_of_point
+from rotsolve.motion.places import gone_along, place_of_point
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 
@@ -37,6 +40,87 @@ def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
             left = space * (ahead if keeps_order(pair, encounter.closing, ahead, interval, search) else -ahead)
             words = both_spoken(pair)
             yield state, (Requirement(name, APART, left, ZERO, f"{words} stay apart", f"{words} meet again before"),)
+
+
+def kept_in_front(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What has bounced off something obeys up to its next blow on that, by state: Δr · n ≥ 0, and = 0 at that blow."""
+    timeline = search.scene.configuration.timeline
+    for blow in timeline.intervals:
+        ref, name, out = barrier_of(blow, search) or (None, "", None)
+        way = out_of(name, blow, search) if out is not None else None
+        gap: Formula = ZERO
+        for interval in timeline.intervals[timeline.order[blow.end] :] if way else ():
+            gone = way_towards(ref.owner, out, interval, search) if ref and out and interval.event is None else ZERO
+            if gone is None or ref is None or way is None:
+                break
+            gap = gap + gone * way
+            after = timeline.after(interval.end)
+            again = after is not None and (barrier_of(after, search) or (None, ""))[:2] == (ref, name)
+            yield from needs_in_front(blow, interval, (spoken(ref.owner), spoken(name)), simplify(gap), again)
+            if again:
+                break
+
+
+def needs_in_front(
+    blow: Interval, interval: Interval, names: tuple[str, str], gap: Formula, again: bool
+) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """That a body is in front of what it has struck at the end of a phase, and at it where it strikes it `again`."""
+    words = " and ".join(names)
+    if interval.event is None:
+        need = Requirement(blow.name, IN_FRONT, gap, ZERO, "", f"{words} meet again before")
+        yield interval.end, (need,)
+    if again:
+        yield interval.end, (Requirement(blow.name, IN_FRONT, negate(gap), ZERO, "", f"{words} are apart at"),)
+
+
+def out_of(name: str, blow: Interval, search: Search) -> int | None:
+    """+1 where what strikes comes against the direction out of it, as it does of a surface; −1 where it comes along that."""
+    closing = search.scene.encounters[blow.name].closing
+    ahead = search.apart().settled(closing[0]) if closing is not None and name in FIXED else ONE
+    return None if ahead is None else search.numbers.side(search.numbers.with_answers(ahead))
+
+
+def within_hollows(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What has left the inside of a loop or bowl obeys by state: ρ² − r² ≥ 0 of its centre, ρ the radius of the circle that it left."""
+    scene, timeline = search.scene, search.scene.configuration.timeline
+    for leaving in timeline.intervals:
+        contacts = () if leaving.event is None else leaving.event.left_behind(scene.configuration.problem.connections)
+        for item in contacts:
+            start, name = scene.instant(leaving.start), item.lying()
+            orbit = start.orbit(name)
+            if orbit is None or not orbit.hollow or orbit.radius is None:
+                continue
+            at = heading(start.place_on(orbit))
+            places: list[Formula] = [orbit.radius * (at - axis).cos() for axis in (RIGHT, UP)]
+            for interval in timeline.intervals[timeline.order[leaving.end] :]:
+                if interval.event is not None:
+                    break
+                right, up = (way_towards(name, axis, interval, search) for axis in (RIGHT, UP))
+                if right is None or up is None:
+                    break
+                places = [places[0] + right, places[1] + up]
+                left = square(orbit.radius) - square(places[0]) - square(places[1])
+                words = f"{spoken(name)} and {spoken(item.places()[-1].owner)} meet again before"
+                yield interval.end, (Requirement(leaving.name, IN_FRONT, left, ZERO, "", words),)
+
+
+def barrier_of(interval: Interval, search: Search) -> tuple[PointRef, str, Heading | None] | None:
+    """The body that stays in front of what it strikes in an event, with what that is and the way out of it."""
+    return None if interval.event is None else interval.event.barrier(search.scene.instant(interval.start))
+
+
+def way_towards(name: str, out: Heading, interval: Interval, search: Search) -> Formula | None:
+    """How far a body goes in a direction in a phase; None where that is not told."""
+    first, last = (search.scene.instant(state) for state in (interval.start, interval.end))
+    host = first.host(name)
+    gone: Formula = ZERO
+    for axis in (RIGHT, UP):
+        share = (out - axis).cos()
+        way = gone_along(host, axis, interval, first, last) if share != ZERO else ZERO
+        if way is None:
+            return None
+        gone = gone + way * share
+    return gone
 
 
 def speeds_apart(
@@ -101,6 +185,17 @@ def ways_apart(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterato
                 yield interval.end, space
         if again:
             return
+
+
+def untold_barriers(search: Search) -> Iterator[str]:
+    """Whether what has bounced off something with an end or a corner meets it again before a state that is asked about."""
+    timeline = search.scene.configuration.timeline
+    for blow in timeline.intervals:
+        found = barrier_of(blow, search)
+        onward = timeline.intervals[timeline.order[blow.end] :]
+        later = [interval.end for interval in onward if interval.event is None and asked_of(interval.end, search)]
+        if found is not None and found[2] is None and later:
+            yield f"whether {spoken(found[0].owner)} and {spoken(found[1])} meet again before {spoken(later[-1])}"
 
 
 def untold_meetings(search: Search) -> Iterator[str]:

@@ -64,9 +64,9 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
         yield from shares_told(place, needs, search)
     yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
-        from rotsolve.derivation.parted import untold_meetings
+        from rotsolve.derivation.parted import untold_barriers, untold_meetings
 
-        yield from (Check((words,), None) for words in untold_meetings(search))
+        yield from (Check((words,), None) for words in (*untold_meetings(search), *untold_barriers(search)))
 
 
 def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Iterator[tuple[str, Words]]:
@@ -172,13 +172,18 @@ def requirements_by_state(
 
         yield from far_ends(search)
     if any(encounter.closing is not None for encounter in scene.encounters.values()):
-        from rotsolve.derivation.parted import partings
+        from rotsolve.derivation.parted import kept_in_front, partings
 
         yield from partings(search)
+        yield from kept_in_front(search)
     if any(scene.configuration.left.values()):
         from rotsolve.derivation.parted import liftings
 
         yield from liftings(search)
+    if any(state.opened for state in scene.configuration.timeline.states):
+        from rotsolve.derivation.parted import within_hollows
+
+        yield from within_hollows(search)
     if any(pushes_vary(passage) for passage in scene.passages.values()):
         from rotsolve.derivation.on_the_way import least_pushes
 
@@ -230,8 +235,11 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
             if met and negative_margin(need.left - need.right, search):
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
-                message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
-                yield unsolvable(configuration.problem, message, span, kind=UNSOLVED)
+                if need.kind.placed:  # there is no such blow
+                    yield unsolvable(configuration.problem, f"{need.otherwise} `{name}`", span)
+                else:
+                    message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
+                    yield unsolvable(configuration.problem, message, span, kind=UNSOLVED)
 
 
 def negative_margin(gap: Formula, search: Search) -> bool:
@@ -320,6 +328,8 @@ def holding_words(need: Requirement, search: Search, letters: Letters, settled: 
         if any(side is None or search.signs.lacking(side) for side in sides):
             return (f"friction suffices: {stays}",)
         size, limit_ = (decimal(side, search) for side in sides)
+        if of_kinds(need.right.symbols(), ("impulse",)):
+            return (f"impulse of friction needed {size} N s ≤ μ Jₙ = {limit_} N s: {stays}",)
         if of_kinds(need.right.symbols(), ("torque",)):
             return (f"friction torque needed {size} N m ≤ {limit_} N m: {stays}",)
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {stays}",)

@@ -8,9 +8,10 @@ from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.derivation import Words, direction_in_words
 from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import RIGHT, Heading, Vector, unit
+from rotsolve.core.vectors.heading import RIGHT, Vector, unit
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
+from rotsolve.elements.collisions import Collides, called, whereabouts
 from rotsolve.elements.connections.supports import GROUND, Axis, Hinge
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import Joint, PointRef, Surface
@@ -49,60 +50,6 @@ class Joins(Event, frozen=True):
         size = instant.ask("angular_impulse", self.name)
         twist = size if owners.index(body) == 1 else negate(size)
         return (Couple(self.name, CONTACT, body, twist, "twist", size, internal=True),)
-
-
-class Collides(Event, frozen=True):
-    word = "collides"
-    bodily = True
-    about = "two bodies bounce off each other"
-    heats = True
-    quantities = ("impulse", "angular_impulse")
-    instead = (
-        "a blow off something fixed: `impulse: J, on: BODY.P, direction: z` with `J: unknown` under `given`, and"
-        " `BODY.P.velocity.z: e*u` in the state after it"
-    )
-    collides: tuple[PointRef, ...] = key(
-        "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]"
-    )
-    restitution: Formula | None = amount("coefficient of restitution, 0 to 1", "number", "e", "fraction", default=None)
-    friction: Formula | None = amount(
-        "coefficient of friction in the collision", "number", "mu", "nonnegative", default=None, later=True
-    )
-
-    def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
-        return self.collides
-
-    def told(self) -> Words:
-        bounce: Words = () if self.restitution is None else (", coefficient of restitution ", self.restitution)
-        one, other = map(whereabouts, self.collides)
-        return (*one, " and ", *other, " bounce off each other", *bounce)
-
-    def axes(self, instant: Moment) -> tuple[tuple[str, Heading], ...]:
-        return (("", self.approach(instant)),)
-
-    def approach(self, instant: Moment) -> Heading:
-        """The line along which the bodies approach: that on which one of them travels, else the one line of their velocities."""
-        for ref in self.collides:
-            motion = instant.motion(ref.owner)
-            if motion.kind == "line" and motion.heading is not None:
-                return motion.heading
-        one, two = self.collides
-        headings = [heading for _, heading in (instant.velocity(one) - instant.velocity(two)).parts]
-        line = headings[0] if headings else RIGHT
-        if any((heading - line).sin() != ZERO for heading in headings):
-            help = "say along which line one of them travels: `moves: right`"
-            message = f"nothing tells along which line the blow of `{self.name}` acts"
-            raise Unsolvable(message, span=self.collides[0].span, help=help)
-        return line
-
-    def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula]:
-        """Along the line of approach."""
-        line, (one, two) = self.approach(before), self.collides
-        approach = before.velocity(one).along(line) - before.velocity(two).along(line)
-        return approach, after.velocity(two).along(line) - after.velocity(one).along(line)
-
-    def bounce(self, before: Moment, after: Moment) -> tuple[Formula, Formula, Formula] | None:
-        return None if self.restitution is None else (self.restitution, *self.closing(before, after))
 
 
 class Impulse(Event, frozen=True):
@@ -146,6 +93,7 @@ class Impulse(Event, frozen=True):
 
 class Cuts(Event, frozen=True):
     word = "cuts"
+    lets_fly = True
     about = "a string or other connection is gone from then on"
     instead = AFTERWARDS
     cuts: tuple[str, ...] = key(
@@ -161,6 +109,7 @@ class Cuts(Event, frozen=True):
 
 class Removes(Event, frozen=True):
     word = "removes"
+    lets_fly = True
     about = "a support, action or body is taken away"
     instead = AFTERWARDS
     removes: tuple[str, ...] = key(
@@ -177,6 +126,18 @@ class Removes(Event, frozen=True):
 
     def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
         return self.removes
+
+
+class Leaves(Removes, frozen=True):
+    """What a state that says `touch: leaves` is followed by: the contact is gone."""
+
+    about = "what no longer presses on a surface leaves it"
+
+    def told(self) -> Words:
+        return ()
+
+    def left_behind(self, connections: Sequence[Connection]) -> tuple[Connection, ...]:
+        return tuple(item for item in connections if item.name in self.removes)
 
 
 class Fixes(Event, frozen=True):
@@ -300,18 +261,6 @@ class Grips(Event, frozen=True):
             return "what acts there has no arm, whatever it is"
         where = f"friction, whatever it is, has no arm about a fixed point of {spoken(surface.name)}"
         return f"{where}, and weight and normal force balance along one line"
-
-
-def called(ref: PointRef) -> str:
-    """A point in words: "plate's corner1"."""
-    return f"{ref.owner}'s {ref.point or 'centre'}".replace("_", " ")
-
-
-def whereabouts(ref: PointRef) -> Words:
-    """A body, or a point of it, in words: "puck", "rod's end", "the point of rod at x"."""
-    if ref.argument is not None:
-        return (f"the point of {spoken(ref.owner)} at ", ref.argument)
-    return (spoken(ref.owner) if ref.point is None else called(ref),)
 
 
 def aimed_in_words(direction: Direction | None) -> Words:

@@ -22,8 +22,9 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
 from rotsolve.motion.timeline import Interval
-from rotsolve.motion.travels import angle_turned, way_gone
+from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import NotYet
+from rotsolve.paths.points import displacement_over
 from rotsolve.paths.reader import PathReader
 
 
@@ -122,11 +123,13 @@ def carry_over(state: State, fixed: Fixed) -> None:
 
 
 def kept_rates(body: str, last: Instant, fresh: Instant) -> Iterator[tuple[Formula, Formula]]:
-    """The rates of a body that an event leaves as they were, with those after it: what it lets go of an axis goes on as its centre went."""
+    """The rates of a body that an event leaves as they were, with those after it: what it lets go of an axis or a line goes on
+    as its centre went."""
     kinds = [instant.motion(body).kind for instant in (last, fresh)]
-    if kinds == ["axis", "plane"]:
-        centre = last.velocity_at(body, fresh.frame(body).reference)
-        before = [centre.along(RIGHT), centre.along(UP), last.rate("angular_velocity", body)]
+    if kinds in (["axis", "plane"], ["line", "plane"]):
+        centre, turns = last.velocity_at(body, fresh.frame(body).reference), last.motion(body).turns
+        spin = signed(last.rate("angular_velocity", body), last.sense(body) * fresh.sense(body)) if turns else ZERO
+        before = [centre.along(RIGHT), centre.along(UP), spin]
         yield from zip(before, rates_of_body("velocity", fresh, body), strict=False)
     elif kinds[0] == kinds[1]:
         rates = [rates_of_body("velocity", instant, body) for instant in (last, fresh)]
@@ -264,12 +267,13 @@ class Statements(Struct):
             self.fixed.fix(fresh.time(), ZERO if told is None else told)
             return
         last = self.fixed.instant(parts[0].start).time()
-        if parts[0].event is not None:
+        if all(part.event is not None for part in parts):
             self.fixed.fix(fresh.time(), last)
         if told is not None:
             self.fixed.fix(fresh.time(), simplify(last + told))
-            if len(parts) == 1:
-                self.fixed.fix(fresh.ask("time", "", when=parts[0].name), told)
+            phases = [part for part in parts if part.event is None] or list(parts)
+            if len(phases) == 1:
+                self.fixed.fix(fresh.ask("time", "", when=phases[0].name), told)
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
@@ -326,7 +330,7 @@ class Statements(Struct):
     def _leaves(self, state: State, condition: Condition, contact: str) -> None:
         """A contact is lost where the surface no longer pushes: N = 0."""
         after = self.configuration.timeline.after(state.name)
-        if after is not None:
+        if after is not None and after.event is None:
             raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
         item = self.configuration.connection(contact, state.name)
         surface = item.surface(self.configuration, state.name) if item is not None else None
@@ -373,11 +377,17 @@ class Statements(Struct):
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
         instant = self.fixed.instant(state)
         if path.quantity == "displacement":
-            parts = self.configuration.timeline.since(state)
-            return total([way_gone(path.owner, part, instant) for part in parts])
+            return self._gone(path, instant)
         if path.quantity == "rotation":
-            return total([angle_turned(path.owner, part, instant) for part in self.configuration.timeline.since(state)])
+            phases = [part for part in self.configuration.timeline.since(state) if part.event is None]
+            return total([angle_turned(path.owner, part, instant) for part in phases])
         return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
+
+    def _gone(self, path: Path, instant: Instant) -> Formula:
+        """The way of a body since the state before, along its line or in one direction."""
+        parts = self.configuration.timeline.since(instant.state)
+        instants = [(part, self.fixed.instant(part.start), self.fixed.instant(part.end)) for part in parts]
+        return total([displacement_over(path, *ends) for ends in instants if ends[0].event is None])
 
     def _rest(self, state: State, condition: Condition) -> None:
         instant = self.fixed.instant(state.name)

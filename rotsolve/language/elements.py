@@ -6,7 +6,7 @@ it sees one `Moment` of the scene, and the `Surroundings` in which it acts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from typing import Any, ClassVar, Protocol
 
 from rotsolve.algebra.certified.sign import SignOracle
@@ -459,12 +459,45 @@ class Event(Element, frozen=True):
     heats: ClassVar[bool] = (
         False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
     )
+    lets_fly: ClassVar[bool] = False  # whether what lay on what it takes away is led along no line from then on
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
     to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
 
     def check(self, scene: Surroundings) -> None:
         """Refuses by name what the scene can't mean: raises Unsolvable."""
+
+    def completed(self, bodies: Container[str], surfaces: Mapping[str, Surface]) -> Event:
+        """The event as it is among the bodies and surfaces of a scene."""
+        return self
+
+    def rubs(self) -> bool:
+        """Whether what it strikes may slip, against friction of a size that is known."""
+        return False
+
+    def lying(self) -> str:
+        """The body that strikes it."""
+        return ""
+
+    def static(self) -> Formula | None:
+        """The coefficient by which its push limits the friction that holds."""
+        return None
+
+    def left_behind(self, connections: Sequence[Connection]) -> tuple[Connection, ...]:
+        """The contacts whose surface is still there for what has left it."""
+        return ()
+
+    def barrier(self, before: Moment) -> tuple[PointRef, str, Heading | None] | None:
+        """The body that stays in front of what it strikes, what that is, and the direction out of it, None where no one line tells that."""
+        return None
+
+    def rules(self, before: Moment, after: Moment) -> Iterator[Rule]:
+        """What it ties right after it, and no longer."""
+        return iter(())
+
+    def needs(self, before: Moment, after: Moment) -> Iterator[Requirement]:
+        """What its blows, and the speeds before and after it, obey."""
+        return iter(())
 
     def no_torque(self, instant: Moment) -> str:
         """Why what acts at its place does not turn bodies about that."""

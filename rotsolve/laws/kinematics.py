@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import HALF, ONE, Integral, Number, Symbol, add
 from rotsolve.core.equation import (
     BY_PLACE,
@@ -52,7 +53,7 @@ def motion_over_phase(over: OverPhase) -> Iterator[Equation]:
             yield COORDINATE.equation(travel.change, change, section, (travel.body,), words=words)
         if travel.running is not None:
             yield from travel_at_any_time(travel, passage, section)
-    if passage.times[0] != passage.times[1]:
+    if passage.times[0] != passage.times[1] and not is_zero(passage.times[1] - passage.times[0] - passage.duration):
         yield TIME_ELAPSED.equation(passage.duration, passage.times[1] - passage.times[0], section)
 
 

@@ -19,7 +19,7 @@ from rotsolve.language.elements import Action, Connection, Event
 from rotsolve.language.problem import Problem
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, positive_letters
-from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, left_at, timeline
+from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, left_at, let_off, timeline
 
 if TYPE_CHECKING:
     from rotsolve.core.passage import Alteration
@@ -190,6 +190,11 @@ class Arrangement(Struct, frozen=True, dict=True):
             if begins <= now < ends or (last and begins <= now <= ends):
                 result.append(item)
         return tuple(result)
+
+    @remembered
+    def let_off(self, state: str) -> tuple[Connection, ...]:
+        """The contacts on which bodies lay up to an event before a state."""
+        return let_off(self.events(state), self.problem.connections)
 
     def acting(self, state: str) -> tuple[Connection | Action, ...]:
         """All that acts on bodies at a state."""

@@ -20,6 +20,7 @@ from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
 from rotsolve.motion.admissible import check, check_rigid
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.flights import with_flights
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.mounts import on_mounts
 from rotsolve.motion.owndata import versions
@@ -76,7 +77,10 @@ class MadeLetters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
-    problem = on_mounts(problem)
+    problem = with_flights(on_mounts(problem))
+    bodies_named = {body.name for body in problem.bodies}
+    surfaces = {surface.name: surface for surface in problem.surfaces}
+    problem = replace(problem, events=tuple(item.completed(bodies_named, surfaces) for item in problem.events))
     check(problem)
     letters, held = MadeLetters(problem), {ref.owner for item in problem.connections for ref in item.fixed_points()}
     wheels = {name for item in problem.connections for name in item.turned()}

@@ -226,7 +226,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
                 return track
         if self.orbit(name, state) is not None:
             return None
-        if body.moves:
+        if body.moves and all(item.lying() != name for item in self.let_off(state)):
             return WORDS[body.moves], body.moves
         if self.hung(name, state) is not None:
             return None  # it goes where its carrier takes it, whatever string leads to it
@@ -284,7 +284,8 @@ class Configuration(Arrangement, frozen=True, dict=True):
         turns = self.bodies[name].turns
         if turns:
             return 1 if turns == "counterclockwise" else -1
-        items = (*self.connections(state), *self.begun)
+        left = [item for item in self.let_off(state) if item.lying() == name]
+        items = (*self.connections(state), *self.begun, *left)
         naturals = (item.natural_turn(self.body(name, state), self, state) for item in items)
         return next((natural for natural in naturals if natural), 1)
 

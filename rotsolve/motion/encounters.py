@@ -72,11 +72,12 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
         )
     check_rails(meetings, event, first)
     impulsive = (impulsive_need(need, first) for need in facts.requirements if need.owner in lasting)
-    needs = tuple(need for need in impulsive if need.left != ZERO)
+    needs = (*(need for need in impulsive if need.left != ZERO), *event.needs(first, last))
     about, why = supports(involved, points, event, first), event.no_torque(first)
     bounce, closing = event.bounce(first, last), event.closing(first, last)
+    rules = (*stuck, *event.rules(first, last))
     joined = joined_on_an_axis(involved, last, last_facts)
-    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, stuck, joined, why)
+    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, rules, joined, why)
 
 
 def joined_on_an_axis(

@@ -6,6 +6,8 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, heading
@@ -67,8 +69,15 @@ def place_of_point(
 
 
 def height(name: str, instant: Instant) -> Formula | None:
-    """Height of the reference point above a level that stays."""
-    return place_along(name, UP, instant, ways=False)
+    """Height of the reference point above a level that stays; of what flies on from where that was known, by how far it has gone up."""
+    found, before = place_along(name, UP, instant, ways=False), instant.configuration.timeline.before(instant.state)
+    if found is not None or instant.generic or before is None or instant.motion(name).kind != "plane":
+        return found
+    first = replace(instant, state=before.start)
+    base = height(name, first)
+    if base is None or before.event is not None:
+        return base
+    return base + displacement(name, before, first, "y")
 
 
 def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Ends | None:
@@ -80,6 +89,15 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
         return (ZERO, displacement(name, interval, first) * along if along != ZERO else ZERO)
     before, after = place_along(name, way, first), place_along(name, way, last)
     return None if before is None or after is None else (before, after)
+
+
+def gone_along(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Formula | None:
+    """How far a body's reference goes along x or y in a phase: by geometry, else as it moves freely; None where neither tells."""
+    ends = ends_of(name, way, interval, first, last)
+    if ends is not None:
+        return ends[1] - ends[0]
+    free = first.motion(name).kind == "plane" and way in (RIGHT, UP)
+    return displacement(name, interval, first, "x" if way == RIGHT else "y") if free else None
 
 
 def heights(name: str, interval: Interval, first: Instant, last: Instant) -> Ends | None:

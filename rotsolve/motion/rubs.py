@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
+    from rotsolve.motion.timeline import Interval
 
 FORWARD, BACK, STICKS = "slips", "slips back", "sticks"
 TURNS_BACK, HOLDS = "turns back", "holds"
@@ -72,6 +73,11 @@ def rubs(configuration: Configuration) -> tuple[Rub, ...]:
         for rub in rubs_at(configuration, configuration.phase_start(state.name)):
             found.setdefault(rub.key, rub)
     return tuple(found.values())
+
+
+def rough_blows(configuration: Configuration) -> tuple[Interval, ...]:
+    """The events in which a body strikes what it may slip on, in the order of time."""
+    return tuple(item for item in configuration.timeline.intervals if item.event is not None and item.event.rubs())
 
 
 def in_one_body(item: Connection, configuration: Configuration, state: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
 
@@ -134,6 +134,12 @@ def left_at(interval: Interval, problem: Problem, timeline: Timeline, gone: froz
     held = interval.event.ends(present) if interval.event.adds() or interval.event.begins() else ()
     about_it = [item for item in present if item.name in held and item.lying()]
     return (*lifted(interval.event, present, [item.event for item in earlier if item.event is not None]), *about_it)
+
+
+def let_off(events: Sequence[Event], connections: Sequence[Connection]) -> tuple[Connection, ...]:
+    """The contacts on which bodies lay before they were taken away."""
+    gone = {name for event in events if event.lets_fly for name in event.ends(connections)}
+    return tuple(item for item in connections if item.name in gone and item.lying())
 
 
 def begun(problem: Problem) -> tuple[Connection, ...]:

@@ -10,6 +10,7 @@ from rotsolve.core.quantity import INSIDE, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.language.problem import Path, PointRef
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.places import gone_along
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import displacement, so_far
 from rotsolve.paths.meaning import (
@@ -184,3 +185,22 @@ def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> F
         so_far("displacement", name, instant, axis) if interval is None else displacement(name, interval, instant, axis)
     )
     return gone if axis else instant.as_travelled(gone, path.owner)
+
+
+def displacement_over(path: Path, interval: Interval, first: Instant, last: Instant) -> Formula:
+    """Displacement of a body's centre of mass over a phase, along its line or in one direction: x₂ − x₁."""
+    name, motion = first.host(path.owner), first.motion(path.owner)
+    if motion.kind == "plane" and path.component is None:
+        message = f"`{path_text(path)}` of what moves freely in the plane has two components"
+        raise NotYet(
+            message, help=f"tell `{path_text(path)}.x`, `{path_text(path)}.y` or both, `[x, y]`", span=path.span
+        )
+    if path.component is None and path.point is None:
+        return way(path, name, interval, first)
+    arm = first.point(PointRef(path.owner, path.point or "cm", path.argument))
+    axis = {"x": RIGHT, "y": UP}.get(path.component or "")
+    gone = None if axis is None or (motion.turns and arm.parts) else gone_along(name, axis, interval, first, last)
+    if gone is None:
+        help = "solved is the way of a centre of mass to the right or up, `.x` or `.y`, and that along its line"
+        raise NotYet(f"`{path_text(path)}` is not solved yet", help=help, span=path.span)
+    return gone

@@ -17,7 +17,7 @@ from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import potential
 from rotsolve.laws.momentum import over_time
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.places import ends_of
+from rotsolve.motion.places import gone_along
 from rotsolve.motion.rigid import rim_ways, tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
@@ -270,8 +270,11 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
         return of_point(term, start, end, scene), intervals[-1].name
     if path.quantity == "time":
         duration = scene.instant(end).time() - scene.instant(start).time()
-        if len(intervals) == 1 and intervals[0].name in scene.passages:
-            duration = scene.passages[intervals[0].name].duration
+        lasting = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
+        if len(lasting) == 1 and all(
+            interval.event is not None for interval in intervals if interval.name not in scene.passages
+        ):
+            duration = lasting[0].duration
         return Meaning(duration, kind.dimension), intervals[-1].name
     result = total([over_interval(path, interval, scene) for interval in intervals])
     if path.quantity == "turns":
@@ -294,11 +297,9 @@ def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Form
         return ZERO  # an event moves nothing
     if path.quantity != "displacement":
         return angle_turned(path.owner, interval, scene.instant(interval.start))
-    from rotsolve.paths.points import way
+    from rotsolve.paths.points import displacement_over
 
-    instant = scene.instant(interval.start)
-    name = instant.host(path.owner) if path.owner in scene.configuration.bodies else path.owner
-    return way(path, name, interval, instant)
+    return displacement_over(path, interval, scene.instant(interval.start), scene.instant(interval.end))
 
 
 def goes_round(path: Path, instant: Instant) -> bool:
@@ -306,7 +307,8 @@ def goes_round(path: Path, instant: Instant) -> bool:
     if path.point is not None or path.owner not in instant.configuration.bodies:
         return path.point is not None
     motion = instant.motion(path.owner)
-    return motion.kind == "axis" or (motion.turns and instant.host(path.owner) != path.owner)
+    free = motion.kind == "plane" and path.component is None
+    return motion.kind == "axis" or free or (motion.turns and instant.host(path.owner) != path.owner)
 
 
 def of_point(term: Term, start: str, end: str, scene: SceneEquations) -> Meaning:
@@ -337,10 +339,10 @@ def way_of_reference(host: str, axis: Heading, start: str, end: str, scene: Scen
     parts: list[Formula] = []
     for interval in scene.configuration.timeline.between(start, end):
         if interval.event is None:
-            ends = ends_of(host, axis, interval, scene.instant(interval.start), scene.instant(interval.end))
-            if ends is None:
+            gone = gone_along(host, axis, interval, scene.instant(interval.start), scene.instant(interval.end))
+            if gone is None:
                 return None
-            parts.append(ends[1] - ends[0])
+            parts.append(gone)
     return total([part for part in parts if part != ZERO])
 
 

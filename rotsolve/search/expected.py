@@ -12,7 +12,7 @@ from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.quantity import OSCILLATING, PLANE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
 from rotsolve.core.writing import spoken
@@ -36,12 +36,16 @@ class Expected(Struct, frozen=True):
             return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
         if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
+        if quantity.kind == "velocity" and quantity.component in PLANE:
+            found = self._direction(quantity.kind, quantity.owner, quantity.when, name, quantity.component)
+            if found[0]:
+                return found
         if quantity.kind == "velocity" and quantity.component == "radial":
             return self._along_carrier(quantity.owner, quantity.when, name)
         if quantity.kind == "velocity" and quantity.when in self.scene.configuration.timeline.order:
             return self._by_turn(name, quantity)
         if quantity.kind in ("displacement", "rotation"):
-            return self._onward(quantity.kind, quantity.owner, quantity.when)
+            return self._onward(quantity.kind, quantity.owner, quantity.when, quantity.component)
         if quantity.kind in ("time", "tension", "mass", "normal_force", "period", *OSCILLATING):
             return 1, (Symbol(name), " > 0")
         return 0, ()
@@ -55,8 +59,9 @@ class Expected(Struct, frozen=True):
 
         return name not in letters_of_places(self.scene.configuration.problem)
 
-    def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
-        """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed.
+    def _direction(self, kind: str, owner: str, state: str, name: str, axis: str = "") -> tuple[int, Words]:
+        """Which way a body moves at a state, along an axis where it moves freely: the way it has gone since the state before, else as it
+        started or is pushed.
 
         After an event, or at the first state, it is the way to the angle of the next state.
         """
@@ -64,14 +69,14 @@ class Expected(Struct, frozen=True):
         midst = phase_midst(state)
         if midst and (around := timeline.after(midst)) is not None:
             whole = "rotation" if kind == "angular_velocity" else "displacement"
-            return self._onward(whole, owner, around.name)
+            return self._onward(whole, owner, around.name, axis)
         if state not in timeline.order:
             return 0, ()
         before, after = timeline.before(state), timeline.after(state)
         first = before is None or before.event is not None
         phase = after if first and after is not None else before
         wanted = "turn" if kind == "angular_velocity" else "line"
-        travel = self._travel(phase.name, owner, wanted) if phase is not None else None
+        travel = self._travel(phase.name, owner, wanted, axis) if phase is not None else None
         if travel is None or phase is None:
             return 0, ()
         timed = 0 if first else self._in_time(travel, self.scene.passages[phase.name])
@@ -110,11 +115,11 @@ class Expected(Struct, frozen=True):
             turned = [(grown + 1 / grown) / 2, (grown - 1 / grown) / 2]
         return self.numbers.sign([travel.before * turned[0] + start / omega * turned[1]])
 
-    def _travel(self, interval: str, owner: str, kind: str) -> Travel | None:
-        """How a body goes along its line, or turns, in a phase."""
+    def _travel(self, interval: str, owner: str, kind: str, axis: str = "") -> Travel | None:
+        """How a body goes along its line, or an axis, or turns, in a phase."""
         passage = self.scene.passages.get(interval)
         travels = passage.travels if passage is not None else ()
-        return next((item for item in travels if item.body == owner and item.kind == kind), None)
+        return next((item for item in travels if (item.body, item.kind, item.axis) == (owner, kind, axis)), None)
 
     def _told(self, kind: str, owner: str, name: str, sign: int) -> tuple[int, Words]:
         """A sign with the words for it: "rod turns clockwise: ω > 0"."""
@@ -149,9 +154,9 @@ class Expected(Struct, frozen=True):
         way, relation = ("outwards", " > 0") if grown > 0 else ("inwards", " < 0")
         return (1 if grown > 0 else -1), (f"{spoken(rider)} slides {way}: ", Symbol(name), relation)
 
-    def _onward(self, kind: str, owner: str, interval: str) -> tuple[int, Words]:
+    def _onward(self, kind: str, owner: str, interval: str, axis: str = "") -> tuple[int, Words]:
         """Which way a body goes in a phase: as it moves at the start, else as it is pushed."""
-        travel = self._travel(interval, owner, "line" if kind == "displacement" else "turn")
+        travel = self._travel(interval, owner, "line" if kind == "displacement" else "turn", axis)
         if travel is None:
             return 0, ()
         sign = self.numbers.sign((travel.before, self.numbers.push(travel.initial), travel.after))

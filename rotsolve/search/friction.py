@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from typing import Protocol
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -22,7 +23,7 @@ from rotsolve.language.limited import limits_of
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import with_hereafter
-from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, against_most, rubs, rubs_at
+from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, against_most, rough_blows, rubs, rubs_at
 from rotsolve.plan import PATIENCE
 from rotsolve.search.answers import Answered, unsolvable
 from rotsolve.search.gripping import greatest_friction, own_needs, smooth, sticking
@@ -35,10 +36,18 @@ TRIALS = 27  # ways in which contacts may stick and slip that are tried
 ROUNDS = 3  # in which the senses are found in which an event leaves several slipping
 
 
-class SlippingContact(Struct, frozen=True):
-    """A contact that can not stick: the search that supposes it does, with friction and normal force worked out."""
+class Slippery(Protocol):
+    """What may stick or slip: a contact, or a blow on a surface."""
 
-    contact: Connection
+    def lying(self) -> str: ...
+    def static(self) -> Formula | None: ...
+
+
+class SlippingContact(Struct, frozen=True):
+    """A contact that can not stick, or what strikes a surface and can not: the search that supposes it does, with friction and normal force
+    worked out, or their impulses."""
+
+    contact: Slippery
     search: Search
     friction: Answered
     normal: Answered
@@ -58,8 +67,8 @@ def decide(configuration: Configuration, at_rest: Collection[str] = ()) -> Decis
 
     `at_rest` are the names of those that are known not to slip at the start, where their speeds are numbers that have been rounded.
     """
-    rubbing = rubs(configuration)
-    return Trials(configuration).decision(rubbing, at_rest) if rubbing else Decision({})
+    rubbing, blows = rubs(configuration), rough_blows(configuration)
+    return Trials(configuration).decision(rubbing, at_rest) if rubbing or blows else Decision({})
 
 
 class Trials:
@@ -76,8 +85,15 @@ class Trials:
 
     def decision(self, rubbing: Sequence[Rub], at_rest: Collection[str]) -> Decision:
         """Phase by phase: what one leaves moving hangs on how it moved there."""
-        for state in dict.fromkeys(rub.state for rub in rubbing):
-            self.decide_from(state, [rub for rub in rubbing if rub.state == state], at_rest)
+        blows = {blow.start: blow for blow in rough_blows(self.configuration)}
+        for state in self.configuration.timeline.order:
+            own = [rub for rub in rubbing if rub.state == state]
+            if own:
+                self.decide_from(state, own, at_rest)
+            if state in blows:
+                from rotsolve.search.struck import decide_blow
+
+                decide_blow(blows[state], self)
         states = {
             rub.state for rub in rubbing
         }  # through an event that something sticks is said, else it moves as afterwards

@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.equation import POINT_OF_SLIPPING, VERGE, Equation
 from rotsolve.core.facts import Force, Requirement
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.elements import Connection
+from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Find
 from rotsolve.motion.rubs import Rub
 from rotsolve.questions.find import Asked
@@ -31,7 +31,7 @@ def sticking(search: Search, rub: Rub, contact: Connection) -> tuple[Answered, A
         return None
 
 
-def greatest_friction(contact: Connection, normal: Answered) -> Formula | None:
+def greatest_friction(contact: Connection | Event, normal: Answered) -> Formula | None:
     """The greatest friction that the contact can give, μₛ N."""
     static = contact.static()
     return None if static is None or normal.found.formula is None else static * normal.found.formula

@@ -34,7 +34,7 @@ class Ending(Struct, frozen=True):
 def tell_openings(search: Search) -> None:
     """Work out how long it takes to the states that the scene does not name, and how fast all moves then: the next phase begins so."""
     for interval in search.scene.configuration.timeline.intervals:
-        if search.scene.configuration.timeline.state(interval.end).opened:
+        if interval.event is None and search.scene.configuration.timeline.state(interval.end).opened:
             tell_ends(search, interval)
 
 

@@ -12,9 +12,9 @@ from itertools import combinations
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Integral
-from rotsolve.core.equation import ANGULAR_MOMENTUM, FAMILIES, KINEMATICS, NEWTON, SECOND_CHOICE
-from rotsolve.core.symbols import of_kinds
+from rotsolve.algebra.formula import Call, Integral
+from rotsolve.core.equation import ANGULAR_MOMENTUM, FAMILIES, KINEMATICS, NEWTON, SECOND_CHOICE, Equation
+from rotsolve.core.symbols import has_quantities, of_kinds
 from rotsolve.matching import Plan
 from rotsolve.plan import Planner, Shortage
 
@@ -38,6 +38,11 @@ def sums(plan: Plan, planner: Planner) -> bool:
     """Whether an equation of a plan sums over a phase."""
     laws = (planner.pool[index] for index in plan.equations)
     return any(law.left.holds(Integral) or law.right.holds(Integral) for law in laws)
+
+
+def has_calls(equation: Equation) -> bool:
+    """Whether a letter of the laws stands inside a function."""
+    return any(has_quantities(node) for side in (equation.left, equation.right) for node in side.walk(Call))
 
 
 class LawChoice(Struct, frozen=True, dict=True):

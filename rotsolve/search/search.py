@@ -14,7 +14,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle, real_where
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, VANISHING, Equation
 from rotsolve.core.letters import letter_order
@@ -30,8 +30,9 @@ from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, Chosen, NoAnswer, unsolvable
 from rotsolve.search.definitions import Definitions, Stepwise
+from rotsolve.search.later import later_on
 from rotsolve.search.numbers import Numbers
-from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for, sums
+from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for, has_calls, sums
 from rotsolve.solver import ENTANGLED, Solver
 from rotsolve.solver.steps import (
     Contradiction,
@@ -306,6 +307,8 @@ class Search(Struct, dict=True):
     def allowed(self, letter: str, banned: Collection[int] = ()) -> list[int]:
         """The equations with which a letter may be planned, definitions and rules among them, without some."""
         barred, laws = self.retired | self.stepwise.foreign(letter) | set(banned), ("", *self.families)
+        meaning = self.definitions.formula(letter) or Symbol(letter)
+        barred |= later_on(meaning, self.scene.configuration, self.planner.pool)
         return [index for index, law in enumerate(self.planner.pool) if index not in barred and law.family in laws]
 
     def accept(self, answered: Answered, plan: Plan) -> None:
@@ -542,15 +545,14 @@ class Search(Struct, dict=True):
 
     def settled(self, value: Formula) -> Formula | None:
         """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""
-        for name in sorted(value.symbols()):
-            if is_key(name):
-                try:
-                    found = self.value_of(name)
-                except NoAnswer:
-                    return None
-                if found is None:
-                    return None
-                value = value.substitute({name: found})
+        for name in filter(is_key, sorted(value.symbols())):
+            try:
+                found = self.value_of(name)
+            except NoAnswer:
+                return None
+            if found is None:
+                return None
+            value = value.substitute({name: found})
         return value
 
     def value_of(self, letter: str) -> Formula | None:
@@ -585,16 +587,10 @@ def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
     travels = [travel for passage in passages for travel in passage.travels]
     letters = [travel.coordinate for travel in travels if travel.pace == POSITION]
     letters += [travel.moving for travel in travels if travel.leads and travel.pace == RATE]
-    names = [letter.name for letter in letters if isinstance(letter, Symbol)]
-    return {name for name in names if key_of(name).running}
+    return {letter.name for letter in letters if isinstance(letter, Symbol) and key_of(letter.name).running}
 
 
 def stones(met: Iterable[str], asked: str) -> tuple[str, ...]:
     """The letters of plans by which an answer may be reached: where bodies are, how fast they move, and when, then all else."""
     ranked = sorted(name for name in met if is_key(name) and name != asked)
     return tuple(sorted(ranked, key=lambda name: STONES.get(key_of(name).kind, len(STONES))))
-
-
-def has_calls(equation: Equation) -> bool:
-    """Whether a letter of the laws stands inside a function."""
-    return any(has_quantities(node) for side in (equation.left, equation.right) for node in side.walk(Call))

@@ -17,10 +17,10 @@ from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.derivation.directions import Directions
 from rotsolve.elements.actions import AppliedForce
+from rotsolve.elements.collisions import Collides
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle
-from rotsolve.elements.events import Collides
 from rotsolve.pipeline import solve
 
 WINCH = """title: A bucket on a drum with friction

@@ -281,7 +281,7 @@ def test_words_of_one_body_and_of_a_bounce_that_are_not_solved() -> None:
         "states: {before: {rod.angle: -90 deg, at rest: rod, ball.velocity: 3 m/s}, after: {}}\n"
         "events: {hit: {collides: [ball, rod.end], restitution: 0.5, friction: 0.3, from: before, to: after}}\n"
     )
-    with pytest.raises((SceneError, Unsolvable), match="`friction` is not solved yet"):
+    with pytest.raises((SceneError, Unsolvable), match="friction of two bodies in `hit` is not solved yet"):
         solve(f"{rod}{hit}find: {{w: rod.angular_velocity at after}}")
 
 

@@ -35,7 +35,7 @@ TABLES: dict[str, tuple[Any, ...]] = {
     "events": EVENTS,
     "shapes": SHAPES,
 }
-ALWAYS_REFUSED = {("collides", "friction")}  # nothing goes by it yet: refused as a word that says nothing
+ALWAYS_REFUSED: set[tuple[str, str]] = set()  # nothing goes by it yet: refused as a word that says nothing
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?![\w.])")
 SEVERAL, FEW, ENOUGH = 6, 8, 10  # scenes with a key, changes of each, and refusals, that are looked at
 ROD = "bodies: {rod: {shape: rod, mass: 2 kg, length: 1 m}}\n"

@@ -15,6 +15,7 @@ from rotsolve.confirm.course.node import Astray, Budget, Node
 from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
+from rotsolve.core.symbols import TIME
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.elements import Event
@@ -150,15 +151,38 @@ class Course:
             return Node(model, found.placed, self.budget)
         from rotsolve.confirm.course.phase import followed, stays
 
-        first = self.timed(self.names[number - 1])
+        first = self._begun(number - 1)
         if stays(first, state):
             self._untimed.add(state.name)
             return Node(model, first.placed, self.budget)
-        phase = followed(first, state)
+        phase = followed(self._set_out(first, state), state)
         self._standing_between(phase)
         self._phases[self.names[number - 1]] = phase
         last = self.ending and number == len(self.states) - 1
         return Node(model, phase.end.placed, self.budget, phase.modes if last else None)
+
+    def _set_out(self, first: Node, state: State) -> Node:
+        """The instant from which a motion is followed; what the least push drives comes to its next state nobody knows when."""
+        if len(state.conditions) > 1 or not any(line.word == "leaves" for line in state.conditions):
+            return first
+        from rotsolve.confirm.course.nudged import barely_moving
+
+        found = barely_moving(first, state)
+        if found is not None:
+            self._untimed.add(state.name)
+            self._lost[state.name] = NotConfirmed(f"the least push decides when `{state.name}` is")
+        return found or first
+
+    def _begun(self, number: int) -> Node:
+        """The state from which a motion is followed: reached by steps in time, unless nothing there goes by the clock."""
+        name = self.names[number]
+        try:
+            return self.timed(name)
+        except NotConfirmed:
+            timed = any(TIME in action.strength().symbols() for action in self.problem.actions)
+            if timed or not (self.event(self.names[number - 1], name) if number else None):
+                raise
+            return self.node(name)
 
     def _met(self, node: Node, number: int) -> Node:
         """The first state right before an event that joins bodies: what flies towards the others is where they meet."""
@@ -239,7 +263,16 @@ class Course:
         raise NotConfirmed(f"`{name}` is no phase and no event")
 
     def time(self, start: str, end: str) -> float:
-        return self.timed(end).time - self.timed(start).time
+        """How long it takes from one state to a later one; over phases that were followed that is told without the clock."""
+        try:
+            return self.timed(end).time - self.timed(start).time
+        except NotConfirmed:
+            self.node(end)
+            names = self.names[self.names.index(start) : self.names.index(end) + 1]
+            ways = [pair for pair in pairwise(names) if self.event(*pair) is None]
+            if any(first not in self._phases for first, _ in ways):
+                raise
+            return sum(self._phases[first].end.time - self._phases[first].laps[0].at(0.0).time for first, _ in ways)
 
     def blow(self, start: str, end: str) -> Blow | None:
         """What the event between two neighbouring states did; None where none joins them."""

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import on_rim
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.instant import Met
+from rotsolve.confirm.lines import bent, circle_of
 from rotsolve.confirm.model import Model
-from rotsolve.confirm.pose import Pose, Way
-from rotsolve.elements.events import Collides
+from rotsolve.confirm.pose import Pose, Way, along
+from rotsolve.confirm.signs import GROUND, normal
+from rotsolve.elements.collisions import Bounces, Collides
+from rotsolve.elements.events import Leaves
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Event
@@ -22,13 +27,45 @@ ROD = ("start", "end")
 
 def met_through(before: Node, event: Event, model: Model, after: Pose) -> tuple[Met, ...]:
     """Who has met up to an event and may not go through each other; a later blow of theirs counts anew."""
+    if isinstance(event, Leaves):
+        return (*before.placed.met, *left_hollows(before, event, model))
     if not isinstance(event, Collides):
         return before.placed.met
     pair = event.collides[0], event.collides[1]
-    found = met_on_line(before, pair, model, after)
+    fixed = event if isinstance(event, Bounces) else None
+    found = met_fixed(before, fixed, model) if fixed else met_on_line(before, pair, model, after)
     anew = ({ref.owner for ref in pair}, set(found.pair) if found is not None else set())
     kept = tuple(met for met in before.placed.met if set(met.pair) not in anew)
     return kept if found is None else (*kept, found)
+
+
+def left_hollows(before: Node, event: Leaves, model: Model) -> Iterator[Met]:
+    """What leaves the inside of a bowl or loop, which is still there: its centre stays within the circle on which it went."""
+    for item in before.model.acting.connections:
+        found = bent(item.lying(), before.model) if item.name in event.removes else None
+        if found is not None and not found[1].outside:
+            pair = item.lying(), found[1].name
+            yield Met(pair, (0.0, 0.0), 0.0, hollow=circle_of(found, before.model))
+
+
+def met_fixed(before: Node, event: Bounces, model: Model) -> Met | None:
+    """What has bounced off something fixed, its centre in front of that from then on; None of what may touch it with another point."""
+    name, body = event.struck.owner, model.body(event.struck.owner)
+    if event.surface is not None and event.against.owner not in GROUND:
+        out = normal(event.surface, model)
+    elif event.surface is not None:
+        out = (0.0, -1.0)
+    else:
+        way, place = model.way(name), before.pose.place(name, model.seats[name].rigid.centre)
+        coming = 0.0 if way is None else along(place, way).rate
+        if way is None or not coming:
+            return None
+        out = (-way[0], -way[1]) if coming > 0.0 else way
+    plain = event.struck.point is None and (on_rim(body, None) or shape_of(body).pointlike)
+    if not plain and model.turns(name):
+        return None
+    met = Met((name, event.against.owner), (-out[0], -out[1]), 0.0)
+    return replace(met, apart=gap_of(met, before.pose)[0])
 
 
 def met_on_line(before: Node, pair: tuple[PointRef, PointRef], model: Model, after: Pose) -> Met | None:
@@ -90,6 +127,13 @@ def gap_of(met: Met, pose: Pose) -> tuple[float, float]:
     """How far the second of two is ahead of the first, and how fast that grows, whatever they were apart as they met."""
     if met.rod is not None:
         return beside_rod(met, pose)[1:]
+    if met.hollow is not None:
+        x, y = pose.place(met.pair[0], pose.seats[met.pair[0]].rigid.centre)
+        far = math.hypot(x.value, y.value)
+        return met.hollow - far, -(x.value * x.rate + y.value * y.rate) / (far or 1.0)
+    if met.pair[1] not in pose.seats:
+        gap = -along(pose.place(met.pair[0], pose.seats[met.pair[0]].rigid.centre), met.way)
+        return gap.value, gap.rate
     (x, y), (ahead, above) = (pose.place(name, (0.0, 0.0)) for name in met.pair)
     gap = (ahead - x) * met.way[0] + (above - y) * met.way[1]
     return gap.value, gap.rate

@@ -10,7 +10,7 @@ from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.bodies import is_round
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, moment
 from rotsolve.confirm.jet import Jet, Slope
-from rotsolve.confirm.lines import bent, circle_of
+from rotsolve.confirm.lines import bent, circle_of, left_from
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Pair, Pose, Way
 from rotsolve.confirm.signs import round_way
@@ -215,7 +215,7 @@ class Node:
 
     def height(self, name: str) -> float:
         """Above the centre of a dome, above the lowest place in a bowl."""
-        found = bent(name, self.model)
+        found = bent(name, self.model) or left_from(name, self.model)
         if found is None:
             raise NotConfirmed(f"no level from which the height of `{name}` counts")
         above = self.pose.place(name, (0.0, 0.0))[1].value

@@ -15,8 +15,8 @@ from rotsolve.confirm.course.sizes import LIMITS, letters_open, sizes_of_letters
 from rotsolve.confirm.numbers import related, value_of
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.limits import Limit
+from rotsolve.elements.collisions import Collides
 from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.events import Collides
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Given, Problem
 
