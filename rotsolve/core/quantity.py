@@ -181,6 +181,7 @@ QUANTITIES: dict[str, QuantityKind] = {
             (),
             "`angular_frequency of small swings`: 2π times the frequency",
         ),
+        kind("amplitude_ratio", "number", "r", (), "`ratio of A to B in mode 1`: of two displacements or rotations in a mode"),
         kind("bending_moment", "torque", "M", (POINT,), "inside a rod at a point; positive where it sags"),
         kind("shear", "force", "V", (POINT,), "across a rod at a point, from the part before it on the part beyond"),
         kind("compression", "force", "C", (POINT,), "along a rod at a point; negative where it is pulled"),
@@ -323,8 +324,10 @@ INERTIAL = ("centrifugal", "euler", "coriolis")  # forces in a frame that turns
 FELT = {"force": INERTIAL}  # components that a quantity has beside its three in space
 BEARINGS = {"bearing1": "bearing 1", "bearing2": "bearing 2"}  # of a hinge in space, and how they are spoken of
 OF_BEARINGS = ("force", "impulse")  # what is told of each bearing of a hinge
+FREQUENCIES = ("swing_period", "frequency", "angular_frequency")  # of swings, and of each of their modes
 OSCILLATING = {  # what is asked of swings, and how it is said
     "swing_period": "period",
     "frequency": "frequency",
     "angular_frequency": "angular frequency",
+    "amplitude_ratio": "ratio of amplitudes",
 }

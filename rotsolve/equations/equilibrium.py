@@ -32,7 +32,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving
 from rotsolve.language.keys import varying_values
-from rotsolve.language.problem import Term
+from rotsolve.language.problem import MODE, Term
 from rotsolve.laws import groups
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
@@ -41,16 +41,23 @@ from rotsolve.motion.passages import groups_of
 from rotsolve.paths.meaning import NotYet
 
 PLACES = ("elongation", "angle")  # what balance decides
-SEVERAL_WAYS = "can move in several ways: the swings of such bodies are not solved yet"
+SEVERAL_WAYS = "can move in several ways: solved are the periods, frequencies and shapes of their small swings, each by its own"
 STATE_IT = "give a state with its angle and `balance: true`, and say `about` it"
 
 
-def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tuple[str, Formula] | None:
-    """The letter of the one angle that balance decides by itself, and its stable value; None where springs have a say in it."""
+def in_several_ways(facts: Facts, group: frozenset[str], terms: list[Formula]) -> bool:
+    """Whether the rules let a group move in several ways."""
+    rates, allowed = groups.freedom(facts, group, terms)
+    return bool(rates) and allowed is None
+
+
+def stable_places(still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
+    """The letters of angles that balance decides by itself, and their stable values; none where springs have a say in them."""
     supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
-    rates, allowed = groups.freedom(still, group, supplies)
-    if rates and allowed is None:
-        raise NotYet(f"{', '.join(f'`{name}`' for name in sorted(group))} {SEVERAL_WAYS}")
+    if in_several_ways(still, group, supplies):
+        from rotsolve.equations.standing_modes import stable_angles
+
+        return stable_angles(still, group, signs)
     balance = groups.drive(still, group)
     if balance is None or balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
@@ -59,7 +66,7 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
     calls = [node for node in drive.walk(Call) if isinstance(node, Call)]
     if not any(letter in node.symbols() for letter in letters for node in calls):  # in a sine or cosine
         root = solve_linear(drive, letters[0]) if len(letters) == 1 else None
-        return (letters[0], root) if isinstance(root, (Number, Symbol)) else None
+        return {letters[0]: root} if isinstance(root, (Number, Symbol)) else {}
     if len(letters) > 1:
         raise NotYet("where these bodies are in equilibrium is not told", help=STATE_IT)
     slope = differentiate(drive, letters[0]) * turning_rate(letters[0], still, group)
@@ -69,7 +76,7 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
     stable = [root for root in roots if signs.of_sizes(slope.substitute({letters[0]: root})) == -1]
     if len(stable) != 1:
         raise NotYet("the stable equilibrium is not told", help=STATE_IT)
-    return letters[0], simplify(stable[0])
+    return {letters[0]: simplify(stable[0])}
 
 
 def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
@@ -108,7 +115,7 @@ class Placing(Struct, frozen=True):
     made: dict[tuple[str, bool], Moments] = field(default_factory=dict)
 
     def swing(self, term: Term) -> Swing:
-        """The swing that a question speaks of."""
+        """The swing that a question speaks of, one of the modes where it can go in several ways."""
         state, found = self.state_of(term)
         if (state, found) not in self.made:
             self.made[state, found] = self.found(state) if found else self.named(state)
@@ -121,9 +128,15 @@ class Placing(Struct, frozen=True):
         bodies = free_bodies(moving(moments.near))
         members = [body for body in bodies.bodies if body.name in group]
         terms = [term for body in members for term in (*groups.gain(body), *groups.supply(body))]
-        if groups.freedom(bodies, group, terms)[1] is None:
+        swing = Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
+        several = in_several_ways(bodies, group, terms)
+        if not several and not term.modifier.startswith(MODE):
+            return swing
+        if not term.modifier or term.start:
             raise NotYet(f"`{body}` and what it is tied to {SEVERAL_WAYS}")
-        return Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
+        from rotsolve.equations.normal_modes import mode_of
+
+        return mode_of(swing, term)
 
     def check_free(self, group: frozenset[str], near: Instant) -> None:
         """Nothing damps, rubs or drives the bodies that swing: it would be no harmonic motion about a place that stays."""
@@ -159,12 +172,9 @@ class Placing(Struct, frozen=True):
         troubles: dict[frozenset[str], NotYet] = {}
         for group in groups_of(self.configuration, still, state):
             try:
-                root = stable_angle(still, group, self.configuration.signs)
+                self.registry.known.update(stable_places(still, group, self.configuration.signs))
             except NotYet as trouble:
                 troubles[group] = trouble
-                continue
-            if root is not None:
-                self.registry.known[root[0]] = root[1]
         return self.moments(self.moment(state, REST), troubles)
 
     def moments(self, rest: Instant, troubles: Mapping[frozenset[str], NotYet]) -> Moments:

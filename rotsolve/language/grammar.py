@@ -138,6 +138,7 @@ NAMED_AXES = ("space", "body", "node")  # in which components may be asked, besi
 APPROXIMATIONS = ("fast spin",)
 RESERVED_WORDS = (*CLAUSES, "on", "across", "is", "of", "unknown", "number")
 SWINGS = {"period of": "swing_period", "frequency of": "frequency", "angular_frequency of": "angular_frequency"}
+RATIO_OF = "ratio of"  # of two amplitudes in a mode
 WHICH, IS = "which of", "is"  # of several options: `{which of: {a: PHRASE, b: PHRASE}, is: largest}`
 ALONE = ("lost", "total", "mean", "largest", "smallest")  # modifiers without `of`
 ANGLE_OF = "angle of"  # of two vectors in space: `angle of A from B`

@@ -45,6 +45,7 @@ from rotsolve.solver.steps import (
 )
 
 if TYPE_CHECKING:
+    from rotsolve.search.modes import Spectrum
     from rotsolve.questions.functions_of_time import Beside
 
 STONES_TRIED = 3  # letters of a scene that may have to be settled before an answer
@@ -123,6 +124,7 @@ class Search(Struct, dict=True):
     seeking: Find | None = None  # the question with an equation of its own that is at hand
     separate: set[str] = field(default_factory=set)  # the questions that seek an unknown letter, each its own value
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
+    spectra: dict[str, Spectrum] = field(default_factory=dict)  # of the normal modes of bodies, by their section
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
     failed: dict[object, NoAnswer] = field(default_factory=dict)  # what has had no answer, by all on which that hangs
     settling: set[str] = field(default_factory=set)  # the letters for which others are being settled first

@@ -33,6 +33,7 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import NoAnswer
 
 if TYPE_CHECKING:
+    from rotsolve.search.modes import Spectrum
     from rotsolve.language.problem import Given
     from rotsolve.plan import Planner
     from rotsolve.questions.find import Asked
@@ -52,6 +53,7 @@ class Stepping(Protocol):
     known: set[str]
     swung: set[str]
     displaced: dict[str, Formula]
+    spectra: dict[str, Spectrum]
 
     def step(self, letter: str) -> Found: ...
 
@@ -68,6 +70,10 @@ def settle_swing(swing: Swing, word: str, search: Stepping, asked: str) -> list[
 
     Returns the pool indices of the equations that hold for this question alone.
     """
+    if swing.number is not None:
+        from rotsolve.search.modes import settle_mode
+
+        return settle_mode(swing, word, search, asked)
     passing: list[int] = []
     if swing.harmonic not in search.swung:
         search.swung.add(swing.harmonic)

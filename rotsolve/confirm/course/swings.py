@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from msgspec.structs import replace
 
@@ -12,9 +13,11 @@ from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.phase import followed
 from rotsolve.confirm.course.reading import Reckoned, number
-from rotsolve.confirm.instant import Placed, gathered, moment, split
+from rotsolve.confirm.forces import spring_length
+from rotsolve.confirm.instant import Dynamics, Placed, gathered, moment, split
 from rotsolve.confirm.linear import solved
-from rotsolve.language.problem import Condition, State, Term
+from rotsolve.elements.connections.springs import Spring
+from rotsolve.language.problem import MODE, Condition, State, Term
 
 STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
 ROUGH = 1e-4  # share of a slope by which two steps may tell it otherwise
@@ -44,18 +47,60 @@ def rest_to_rest(course: Course, term: Term) -> float:
     return 2.0 * (followed(start, rest).end.time - start.time)
 
 
-class Small:
-    """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
+class SeveralWays(NotConfirmed):
+    """More than one coordinate is free, so that it is one of several modes that is asked."""
 
-    def __init__(self, first: Node, owner: str) -> None:
+
+class Near:
+    """Places near those of an instant, at which all that is held is held as well; a spring of which nothing is told begins without force."""
+
+    def __init__(self, first: Node) -> None:
         self.first, self.model = first, first.model
+        self.offsets = dict(first.placed.offsets)
+        springs = [item for item in self.model.acting.connections if isinstance(item, Spring)]
+        for item in springs:
+            if item.name not in self.offsets:
+                self.offsets[item.name] = spring_length(item, first.pose, self.model).value
         self.before = [gap for _, gap in self.rows(first.placed.q)]
-        self.index = self.free_index(owner)
 
     def rows(self, q: list[float]) -> list[tuple[dict[int, float], float]]:
         pose = replace(self.first.placed, q=q, speed=[0.0] * len(q)).pose(self.model)
         rows, grips = split(held_by(self.model, pose))
         return [(row.slope, row.gap) for row in (*rows, *(grip.row for grip in grips))]
+
+    def at_all(self, values: Mapping[int, float]) -> list[float]:
+        """The places where some coordinates have values."""
+        q = list(self.first.placed.q)
+        for _ in range(30):
+            self.first.budget.spend(self.model)
+            rows = self.rows(q)
+            gaps = [old - gap for (_, gap), old in zip(rows, self.before, strict=True)]
+            gaps += [value - q[index] for index, value in values.items()]
+            if max(map(abs, gaps)) < 1e-12:
+                break
+            found = solved([*[slope for slope, _ in rows], *({index: 1.0} for index in values)], gaps, len(q))
+            q = [old + change for old, change in zip(q, found.values, strict=True)]
+        return q
+
+    def moment_at(self, q: list[float], rates: Mapping[int, float] | None = None) -> Dynamics:
+        """The accelerations at places, at rest but for the rates of some coordinates."""
+        self.first.budget.spend(self.model)
+        rows, given = self.rows(q), rates or {}
+        told = [*[slope for slope, _ in rows], *({index: 1.0} for index in given)]
+        speed = solved(told, [*[0.0 for _ in rows], *given.values()], len(q)).values
+        placed = Placed(q, speed, self.first.time, self.offsets, self.first.placed.origin)
+        grips = gathered(self.model, placed.pose(self.model))[1]
+        if any(grip.normal is None for grip in grips):
+            raise NotConfirmed("dry friction, by which small swings stick")
+        return moment(self.model, placed, {grip.name: "sticks" for grip in grips})
+
+
+class Small(Near):
+    """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
+
+    def __init__(self, first: Node, owner: str) -> None:
+        super().__init__(first)
+        self.index = self.free_index(owner)
 
     def free_index(self, owner: str) -> int:
         """The coordinate that swings: of the body that is named, else of the only one that nothing holds."""
@@ -69,33 +114,12 @@ class Small:
             raise NotConfirmed("nothing of it can swing")
         again = solved([*[slope for slope, _ in rows], {own[0]: 1.0}], [0.0] * (len(rows) + 1), self.model.size)
         if not owner and any(self.model.masses[index] for index in again.open):
-            raise NotConfirmed("more than one body may swing")
+            raise SeveralWays("more than one body may swing")
         return own[0]
-
-    def at(self, value: float) -> list[float]:
-        """The places where the coordinate has a value."""
-        q = list(self.first.placed.q)
-        for _ in range(30):
-            self.first.budget.spend(self.model)
-            rows = self.rows(q)
-            gaps = [old - gap for (_, gap), old in zip(rows, self.before, strict=True)] + [value - q[self.index]]
-            if max(map(abs, gaps)) < 1e-12:
-                break
-            found = solved([*[slope for slope, _ in rows], {self.index: 1.0}], gaps, len(q))
-            q = [old + change for old, change in zip(q, found.values, strict=True)]
-        return q
 
     def push(self, value: float, rate: float = 0.0) -> float:
         """The second rate of the coordinate at a place and a rate."""
-        self.first.budget.spend(self.model)
-        q = self.at(value)
-        rows = self.rows(q)
-        speed = solved([*[slope for slope, _ in rows], {self.index: 1.0}], [*[0.0 for _ in rows], rate], len(q)).values
-        placed = Placed(q, speed, self.first.time, self.first.placed.offsets, self.first.placed.origin)
-        grips = gathered(self.model, placed.pose(self.model))[1]
-        if any(grip.normal is None for grip in grips):
-            raise NotConfirmed("dry friction, by which small swings stick")
-        return moment(self.model, placed, {grip.name: "sticks" for grip in grips}).rates[self.index]
+        return self.moment_at(self.at_all({self.index: value}), {self.index: rate}).rates[self.index]
 
     def bend(self, value: float, step: float = STEP) -> float:
         """How fast the push grows with the place, by a step to both sides."""
@@ -137,8 +161,15 @@ class Small:
 
 
 def swinging(course: Course, term: Term) -> Reckoned:
-    """The period of swings, or their frequency, or 2π times that."""
-    return period_as_asked(swing_time(course, term), term.path.quantity)
+    """The period of swings, or their frequency, or 2π times that; in one of several modes too."""
+    if not term.modifier.startswith(MODE):
+        try:
+            return period_as_asked(swing_time(course, term), term.path.quantity)
+        except SeveralWays:
+            pass
+    from rotsolve.confirm.course.modes import in_mode
+
+    return in_mode(course, term)
 
 
 def period_as_asked(time: float, quantity: str) -> Reckoned:

@@ -1,0 +1,182 @@
+"""Normal modes: bodies that swing in several ways about an equilibrium, and one of their modes as a swing that a question speaks of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import cached_property
+
+from msgspec import Struct
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.core.equation import Equation
+from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
+from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.symbols import key_of
+from rotsolve.core.writing import spoken
+from rotsolve.equations.states import rates_of_body
+from rotsolve.equations.swing import HARMONIC, Swing, displacements_of_body, moving
+from rotsolve.laws.modes import Matrix, Ways, efforts, inertias, ways_of
+from rotsolve.language.problem import MODE, Term
+from rotsolve.motion.freebody import free_bodies
+from rotsolve.paths.meaning import NotYet
+
+SHAPE = "amplitude_ratio"
+UNTOLD = "what ties these bodies is not told in a way in which their normal modes are solved"
+
+
+def mode_of(swing: Swing, term: Term) -> Mode:
+    """The mode of a group that a question speaks of, with the two displacements that it compares."""
+    number = int(term.modifier.removeprefix(MODE)) if term.modifier.startswith(MODE) else 0
+    paths = [term.path, term.other.path] if term.other is not None else []
+    compared = tuple((path.owner, *f"{path.component} ".split(" ")[:2]) for path in paths)
+    return Mode(swing.body, swing.group, swing.rest, swing.still, swing.near, swing.found, "", number, compared)
+
+
+class Rows(Struct, frozen=True):
+    """M q̈ + K q = 0 of a group: its coordinates and their accelerations, M and K, what pushes along each coordinate at the equilibrium,
+    and by how much all displacements grow with the coordinates."""
+
+    coordinates: tuple[Symbol, ...]
+    accelerations: tuple[Symbol, ...]
+    inertia: Matrix
+    stiffness: Matrix
+    pushes: tuple[Formula, ...]
+    displaced: Mapping[str, Formula]
+    along: tuple[Formula, ...] = ()  # the same at any displacement
+
+
+class Mode(Swing, frozen=True, dict=True):
+    """One mode of a group that can swing in several ways: the `number` of it, slowest first; 0 of the only one.
+
+    `compared` are two displacements whose ratio in this mode is asked, as owner and words of each.
+    """
+
+    number: int = 0
+    compared: tuple[tuple[str, str, str], ...] = ()
+
+    @property
+    def harmonic(self) -> str:
+        """Key of the section of all modes of the group."""
+        return f"{self.near.when} {'+'.join(sorted(self.group))}" + HARMONIC
+
+    @property
+    def section(self) -> str:
+        """No section of its own: the rows stand with the modes."""
+        return self.harmonic
+
+    @cached_property
+    def letters_of_group(self) -> list[tuple[str, Symbol, Symbol, str]]:
+        """Rate in any small motion, displacement, acceleration and owner of all ways of all bodies, the most wanted coordinates first."""
+        any_motion, found = moving(self.near), list[tuple[str, Symbol, Symbol, str]]()
+        for name in (body.name for body in self.still.bodies if body.name in self.group):
+            rates = rates_of_body("velocity", any_motion, name)
+            places = displacements_of_body(self.near, name)
+            changes = rates_of_body("acceleration", self.near, name)
+            for rate, place, change in zip(rates, places, changes, strict=True):
+                if isinstance(rate, Symbol) and isinstance(place, Symbol) and isinstance(change, Symbol):
+                    found.append((rate.name, place, change, name))
+        return sorted(found, key=lambda item: self._rank(item[3], item[1]))
+
+    def _rank(self, name: str, place: Symbol) -> int:
+        """Turns about an axis and ways along a line before turns of what moves freely, and those before its ways."""
+        kind, turns = self.near.motion(name).kind, key_of(place.name).kind == "rotation"
+        return 0 if kind == "axis" or (kind == "line" and not turns) else 1 if turns else 2
+
+    def rows(self, tidy: Callable[[Formula], Formula], vanishes: Callable[[Formula], bool]) -> Rows:
+        """M and K: how m a grows with the accelerations, and how the forces grow as all is displaced."""
+        facts = self.within(free_bodies(moving(self.near)))
+        if any(body.changing or body.sliding or body.sweep is not None for body in facts.bodies) or facts.given:
+            raise NotYet(UNTOLD)
+        names = [name for name, *_ in self.letters_of_group]
+        at_rest = {place.name: ZERO for _, place, _, _ in self.letters_of_group}
+        ways = ways_of(facts, self.group, names, lambda slope: vanishes(slope.substitute(at_rest)))
+        if ways is None or not ways.rates:
+            raise NotYet(UNTOLD)
+        tied = {name: simplify(told.substitute(at_rest)) for name, told in ways.tied.items()}
+        own = {name: (place, change) for name, place, change, _ in self.letters_of_group}
+        grown: dict[str, Formula] = {name: own[name][0] for name in ways.rates}
+        displaced = {own[name][0].name: grown[name] if name in grown else tied[name].substitute(grown) for name in names}
+        changes = {name: change.name for name, (_, change) in own.items()}
+        inertia = inertias(facts.bodies, Ways(ways.rates, tied), changes)
+        pushes = [push.substitute(displaced) for push in efforts(facts.bodies, ways)]
+        coordinates = tuple(own[name][0] for name in ways.rates)
+
+        def there(value: Formula) -> Formula:
+            return tidy(value.substitute(at_rest))
+
+        return Rows(
+            coordinates,
+            tuple(own[name][1] for name in ways.rates),
+            tuple(tuple(map(there, row)) for row in inertia),
+            tuple(tuple(there(-differentiate(push, place.name)) for place in coordinates) for push in pushes),
+            tuple(map(there, pushes)),
+            displaced,
+            tuple(map(tidy, pushes)),
+        )
+
+    def equations(self) -> Iterator[Equation]:
+        """None: the rows are written once it is known where all stands."""
+        return iter(())
+
+    @property
+    def unsettled(self) -> tuple[str, ...]:
+        """None by laws of their own: where springs are in balance the rows tell."""
+        return ()
+
+    @property
+    def coordinates(self) -> tuple[Symbol, ...]:
+        """The displacements of all bodies."""
+        return tuple(place for _, place, _, _ in self.letters_of_group)
+
+    @cached_property
+    def letters(self) -> dict[str, Formula]:
+        """Period, frequency and angular frequency of the mode, and the ratio of two displacements."""
+        found = {word: self._letter(word) for word in (*FREQUENCIES, *([SHAPE] if self.compared else []))}
+        return found
+
+    def _letter(self, word: str) -> Formula:
+        kind, number = QUANTITIES[word], str(self.number or "")
+        letter, dimension, mark = kind.letter.removesuffix("0") + number, kind.dimension, number
+        if word == SHAPE:
+            first, second = (self.place(*one) for one in self.compared)
+            top, bottom = (self.near.registry.quantities[one.name].dimension for one in (first, second))
+            dimension, letter = top / bottom, kind.letter + number
+            mark = f"{number} {' '.join(part for one in self.compared for part in one)}"
+        quantity = SceneQuantity(word, "+".join(sorted(self.group)), self.place_of_modes, mark, letter, dimension)
+        return self.near.registry.ask(quantity)
+
+    @property
+    def place_of_modes(self) -> str:
+        return self.rest.when if self.found else self.near.state
+
+    @property
+    def common(self) -> Formula:
+        """ω of whichever mode."""
+        kind = QUANTITIES["angular_frequency"]
+        whole = "+".join(sorted(self.group))
+        quantity = SceneQuantity(kind.word, whole, self.place_of_modes, "", "omega", kind.dimension)
+        return self.near.registry.ask(quantity)
+
+    @property
+    def omega(self) -> Symbol:
+        """ω of the mode."""
+        found = self.letters["angular_frequency"]
+        assert isinstance(found, Symbol)
+        return found
+
+    def place(self, owner: str, word: str, component: str) -> Symbol:
+        """The displacement of a body that is compared."""
+        host = self.near.host(owner)
+        for _, place, _, name in self.letters_of_group:
+            key = key_of(place.name)
+            if name == host and key.kind == word and key.component == component:
+                return place
+        asked = f"{owner}.{word}{'.' + component if component else ''}"
+        raise NotYet(f"`{asked}` is no way in which `{host}` swings here", help="compare a `rotation` or `displacement`")
+
+    def title(self, key: str) -> str:
+        """Heading of the section of the modes."""
+        place = "the equilibrium" if self.found else spoken(self.rest.state)
+        return f"Small swings about {place}" if key == self.harmonic else ""
