@@ -438,6 +438,11 @@ class DerivationComposer:
                 shown = [place for place in places if place.name in self.letters.names or swing.number is None]
                 if shown:
                     turned = " turned" if kind == "rotation" else ""
-                    said.append((*in_a_row(map(self.letters.printed, shown)), f": {what}{'s' * (len(shown) > 1)}{turned} from the equilibrium"))
+                    said.append(
+                        (
+                            *in_a_row(map(self.letters.printed, shown)),
+                            f": {what}{'s' * (len(shown) > 1)}{turned} from the equilibrium",
+                        )
+                    )
             said += [(f"{spoken(name)} is so long that it keeps its direction",) for name in swing.long]
         return tuple(dict.fromkeys(said))

@@ -41,7 +41,9 @@ from rotsolve.motion.passages import groups_of
 from rotsolve.paths.meaning import NotYet
 
 PLACES = ("elongation", "angle")  # what balance decides
-SEVERAL_WAYS = "can move in several ways: solved are the periods, frequencies and shapes of their small swings, each by its own"
+SEVERAL_WAYS = (
+    "can move in several ways: solved are the periods, frequencies and shapes of their small swings, each by its own"
+)
 STATE_IT = "give a state with its angle and `balance: true`, and say `about` it"
 
 

@@ -17,8 +17,8 @@ from rotsolve.core.symbols import key_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import HARMONIC, Swing, displacements_of_body, moving
+from rotsolve.language.problem import MODE, Path, Term
 from rotsolve.laws.modes import Matrix, Ways, efforts, inertias, ways_of
-from rotsolve.language.problem import MODE, Term
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.paths.meaning import NotYet
 
@@ -30,8 +30,14 @@ def mode_of(swing: Swing, term: Term) -> Mode:
     """The mode of a group that a question speaks of, with the two displacements that it compares."""
     number = int(term.modifier.removeprefix(MODE)) if term.modifier.startswith(MODE) else 0
     paths = [term.path, term.other.path] if term.other is not None else []
-    compared = tuple((path.owner, *f"{path.component} ".split(" ")[:2]) for path in paths)
+    compared = tuple((path.owner, *way_in_words(path)) for path in paths)
     return Mode(swing.body, swing.group, swing.rest, swing.still, swing.near, swing.found, "", number, compared)
+
+
+def way_in_words(path: Path) -> tuple[str, str]:
+    """A displacement or rotation that is compared, and its component."""
+    word, _, component = str(path.component).partition(" ")
+    return word, component
 
 
 class Rows(Struct, frozen=True):
@@ -97,7 +103,9 @@ class Mode(Swing, frozen=True, dict=True):
         tied = {name: simplify(told.substitute(at_rest)) for name, told in ways.tied.items()}
         own = {name: (place, change) for name, place, change, _ in self.letters_of_group}
         grown: dict[str, Formula] = {name: own[name][0] for name in ways.rates}
-        displaced = {own[name][0].name: grown[name] if name in grown else tied[name].substitute(grown) for name in names}
+        displaced = {
+            own[name][0].name: grown[name] if name in grown else tied[name].substitute(grown) for name in names
+        }
         changes = {name: change.name for name, (_, change) in own.items()}
         inertia = inertias(facts.bodies, Ways(ways.rates, tied), changes)
         pushes = [push.substitute(displaced) for push in efforts(facts.bodies, ways)]
@@ -140,15 +148,15 @@ class Mode(Swing, frozen=True, dict=True):
         kind, number = QUANTITIES[word], str(self.number or "")
         letter, dimension, mark = kind.letter.removesuffix("0") + number, kind.dimension, number
         if word == SHAPE:
-            first, second = (self.place(*one) for one in self.compared)
+            first, second = (self.way_of(*one) for one in self.compared)
             top, bottom = (self.near.registry.quantities[one.name].dimension for one in (first, second))
             dimension, letter = top / bottom, kind.letter + number
             mark = f"{number} {' '.join(part for one in self.compared for part in one)}"
-        quantity = SceneQuantity(word, "+".join(sorted(self.group)), self.place_of_modes, mark, letter, dimension)
+        quantity = SceneQuantity(word, "+".join(sorted(self.group)), self.when_asked, mark, letter, dimension)
         return self.near.registry.ask(quantity)
 
     @property
-    def place_of_modes(self) -> str:
+    def when_asked(self) -> str:
         return self.rest.when if self.found else self.near.state
 
     @property
@@ -156,7 +164,7 @@ class Mode(Swing, frozen=True, dict=True):
         """ω of whichever mode."""
         kind = QUANTITIES["angular_frequency"]
         whole = "+".join(sorted(self.group))
-        quantity = SceneQuantity(kind.word, whole, self.place_of_modes, "", "omega", kind.dimension)
+        quantity = SceneQuantity(kind.word, whole, self.when_asked, "", "omega", kind.dimension)
         return self.near.registry.ask(quantity)
 
     @property
@@ -166,7 +174,7 @@ class Mode(Swing, frozen=True, dict=True):
         assert isinstance(found, Symbol)
         return found
 
-    def place(self, owner: str, word: str, component: str) -> Symbol:
+    def way_of(self, owner: str, word: str, component: str) -> Symbol:
         """The displacement of a body that is compared."""
         host = self.near.host(owner)
         for _, place, _, name in self.letters_of_group:
@@ -174,7 +182,9 @@ class Mode(Swing, frozen=True, dict=True):
             if name == host and key.kind == word and key.component == component:
                 return place
         asked = f"{owner}.{word}{'.' + component if component else ''}"
-        raise NotYet(f"`{asked}` is no way in which `{host}` swings here", help="compare a `rotation` or `displacement`")
+        raise NotYet(
+            f"`{asked}` is no way in which `{host}` swings here", help="compare a `rotation` or `displacement`"
+        )
 
     def title(self, key: str) -> str:
         """Heading of the section of the modes."""

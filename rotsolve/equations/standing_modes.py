@@ -33,7 +33,9 @@ def stable_angles(still: Facts, group: frozenset[str], signs: SignOracle) -> dic
         if not letter:
             break
         slope = differentiate(pushes[place], letter) * turning(letter, still, ways, ways.rates[place])
-        roots = [root for root in solve_trig(pushes[place], letter) if signs.of_sizes(slope.substitute({letter: root})) == -1]
+        roots = [
+            root for root in solve_trig(pushes[place], letter) if signs.of_sizes(slope.substitute({letter: root})) == -1
+        ]
         if len(roots) != 1:
             raise NotYet("the stable equilibrium is not told", help=STATE_IT)
         found[letter] = simplify(roots[0])

@@ -1,7 +1,8 @@
 """Modes: small motions of tied bodies in several ways, M q̈ + K q = 0 and det(K − ω² M) = 0.
 
-The equations of motion are those of d'Alembert: in every motion that the rules allow the forces have the power of m a and I α together, so
-that each independent rate has a row of its own, in which no ideal support occurs (Goldstein, Poole & Safko, Classical Mechanics, §1.4, §6.2).
+The equations of motion are those of d'Alembert: in every motion that the rules allow the forces have the power of m a and I α together,
+so that each independent rate has a row of its own, in which no ideal support occurs (Goldstein, Poole & Safko, Classical Mechanics,
+§1.4, §6.2).
 """
 
 from __future__ import annotations
@@ -27,7 +28,9 @@ class Ways(Struct, frozen=True):
     tied: Mapping[str, Formula]
 
 
-def ways_of(facts: Facts, group: frozenset[str], rates: Sequence[str], vanishes: Callable[[Formula], bool]) -> Ways | None:
+def ways_of(
+    facts: Facts, group: frozenset[str], rates: Sequence[str], vanishes: Callable[[Formula], bool]
+) -> Ways | None:
     """The independent ones of `rates`, the most wanted first, by the rules; None where a rule tells none of them."""
     tied: dict[str, Formula] = {}
     for rule in facts.rules:
@@ -56,7 +59,9 @@ def inertias(bodies: Sequence[BodyFacts], ways: Ways, accelerations: Mapping[str
     tied = dict(ways.tied)
     power = total([masses(body, size) * rate for body in bodies for size, rate in gained(body)])
     grown = {name: Symbol(accelerations[name]) for name in ways.rates}
-    power = power.substitute({accelerations[name]: told.substitute(grown) for name, told in tied.items()}).substitute(tied)
+    power = power.substitute({accelerations[name]: told.substitute(grown) for name, told in tied.items()}).substitute(
+        tied
+    )
     own = [accelerations[name] for name in ways.rates]
     still = dict.fromkeys((*ways.rates, *own), ZERO)
     return tuple(

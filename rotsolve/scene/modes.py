@@ -59,4 +59,6 @@ def read_pair(scope: Scope, node: Text, words: list[Lexeme]) -> tuple[list[Path]
 
 def shaped(path: Path) -> Path:
     """A way of a body as one of two amplitudes that are compared."""
-    return Path(path.owner, "amplitude_ratio", component=f"{path.quantity} {path.component or ''}".strip(), span=path.span)
+    return Path(
+        path.owner, "amplitude_ratio", component=f"{path.quantity} {path.component or ''}".strip(), span=path.span
+    )

@@ -20,7 +20,7 @@ from rotsolve.core.symbols import of_kinds
 from rotsolve.core.writing import and_joined, positive_first, spoken
 from rotsolve.equations.normal_modes import SHAPE, Mode, Rows
 from rotsolve.equations.swing import STRETCHES
-from rotsolve.laws.modes import characteristic, determinant, shapes
+from rotsolve.laws.modes import Matrix, characteristic, determinant, shapes
 from rotsolve.laws.oscillation import periods
 from rotsolve.paths.meaning import NotYet
 
@@ -70,7 +70,10 @@ def number_of(mode: Mode, spectrum: Spectrum) -> int:
         raise NotYet(f"{names} {'have' if len(mode.group) > 1 else 'has'} {count_of(count)}, no mode {mode.number}")
     if not mode.number and count > 1:
         ways = ", ".join(f"`mode {number}`" for number in range(1, count + 1))
-        raise NotYet(f"{names} swing in {count} ways, each with its own period", help=f"ask for that of {ways}, the slowest first")
+        raise NotYet(
+            f"{names} swing in {count} ways, each with its own period",
+            help=f"ask for that of {ways}, the slowest first",
+        )
     return mode.number or 1
 
 
@@ -135,7 +138,9 @@ def in_balance(mode: Mode, rows: Rows, search: Stepping) -> tuple[Rows, Words]:
     known = set(search.givens) | set(search.values)
     settled = replace_parts(rows, lambda part: search.solver.simplify(part.substitute(found)))
     if {name for part in parts_of(settled) for name in part.symbols()} - known:
-        raise NotYet(f"how {named(mode)} swing depends on how springs are stretched in the equilibrium, which is not told")
+        raise NotYet(
+            f"how {named(mode)} swing depends on how springs are stretched in the equilibrium, which is not told"
+        )
     told = {name: value for name, value in found.items() if name in spoken_of}
     words: list[str | Formula] = []
     for name, value in told.items():
@@ -150,16 +155,16 @@ def parts_of(rows: Rows) -> Iterator[Formula]:
 
 def replace_parts(rows: Rows, change: Callable[[Formula], Formula]) -> Rows:
     """The rows with each entry, and what pushes along a way, changed."""
-    inertia, stiffness = (
-        tuple(tuple(map(change, row)) for row in matrix) for matrix in (rows.inertia, rows.stiffness)
-    )
+    inertia, stiffness = (tuple(tuple(map(change, row)) for row in matrix) for matrix in (rows.inertia, rows.stiffness))
     return replace(rows, inertia=inertia, stiffness=stiffness, along=tuple(map(change, rows.along)))
 
 
 def check_driven_back(mode: Mode, rows: Rows, squares: Sequence[Formula], search: Stepping) -> None:
     """K has to be symmetric, as of forces with a potential, and no ω² negative."""
     size = range(len(rows.coordinates))
-    if any(not is_zero(rows.stiffness[i][j] - rows.stiffness[j][i], search.solver.positive) for i in size for j in range(i)):
+    if any(
+        not is_zero(rows.stiffness[i][j] - rows.stiffness[j][i], search.solver.positive) for i in size for j in range(i)
+    ):
         raise NotYet(f"a force on {named(mode)} has no potential: what it does to their swings is not solved yet")
     place = "the equilibrium" if mode.found else spoken(mode.rest.state)
     if any(search.signs.of_sizes(square) == -1 for square in squares):
@@ -176,19 +181,21 @@ def surely_stable(rows: Rows, search: Stepping) -> bool:
 
 def check_neutral(mode: Mode, rows: Rows, search: Stepping) -> None:
     """Along a way in which nothing drives it back nothing may push at any distance: else that is an equilibrium of higher order."""
-    alone = [
-        place
-        for place in range(len(rows.coordinates))
-        if all(is_zero(row[place], search.solver.positive) for row in rows.stiffness)
-    ]
-    ways = [tuple(ONE if other == place else ZERO for other in range(len(rows.coordinates))) for place in alone]
-    ways = ways or [next((shape for shape in shapes(rows.stiffness) if not all(map(is_zero, shape))), ())]
+    size = range(len(rows.coordinates))
+    alone = [j for j in size if all(is_zero(row[j], search.solver.positive) for row in rows.stiffness)]
+    ways: list[tuple[Formula, ...]] = [tuple(ONE if other == j else ZERO for other in size) for j in alone]
+    ways = ways or [shape for shape in shapes(rows.stiffness) if not all(map(is_zero, shape))][:1] or [()]
     for way in ways:
         moved = {place.name: part * place for place, part in zip(rows.coordinates, way, strict=False)}
         first = rows.coordinates[0]
-        moved = {name: part.substitute(dict.fromkeys([c.name for c in rows.coordinates], first)) for name, part in moved.items()}
+        moved = {
+            name: part.substitute(dict.fromkeys([c.name for c in rows.coordinates], first))
+            for name, part in moved.items()
+        }
         if not moved or not all(is_zero(push.substitute(moved), search.solver.positive) for push in rows.along):
-            raise NotYet(f"in one of their ways nothing drives {named(mode)} back to first order: such swings are not solved yet")
+            raise NotYet(
+                f"in one of their ways nothing drives {named(mode)} back to first order: such swings are not solved yet"
+            )
 
 
 def in_order(mode: Mode, squares: Sequence[Formula], search: Stepping) -> list[Formula]:
@@ -209,13 +216,17 @@ def in_order(mode: Mode, squares: Sequence[Formula], search: Stepping) -> list[F
 def words_of(mode: Mode, spectrum: Spectrum, search: Stepping) -> Words:
     """The rows, the condition and what is to be said of it, where they stand for the first time; when it is stable."""
     number, square = number_of(mode, spectrum), mode.omega**2
-    unsure = number == 1 and search.signs.of_sizes(spectrum.squares[0]) is None and not surely_stable(spectrum.rows, search)
+    unsure = (
+        number == 1 and search.signs.of_sizes(spectrum.squares[0]) is None and not surely_stable(spectrum.rows, search)
+    )
     stable: Words = (NEXT, "Stable while ", square, " > 0.") if unsure else ()
     if mode.harmonic in search.swung:
         return stable[1:]
     search.swung.add(mode.harmonic)
     rows = spectrum.rows
-    lines: list[Words] = [("To first order, coordinate by coordinate, by the power that all forces have where it alone changes:",)]
+    lines: list[Words] = [
+        ("To first order, coordinate by coordinate, by the power that all forces have where it alone changes:",)
+    ]
     for masses, stiff in zip(rows.inertia, rows.stiffness, strict=True):
         terms = [multiply(part, rate) for part, rate in zip(masses, rows.accelerations, strict=True)]
         terms += [multiply(part, place) for part, place in zip(stiff, rows.coordinates, strict=True)]
@@ -224,10 +235,26 @@ def words_of(mode: Mode, spectrum: Spectrum, search: Stepping) -> Words:
         lines.insert(0, (*spectrum.held, "."))
     omega = mode.common
     condition = search.solver.simplify(without_factors(spectrum.condition).substitute({SQUARE: omega**2}))
-    lines.append(("In a mode all swing with one ", omega, ", so that each acceleration is −", omega**2, " times its displacement; det(K − ", omega**2, " M) = 0:"))
+    lines.append(
+        (
+            "In a mode all swing with one ",
+            omega,
+            ", so that each acceleration is −",
+            omega**2,
+            " times its displacement; det(K − ",
+            omega**2,
+            " M) = 0:",
+        )
+    )
     lines.append((condition, " = 0"))
     if spectrum.free:
-        lines.append(("The root ", omega, " = 0 is no swing: nothing drives the bodies back as they all move on together.",))
+        lines.append(
+            (
+                "The root ",
+                omega,
+                " = 0 is no swing: nothing drives the bodies back as they all move on together.",
+            )
+        )
     return (*tuple(part for line in lines for part in (NEXT, *line))[1:], *stable)
 
 
@@ -245,8 +272,10 @@ def shape_of_mode(mode: Mode, spectrum: Spectrum, square: Formula, search: Stepp
     """The ratio of two displacements in a mode: from the rows of K − ω² M that leave it open no more."""
     same = [other for other in spectrum.squares if other == square or search.signs.sign(other - square) == 0]
     if len(same) > 1:
-        raise NotYet(f"two modes of {named(mode)} have the same frequency: any motion between them is one, so no ratio is told")
-    letters = [mode.place(*one) for one in mode.compared]
+        raise NotYet(
+            f"two modes of {named(mode)} have the same frequency: any motion between them is one, so no ratio is told"
+        )
+    letters = [mode.way_of(*one) for one in mode.compared]
     grown = [spectrum.rows.displaced[letter.name] for letter in letters]
     for shape in shapes(spectrum.matrix):
         moved = dict(zip((place.name for place in spectrum.rows.coordinates), shape, strict=True))
@@ -255,7 +284,9 @@ def shape_of_mode(mode: Mode, spectrum: Spectrum, square: Formula, search: Stepp
         if all(is_zero(side) or search.signs.sign(side) == 0 for side in shape_at(shape, square, search)):
             continue
         if is_zero(there[1], search.solver.positive) or search.signs.sign(there[1]) == 0:
-            raise NotYet(f"`{mode.compared[1][0]}` stays at rest in mode {number_of(mode, spectrum)}: there is no ratio to it")
+            raise NotYet(
+                f"`{mode.compared[1][0]}` stays at rest in mode {number_of(mode, spectrum)}: there is no ratio to it"
+            )
         whole = search.solver.simplify(top / bottom)
         ratio = min(whole, divide(*map(search.solver.simplify, (top, bottom))), key=length)
         told: Words = (ratio.substitute({SQUARE: mode.omega**2}),) if SQUARE in ratio.symbols() else ()

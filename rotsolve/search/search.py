@@ -45,8 +45,8 @@ from rotsolve.solver.steps import (
 )
 
 if TYPE_CHECKING:
-    from rotsolve.search.modes import Spectrum
     from rotsolve.questions.functions_of_time import Beside
+    from rotsolve.search.modes import Spectrum
 
 STONES_TRIED = 3  # letters of a scene that may have to be settled before an answer
 HELPS_TRIED, FEW_HELPS = (

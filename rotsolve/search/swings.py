@@ -33,10 +33,10 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import NoAnswer
 
 if TYPE_CHECKING:
-    from rotsolve.search.modes import Spectrum
     from rotsolve.language.problem import Given
     from rotsolve.plan import Planner
     from rotsolve.questions.find import Asked
+    from rotsolve.search.modes import Spectrum
     from rotsolve.solver import Solver
     from rotsolve.solver.steps import Found
 
@@ -71,8 +71,10 @@ def settle_swing(swing: Swing, word: str, search: Stepping, asked: str) -> list[
     Returns the pool indices of the equations that hold for this question alone.
     """
     if swing.number is not None:
+        from rotsolve.equations.normal_modes import Mode
         from rotsolve.search.modes import settle_mode
 
+        assert isinstance(swing, Mode)
         return settle_mode(swing, word, search, asked)
     passing: list[int] = []
     if swing.harmonic not in search.swung:

@@ -43,13 +43,12 @@ class Modes(Near):
         rows = [slope for slope, _ in self.rows(self.first.placed.q)]
         wanted = [seat.first + k for k in (2, 0, 1) for seat in self.model.seats.values()]
         found: list[int] = []
-        while True:
-            fixed = [*rows, *({index: 1.0} for index in found)]
-            open_ = solved(fixed, [0.0] * len(fixed), self.model.size).open
-            index = next((index for index in wanted if index in open_ and self.model.masses[index]), None)
-            if index is None:
-                break
-            found.append(index)
+        for index in wanted:
+            fixed = [*rows, *({other: 1.0} for other in found)]
+            if index in solved(fixed, [0.0] * len(fixed), self.model.size).open:
+                alone = solved([*fixed, {index: 1.0}], [*[0.0] * len(fixed), 1.0], self.model.size).values
+                if weighed(self.model.masses, alone, alone) > 0.0:  # a particle that turns is no motion
+                    found.append(index)
         if not found:
             raise NotConfirmed("nothing of it can swing")
         return found
@@ -120,7 +119,8 @@ class Modes(Near):
         ways = self.motions(values)
         inertia = [[weighed(self.model.masses, one, other) for other in ways] for one in ways]
         slope = [
-            [(4.0 * b - a) / 3.0 for a, b in zip(far, close, strict=True)] for far, close in zip(wide, near, strict=True)
+            [(4.0 * b - a) / 3.0 for a, b in zip(far, close, strict=True)]
+            for far, close in zip(wide, near, strict=True)
         ]
         size = range(len(ways))
         stiffness = [[-sum(inertia[i][k] * slope[k][j] for k in size) for j in size] for i in size]
@@ -132,7 +132,9 @@ class Modes(Near):
             if square < -SAME * largest:
                 raise NotConfirmed("the equilibrium is unstable")
             if square > SAME * largest:
-                rates = [sum(part * way[k] for part, way in zip(shape, ways, strict=True)) for k in range(self.model.size)]
+                rates = [
+                    sum(part * way[k] for part, way in zip(shape, ways, strict=True)) for k in range(self.model.size)
+                ]
                 found.append(Mode(math.sqrt(square), rates))
         return found
 
@@ -183,7 +185,7 @@ def jacobi(matrix: Square) -> tuple[list[float], Square]:
         off = [(abs(a[i][j]), i, j) for i in size for j in range(i)]
         if not off or max(off)[0] < 1e-14 * max(abs(a[i][i]) for i in size):
             break
-        for i, j in ((i, j) for i in size for j in range(i) if a[i][j] != 0.0):
+        for _, i, j in off:
             turn = 0.5 * math.atan2(2.0 * a[i][j], a[i][i] - a[j][j])
             c, s = math.cos(turn), math.sin(turn)
             for row in (*a, *v):
@@ -212,7 +214,9 @@ def in_mode(course: Course, term: Term) -> Reckoned:
     beside = [other.rate for other in modes if other is not mode]
     if any(abs(other - mode.rate) < 1e-5 * mode.rate for other in beside):
         raise NotConfirmed("two modes of one frequency")
-    top, bottom = (displaced(mode, course.node(name), other.path.owner, str(other.path.component)) for other in (term, term.other))
+    top, bottom = (
+        displaced(mode, course.node(name), other.path.owner, str(other.path.component)) for other in (term, term.other)
+    )
     if abs(bottom) < 1e-9 * max(map(abs, mode.shape)):
         raise NotConfirmed("a ratio to what stays at rest")
     return number(top / bottom)

@@ -52,7 +52,7 @@ class SeveralWays(NotConfirmed):
 
 
 class Near:
-    """Places near those of an instant, at which all that is held is held as well; a spring of which nothing is told begins without force."""
+    """Places near those of an instant, at which all is held that is held there; a spring of which nothing is told begins without force."""
 
     def __init__(self, first: Node) -> None:
         self.first, self.model = first, first.model
