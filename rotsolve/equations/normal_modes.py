@@ -10,6 +10,7 @@ from msgspec import Struct
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
@@ -143,6 +144,12 @@ class Mode(Swing, frozen=True, dict=True):
         """Period, frequency and angular frequency of the mode, and the ratio of two displacements."""
         found = {word: self._letter(word) for word in (*FREQUENCIES, *([SHAPE] if self.compared else []))}
         return found
+
+    def dimension(self, word: str) -> Dimension:
+        """The dimension of what is asked of it: of a ratio that of the two displacements."""
+        letter = self.letters[word]
+        assert isinstance(letter, Symbol)
+        return self.near.registry.quantities[letter.name].dimension
 
     def _letter(self, word: str) -> Formula:
         kind, number = QUANTITIES[word], str(self.number or "")

@@ -20,7 +20,7 @@ NOT_TOLD = "where these bodies are in equilibrium is not told"
 def stable_angles(still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
     """Angle after angle of which one force alone speaks, where that drives it back: in a stable equilibrium each coordinate alone is."""
     bodies = [body for body in still.bodies if body.name in group]
-    rates = sorted({name for body in bodies for name in rates_of(body)}, key=lambda name: not key_of(name).turns)
+    rates = sorted({name for body in bodies for name in rates_of(body)}, key=wanted)
     ways = ways_of(still, group, rates, is_zero)
     if ways is None:
         raise NotYet(NOT_TOLD, help=STATE_IT)
@@ -42,6 +42,12 @@ def stable_angles(still: Facts, group: frozenset[str], signs: SignOracle) -> dic
     if any(names for _, names in open_):
         raise NotYet(NOT_TOLD, help=STATE_IT)
     return found
+
+
+def wanted(rate: str) -> tuple[bool, bool, str]:
+    """Turns first, then ways along a line, then those of what moves freely."""
+    key = key_of(rate)
+    return not key.turns, key.component != "", rate
 
 
 def in_functions(push: Formula) -> list[str]:

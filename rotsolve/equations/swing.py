@@ -11,9 +11,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Symbol, call
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
-from rotsolve.core.quantity import FREQUENCIES
+from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
 from rotsolve.core.symbols import SymbolKey, has_quantities, key_of, of_kinds
 from rotsolve.core.vectors.heading import RIGHT, UP, heading, opposite
 from rotsolve.core.writing import spoken
@@ -136,6 +137,10 @@ class Swing(Struct, frozen=True, dict=True):
         springs = ((body, force) for body, force in pulls if force.role.springs and force.owner not in placed)
         across = ((force, body.motion.velocity_of(force.arm).cross(force.direction)) for body, force in springs)
         return tuple(dict.fromkeys(force.owner for force, speed in across if not is_zero(speed)))
+
+    def dimension(self, word: str) -> Dimension:
+        """The dimension of what is asked of it."""
+        return QUANTITIES[word].dimension
 
     def amplitude(self) -> Formula:
         """The angle from the equilibrium at which a large swing starts, at rest."""

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
+from msgspec.structs import replace
+
 from rotsolve.language.grammar import RATIO_OF, SWINGS
 from rotsolve.language.problem import MODE, Path, Term
 from rotsolve.scene.literals import Lexeme
@@ -25,6 +29,7 @@ def read_mode(scope: Scope, node: Text, words: list[Lexeme], modifier: str) -> t
         if found is None:
             return None
         pair, words = found
+    words = with_number_apart(words)
     if len(words) < 2 or words[0].text != "mode" or not words[1].text.isdigit() or int(words[1].text) < 1:
         return scope.fault(span, "the number of a mode is missing", FORM, "find")
     clauses = {"about": ""} if pair else {"of": "", "about": ""}
@@ -36,6 +41,17 @@ def read_mode(scope: Scope, node: Text, words: list[Lexeme], modifier: str) -> t
         first, second = (shaped(path) for path in pair)
         return Term(first, mode, at=at, other=Term(second, mode)), rest
     return Term(Path(clauses["of"], SWINGS[modifier], span=span), mode, at=at), rest
+
+
+def with_number_apart(words: list[Lexeme]) -> list[Lexeme]:
+    """`mode`, `1`, `in`, where what follows is a unit: `1 in` was read as an inch."""
+    if len(words) < 2 or not re.fullmatch(r"\d+\s+in", words[1].text):
+        return words
+    whole = words[1]
+    digits = len(whole.text.split()[0])
+    number = replace(whole, kind="number", text=whole.text[:digits], end=whole.start + digits)
+    clause = replace(whole, kind="name", text="in", start=whole.end - 2)
+    return [words[0], number, clause, *words[2:]]
 
 
 def read_pair(scope: Scope, node: Text, words: list[Lexeme]) -> tuple[list[Path], list[Lexeme]] | None:

@@ -16,6 +16,7 @@ from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.course.swings import STEP, Near
 from rotsolve.confirm.linear import solved
+from rotsolve.confirm.pose import PER_BODY
 from rotsolve.language.problem import MODE, Term
 
 ROUGH, SAME = 1e-4, 1e-6  # shares of the largest ω²: by which two steps may differ, below which a mode does not swing
@@ -33,10 +34,22 @@ class Mode(Struct, frozen=True):
 class Modes(Near):
     """All that is free about the equilibrium that is told, or that is found downhill from where things are drawn."""
 
-    def __init__(self, first: Node, *, told: bool) -> None:
+    def __init__(self, first: Node, owner: str, *, told: bool) -> None:
         super().__init__(first)
-        self.indices = self.free()
+        self.indices = [index for index in self.free() if not owner or index // PER_BODY in self.beside(owner)]
         self.told = told
+        if not self.indices:
+            raise NotConfirmed("nothing of it can swing")
+
+    def beside(self, owner: str) -> set[int]:
+        """The bodies, by their number, that are tied to one, or pulled by the same springs and wires."""
+        names = list(self.model.seats)
+        found, more = {owner}, True
+        groups = [{ref.owner for ref in item.touches() if ref.owner in names} for item in self.model.acting.connections]
+        while more:
+            wider = found.union(*(group for group in groups if group & found))
+            more, found = wider != found, wider
+        return {names.index(name) for name in found}
 
     def free(self) -> list[int]:
         """Coordinates that can be told independently: turns first, then ways."""
@@ -49,8 +62,6 @@ class Modes(Near):
                 alone = solved([*fixed, {index: 1.0}], [*[0.0] * len(fixed), 1.0], self.model.size).values
                 if weighed(self.model.masses, alone, alone) > 0.0:  # a particle that turns is no motion
                     found.append(index)
-        if not found:
-            raise NotConfirmed("nothing of it can swing")
         return found
 
     def pushes_at(self, values: Sequence[float]) -> list[float]:
@@ -204,7 +215,7 @@ def in_mode(course: Course, term: Term) -> Reckoned:
     name = term.at or course.names[0]
     state = course.states[course.names.index(name)]
     about = term.at is not None or state.balance
-    modes = Modes(course.node(name), told=about and state.balance).modes()
+    modes = Modes(course.node(name), term.path.owner, told=about and state.balance).modes()
     place = int(term.modifier.removeprefix(MODE)) if term.modifier.startswith(MODE) else 1
     if place > len(modes) or (not term.modifier.startswith(MODE) and len(modes) > 1):
         raise NotConfirmed(f"{len(modes)} modes were found")
