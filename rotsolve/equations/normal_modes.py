@@ -11,6 +11,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
@@ -19,7 +20,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import HARMONIC, Swing, displacements_of_body, moving
 from rotsolve.language.problem import MODE, Path, Term
-from rotsolve.laws.modes import Matrix, Ways, efforts, inertias, ways_of
+from rotsolve.laws.modes import FreeWays, Matrix, free_ways, generalized_forces, inertias
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.paths.meaning import NotYet
 
@@ -52,6 +53,17 @@ class Rows(Struct, frozen=True):
     pushes: tuple[Formula, ...]
     displaced: Mapping[str, Formula]
     along: tuple[Formula, ...] = ()  # the same at any displacement
+
+
+class Spectrum(Struct, frozen=True):
+    """The rows of a group, det(K − ω² M) by the letter of ω², and its roots that are not 0, the smallest first."""
+
+    rows: Rows
+    matrix: Matrix
+    condition: Formula
+    squares: tuple[Formula, ...]
+    free: int = 0  # ways in which nothing drives it back
+    held: Words = ()  # where the balance of the springs tells something
 
 
 class Mode(Swing, frozen=True, dict=True):
@@ -98,7 +110,7 @@ class Mode(Swing, frozen=True, dict=True):
             raise NotYet(UNTOLD)
         names = [name for name, *_ in self.letters_of_group]
         at_rest = {place.name: ZERO for _, place, _, _ in self.letters_of_group}
-        ways = ways_of(facts, self.group, names, lambda slope: vanishes(slope.substitute(at_rest)))
+        ways = free_ways(facts, self.group, names, lambda slope: vanishes(slope.substitute(at_rest)))
         if ways is None or not ways.rates:
             raise NotYet(UNTOLD)
         tied = {name: simplify(told.substitute(at_rest)) for name, told in ways.tied.items()}
@@ -108,8 +120,8 @@ class Mode(Swing, frozen=True, dict=True):
             own[name][0].name: grown[name] if name in grown else tied[name].substitute(grown) for name in names
         }
         changes = {name: change.name for name, (_, change) in own.items()}
-        inertia = inertias(facts.bodies, Ways(ways.rates, tied), changes)
-        pushes = [push.substitute(displaced) for push in efforts(facts.bodies, ways)]
+        inertia = inertias(facts.bodies, FreeWays(ways.rates, tied), changes)
+        pushes = [push.substitute(displaced) for push in generalized_forces(facts.bodies, ways)]
         coordinates = tuple(own[name][0] for name in ways.rates)
 
         def there(value: Formula) -> Formula:

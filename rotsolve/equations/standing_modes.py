@@ -11,7 +11,7 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.symbols import key_of, of_kinds
 from rotsolve.equations.equilibrium import PLACES, STATE_IT, angle_rates
 from rotsolve.laws.groups import rates_of
-from rotsolve.laws.modes import Ways, efforts, ways_of
+from rotsolve.laws.modes import FreeWays, free_ways, generalized_forces
 from rotsolve.paths.meaning import NotYet
 
 NOT_TOLD = "where these bodies are in equilibrium is not told"
@@ -21,18 +21,18 @@ def stable_angles(still: Facts, group: frozenset[str], signs: SignOracle) -> dic
     """Angle after angle of which one force alone speaks, where that drives it back: in a stable equilibrium each coordinate alone is."""
     bodies = [body for body in still.bodies if body.name in group]
     rates = sorted({name for body in bodies for name in rates_of(body)}, key=wanted)
-    ways = ways_of(still, group, rates, is_zero)
+    ways = free_ways(still, group, rates, is_zero)
     if ways is None:
         raise NotYet(NOT_TOLD, help=STATE_IT)
     found: dict[str, Formula] = {}
-    pushes = efforts(bodies, ways)
+    pushes = generalized_forces(bodies, ways)
     while True:
         pushes = [simplify(push.substitute(found)) for push in pushes]
         open_ = [(place, in_functions(push)) for place, push in enumerate(pushes)]
         place, letter = next(((k, names[0]) for k, names in open_ if len(names) == 1), (0, ""))
         if not letter:
             break
-        slope = differentiate(pushes[place], letter) * turning(letter, still, ways, ways.rates[place])
+        slope = differentiate(pushes[place], letter) * growth_of_angle(letter, still, ways, ways.rates[place])
         roots = [
             root for root in solve_trig(pushes[place], letter) if signs.of_sizes(slope.substitute({letter: root})) == -1
         ]
@@ -57,7 +57,7 @@ def in_functions(push: Formula) -> list[str]:
     return letters if any(letter in node.symbols() for letter in letters for node in calls) else []
 
 
-def turning(angle: str, still: Facts, ways: Ways, way: str) -> Formula:
+def growth_of_angle(angle: str, still: Facts, ways: FreeWays, way: str) -> Formula:
     """How fast an angle grows, counterclockwise, with one of the ways."""
     grown = next(rate for body in still.bodies for rate in angle_rates(angle, body))
     return differentiate(grown.substitute(dict(ways.tied)), way)

@@ -21,16 +21,16 @@ from rotsolve.laws.groups import gained, supplied
 Matrix = tuple[tuple[Formula, ...], ...]
 
 
-class Ways(Struct, frozen=True):
+class FreeWays(Struct, frozen=True):
     """How a group can move: the letters of its independent rates, and all others by them."""
 
     rates: tuple[str, ...]
     tied: Mapping[str, Formula]
 
 
-def ways_of(
+def free_ways(
     facts: Facts, group: frozenset[str], rates: Sequence[str], vanishes: Callable[[Formula], bool]
-) -> Ways | None:
+) -> FreeWays | None:
     """The independent ones of `rates`, the most wanted first, by the rules; None where a rule tells none of them."""
     tied: dict[str, Formula] = {}
     for rule in facts.rules:
@@ -45,16 +45,16 @@ def ways_of(
         if value is None:
             return None
         tied = {other: simplify(told.substitute({name: value})) for other, told in tied.items()} | {name: value}
-    return Ways(tuple(name for name in rates if name not in tied), tied)
+    return FreeWays(tuple(name for name in rates if name not in tied), tied)
 
 
-def efforts(bodies: Sequence[BodyFacts], ways: Ways) -> list[Formula]:
+def generalized_forces(bodies: Sequence[BodyFacts], ways: FreeWays) -> list[Formula]:
     """The generalized force of each way: the power of all forces and couples per independent rate."""
     power = total([size * rate for body in bodies for size, rate in supplied(body)]).substitute(dict(ways.tied))
     return [simplify(differentiate(power, name)) for name in ways.rates]
 
 
-def inertias(bodies: Sequence[BodyFacts], ways: Ways, accelerations: Mapping[str, str]) -> Matrix:
+def inertias(bodies: Sequence[BodyFacts], ways: FreeWays, accelerations: Mapping[str, str]) -> Matrix:
     """M: how much m a and I α per rate of one way grow with the acceleration of another; `accelerations` by the letters of rates."""
     tied = dict(ways.tied)
     power = total([masses(body, size) * rate for body in bodies for size, rate in gained(body)])
@@ -89,11 +89,11 @@ def determinant(matrix: Matrix) -> Formula:
     """det, by its first row."""
     if not matrix:
         return ONE
-    terms = [multiply(part, cofactor(matrix, 0, place)) for place, part in enumerate(matrix[0])]
+    terms = [multiply(part, signed_minor(matrix, 0, place)) for place, part in enumerate(matrix[0])]
     return terms[0] if len(terms) == 1 else total(terms)
 
 
-def cofactor(matrix: Matrix, row: int, column: int) -> Formula:
+def signed_minor(matrix: Matrix, row: int, column: int) -> Formula:
     """(−1)^(i + j) times the determinant without a row and a column."""
     rest = tuple(
         tuple(part for place, part in enumerate(line) if place != column)
@@ -107,4 +107,4 @@ def cofactor(matrix: Matrix, row: int, column: int) -> Formula:
 def shapes(matrix: Matrix) -> Iterator[tuple[Formula, ...]]:
     """The amplitudes of a mode, as far as each row of the others tells them: the cofactors of a row of K − ω² M."""
     for row in reversed(range(len(matrix))):
-        yield tuple(cofactor(matrix, row, column) for column in range(len(matrix)))
+        yield tuple(signed_minor(matrix, row, column) for column in range(len(matrix)))

@@ -6,21 +6,20 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cmp_to_key, reduce
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.exact.spectrum import real_roots
+from rotsolve.algebra.exact.spectrum import spectrum_roots
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Product, Quotient, Symbol, divide, multiply, sqrt
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import MODE_SHAPE, NORMAL_MODE, Equation
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.writing import and_joined, positive_first, spoken
-from rotsolve.equations.normal_modes import SHAPE, Mode, Rows
+from rotsolve.equations.normal_modes import SHAPE, Mode, Rows, Spectrum
 from rotsolve.equations.swing import STRETCHES
-from rotsolve.laws.modes import Matrix, characteristic, determinant, shapes
+from rotsolve.laws.modes import characteristic, determinant, shapes
 from rotsolve.laws.oscillation import periods
 from rotsolve.paths.meaning import NotYet
 
@@ -30,25 +29,14 @@ if TYPE_CHECKING:
 SQUARE = "ω²"
 
 
-class Spectrum(Struct, frozen=True):
-    """The rows of a group, det(K − ω² M) by the letter of ω², and its roots that are not 0, the smallest first."""
-
-    rows: Rows
-    matrix: Matrix
-    condition: Formula
-    squares: tuple[Formula, ...]
-    free: int = 0  # ways in which nothing drives it back
-    held: Words = ()  # where the balance of the springs tells something
-
-
 def settle_mode(mode: Mode, word: str, search: Stepping, asked: str) -> list[int]:
     """The frequency of a mode, and the ratio of two displacements in it; the equations hold for all questions."""
     spectrum = spectrum_of(mode, search)
-    square = spectrum.squares[number_of(mode, spectrum) - 1]
+    square = spectrum.squares[number_meant(mode, spectrum) - 1]
     if mode.omega.name not in search.swung:
         search.swung.add(mode.omega.name)
-        remark = words_of(mode, spectrum, search)
-        name = ordinal(number_of(mode, spectrum), spectrum)
+        remark = rows_in_words(mode, spectrum, search)
+        name = ordinal(number_meant(mode, spectrum), spectrum)
         search.planner.extend(
             NORMAL_MODE.equation(mode.omega, search.solver.simplify(sqrt(square)), mode.harmonic, (), remark, mode=name)
         )
@@ -62,7 +50,7 @@ def settle_mode(mode: Mode, word: str, search: Stepping, asked: str) -> list[int
     return []
 
 
-def number_of(mode: Mode, spectrum: Spectrum) -> int:
+def number_meant(mode: Mode, spectrum: Spectrum) -> int:
     """Which of its modes is meant: the one that is named, or the only one."""
     count = len(spectrum.squares)
     names = and_joined([f"`{name}`" for name in sorted(mode.group)])
@@ -105,21 +93,21 @@ def new_spectrum(mode: Mode, search: Stepping) -> Spectrum:
     matrix = characteristic(rows.inertia, rows.stiffness, letter)
     condition = search.solver.simplify(determinant(matrix))
     if letter.name not in condition.symbols():
-        raise NotYet(f"{named(mode)} hold nothing that has a mass in one of their ways: that is no swing")
-    roots = real_roots(condition, letter.name, order=search.solver.order, positive=search.solver.positive)
+        raise NotYet(f"{group_in_words(mode)} hold nothing that has a mass in one of their ways: that is no swing")
+    roots = spectrum_roots(condition, letter.name, order=search.solver.order, positive=search.solver.positive)
     if roots is None:
-        raise NotYet(f"the frequencies of {named(mode)} have no closed form: that is not solved yet")
+        raise NotYet(f"the frequencies of {group_in_words(mode)} have no closed form: that is not solved yet")
     free = [root for root in roots if is_zero(root)]
     squares = [root for root in roots if not is_zero(root)]
     check_driven_back(mode, rows, squares, search)
     if len(roots) < len(rows.coordinates):
-        raise NotYet(f"something of {named(mode)} that can move by itself has no mass: that is not solved yet")
+        raise NotYet(f"something of {group_in_words(mode)} that can move by itself has no mass: that is not solved yet")
     if free:
         check_neutral(mode, rows, search)
-    return Spectrum(rows, matrix, condition, tuple(in_order(mode, squares, search)), len(free), held)
+    return Spectrum(rows, matrix, condition, tuple(slowest_first(mode, squares, search)), len(free), held)
 
 
-def named(mode: Mode) -> str:
+def group_in_words(mode: Mode) -> str:
     return and_joined([f"`{name}`" for name in sorted(mode.group)])
 
 
@@ -133,13 +121,13 @@ def in_balance(mode: Mode, rows: Rows, search: Stepping) -> tuple[Rows, Words]:
         if value is not None:
             found = {name: told.substitute({letter: value}) for name, told in found.items()} | {letter: value}
         elif search.signs.decide(left) != 0:
-            raise NotYet(f"{named(mode)} are not in equilibrium: {spoken(mode.rest.state) or 'as they are'}")
-    spoken_of = {name for part in parts_of(rows) for name in part.symbols()}
+            raise NotYet(f"{group_in_words(mode)} are not in equilibrium: {spoken(mode.rest.state) or 'as they are'}")
+    spoken_of = {name for part in entries_of(rows) for name in part.symbols()}
     known = set(search.givens) | set(search.values)
     settled = replace_parts(rows, lambda part: search.solver.simplify(part.substitute(found)))
-    if {name for part in parts_of(settled) for name in part.symbols()} - known:
+    if {name for part in entries_of(settled) for name in part.symbols()} - known:
         raise NotYet(
-            f"how {named(mode)} swing depends on how springs are stretched in the equilibrium, which is not told"
+            f"how {group_in_words(mode)} swing depends on how springs are stretched in the equilibrium, which is not told"
         )
     told = {name: value for name, value in found.items() if name in spoken_of}
     words: list[str | Formula] = []
@@ -148,7 +136,7 @@ def in_balance(mode: Mode, rows: Rows, search: Stepping) -> tuple[Rows, Words]:
     return settled, tuple(words)
 
 
-def parts_of(rows: Rows) -> Iterator[Formula]:
+def entries_of(rows: Rows) -> Iterator[Formula]:
     """The entries of M and K."""
     return (part for matrix in (rows.inertia, rows.stiffness) for row in matrix for part in row)
 
@@ -165,12 +153,14 @@ def check_driven_back(mode: Mode, rows: Rows, squares: Sequence[Formula], search
     if any(
         not is_zero(rows.stiffness[i][j] - rows.stiffness[j][i], search.solver.positive) for i in size for j in range(i)
     ):
-        raise NotYet(f"a force on {named(mode)} has no potential: what it does to their swings is not solved yet")
+        raise NotYet(
+            f"a force on {group_in_words(mode)} has no potential: what it does to their swings is not solved yet"
+        )
     place = "the equilibrium" if mode.found else spoken(mode.rest.state)
     if any(search.signs.of_sizes(square) == -1 for square in squares):
-        raise NotYet(f"{named(mode)} have no small swings about {place}: the equilibrium is unstable")
+        raise NotYet(f"{group_in_words(mode)} have no small swings about {place}: the equilibrium is unstable")
     if not squares or any(search.signs.of_sizes(square) == 0 for square in squares):
-        raise NotYet(f"nothing drives {named(mode)} back to {place}: there are no small swings")
+        raise NotYet(f"nothing drives {group_in_words(mode)} back to {place}: there are no small swings")
 
 
 def surely_stable(rows: Rows, search: Stepping) -> bool:
@@ -194,11 +184,11 @@ def check_neutral(mode: Mode, rows: Rows, search: Stepping) -> None:
         }
         if not moved or not all(is_zero(push.substitute(moved), search.solver.positive) for push in rows.along):
             raise NotYet(
-                f"in one of their ways nothing drives {named(mode)} back to first order: such swings are not solved yet"
+                f"in one of their ways nothing drives {group_in_words(mode)} back to first order: such swings are not solved yet"
             )
 
 
-def in_order(mode: Mode, squares: Sequence[Formula], search: Stepping) -> list[Formula]:
+def slowest_first(mode: Mode, squares: Sequence[Formula], search: Stepping) -> list[Formula]:
     """The roots from the smallest on, which numbers or letters have to tell."""
 
     def side(one: Formula, other: Formula) -> int:
@@ -207,15 +197,17 @@ def in_order(mode: Mode, squares: Sequence[Formula], search: Stepping) -> list[F
         sign = search.signs.decide(search.solver.simplify(one - other))
         if sign is None:
             help = "give the letters numbers"
-            raise NotYet(f"which mode of {named(mode)} is the slower one hangs on letters without a number", help=help)
+            raise NotYet(
+                f"which mode of {group_in_words(mode)} is the slower one hangs on letters without a number", help=help
+            )
         return sign
 
     return sorted(squares, key=cmp_to_key(side))
 
 
-def words_of(mode: Mode, spectrum: Spectrum, search: Stepping) -> Words:
+def rows_in_words(mode: Mode, spectrum: Spectrum, search: Stepping) -> Words:
     """The rows, the condition and what is to be said of it, where they stand for the first time; when it is stable."""
-    number, square = number_of(mode, spectrum), mode.omega**2
+    number, square = number_meant(mode, spectrum), mode.omega**2
     unsure = (
         number == 1 and search.signs.of_sizes(spectrum.squares[0]) is None and not surely_stable(spectrum.rows, search)
     )
@@ -273,7 +265,7 @@ def shape_of_mode(mode: Mode, spectrum: Spectrum, square: Formula, search: Stepp
     same = [other for other in spectrum.squares if other == square or search.signs.sign(other - square) == 0]
     if len(same) > 1:
         raise NotYet(
-            f"two modes of {named(mode)} have the same frequency: any motion between them is one, so no ratio is told"
+            f"two modes of {group_in_words(mode)} have the same frequency: any motion between them is one, so no ratio is told"
         )
     letters = [mode.way_of(*one) for one in mode.compared]
     grown = [spectrum.rows.displaced[letter.name] for letter in letters]
@@ -285,15 +277,16 @@ def shape_of_mode(mode: Mode, spectrum: Spectrum, square: Formula, search: Stepp
             continue
         if is_zero(there[1], search.solver.positive) or search.signs.sign(there[1]) == 0:
             raise NotYet(
-                f"`{mode.compared[1][0]}` stays at rest in mode {number_of(mode, spectrum)}: there is no ratio to it"
+                f"`{mode.compared[1][0]}` stays at rest in mode {number_meant(mode, spectrum)}: there is no ratio to it"
             )
         whole = search.solver.simplify(top / bottom)
         ratio = min(whole, divide(*map(search.solver.simplify, (top, bottom))), key=length)
         told: Words = (ratio.substitute({SQUARE: mode.omega**2}),) if SQUARE in ratio.symbols() else ()
         value = search.solver.simplify(ratio.substitute({SQUARE: square}))
-        words = f"shape of {ordinal(number_of(mode, spectrum), spectrum)}, {spoken(mode.compared[0][0])} to {spoken(mode.compared[1][0])}"
+        pair = " to ".join(spoken(owner) for owner, *_ in mode.compared)
+        words = f"shape of {ordinal(number_meant(mode, spectrum), spectrum)}, {pair}"
         return MODE_SHAPE.equation(mode.letters[SHAPE], value, mode.harmonic, (), told, words=words)
-    raise NotYet(f"the shape of mode {mode.number} of {named(mode)} is not told")
+    raise NotYet(f"the shape of mode {mode.number} of {group_in_words(mode)} is not told")
 
 
 def shape_at(shape: Sequence[Formula], square: Formula, search: Stepping) -> list[Formula]:

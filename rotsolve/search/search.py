@@ -45,14 +45,12 @@ from rotsolve.solver.steps import (
 )
 
 if TYPE_CHECKING:
+    from rotsolve.equations.normal_modes import Spectrum
     from rotsolve.questions.functions_of_time import Beside
-    from rotsolve.search.modes import Spectrum
 
 STONES_TRIED = 3  # letters of a scene that may have to be settled before an answer
-HELPS_TRIED, FEW_HELPS = (
-    8,
-    2,
-)  # lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
+# lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
+HELPS_TRIED, FEW_HELPS = 8, 2
 INDEPENDENT = 2  # of the equations of steady acceleration about one motion
 SHORT = 12  # nodes of what has been found for a letter on the way, which is then taken as it stands
 TURN = 2 * PI

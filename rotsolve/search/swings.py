@@ -33,10 +33,10 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import NoAnswer
 
 if TYPE_CHECKING:
+    from rotsolve.equations.normal_modes import Spectrum
     from rotsolve.language.problem import Given
     from rotsolve.plan import Planner
     from rotsolve.questions.find import Asked
-    from rotsolve.search.modes import Spectrum
     from rotsolve.solver import Solver
     from rotsolve.solver.steps import Found
 

@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import PI, Formula, Number, Symbol, call, sqrt
 CUBIC = 4  # coefficients of a polynomial of the third degree
 
 
-def real_roots(
+def spectrum_roots(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> list[Formula] | None:
     """The roots of f = 0, each as often as it is one; None where a factor is of a higher degree than the third."""

@@ -14,7 +14,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.reading import Reckoned, number
-from rotsolve.confirm.course.swings import STEP, Near
+from rotsolve.confirm.course.swings import STEP, Neighbourhood
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.pose import PER_BODY
 from rotsolve.language.problem import MODE, Term
@@ -24,14 +24,14 @@ GRADUAL, TRIES, STILL = 40, 60, 1e-9
 Square = list[list[float]]
 
 
-class Mode(Struct, frozen=True):
+class OwnMotion(Struct, frozen=True):
     """ω of a mode, and the rates of all coordinates of the model in it."""
 
     rate: float
     shape: list[float]
 
 
-class Modes(Near):
+class Modes(Neighbourhood):
     """All that is free about the equilibrium that is told, or that is found downhill from where things are drawn."""
 
     def __init__(self, first: Node, owner: str, *, told: bool) -> None:
@@ -119,7 +119,7 @@ class Modes(Near):
         unit = [[1.0 if one == other else 0.0 for other in self.indices] for one in self.indices]
         return [solved(fixed, [*right, *one], self.model.size).values for one in unit]
 
-    def modes(self) -> list[Mode]:
+    def modes(self) -> list[OwnMotion]:
         """All modes that swing, the slowest first; a slope of the wrong sign is no stable equilibrium."""
         values = self.equilibrium()
         wide, near = self.slopes(values, 2.0 * STEP), self.slopes(values, STEP)
@@ -146,7 +146,7 @@ class Modes(Near):
                 rates = [
                     sum(part * way[k] for part, way in zip(shape, ways, strict=True)) for k in range(self.model.size)
                 ]
-                found.append(Mode(math.sqrt(square), rates))
+                found.append(OwnMotion(math.sqrt(square), rates))
         return found
 
 
@@ -165,14 +165,14 @@ def general_eigen(stiffness: Square, inertia: Square) -> list[tuple[float, list[
             if i == j and rest <= 0.0:
                 raise NotConfirmed("something without a mass moves by itself")
             lower[i][j] = math.sqrt(rest) if i == j else rest / lower[j][j]
-    half = [forward(lower, column) for column in zip(*stiffness, strict=True)]
-    squared = [forward(lower, row) for row in zip(*half, strict=True)]
-    values, vectors = jacobi(squared)
-    found = [(values[k], backward(lower, [vectors[i][k] for i in size])) for k in size]
+    half = [forward_substituted(lower, column) for column in zip(*stiffness, strict=True)]
+    squared = [forward_substituted(lower, row) for row in zip(*half, strict=True)]
+    values, vectors = by_rotations(squared)
+    found = [(values[k], back_substituted(lower, [vectors[i][k] for i in size])) for k in size]
     return sorted(found, key=lambda pair: pair[0])
 
 
-def forward(lower: Square, right: Sequence[float]) -> list[float]:
+def forward_substituted(lower: Square, right: Sequence[float]) -> list[float]:
     """x of L x = b."""
     found: list[float] = []
     for i, row in enumerate(lower):
@@ -180,7 +180,7 @@ def forward(lower: Square, right: Sequence[float]) -> list[float]:
     return found
 
 
-def backward(lower: Square, right: Sequence[float]) -> list[float]:
+def back_substituted(lower: Square, right: Sequence[float]) -> list[float]:
     """x of Lᵀ x = b."""
     size, found = len(lower), [0.0] * len(lower)
     for i in reversed(range(size)):
@@ -188,7 +188,7 @@ def backward(lower: Square, right: Sequence[float]) -> list[float]:
     return found
 
 
-def jacobi(matrix: Square) -> tuple[list[float], Square]:
+def by_rotations(matrix: Square) -> tuple[list[float], Square]:
     """The eigenvalues of a symmetric matrix, and its eigenvectors as columns."""
     size = range(len(matrix))
     a, v = [list(row) for row in matrix], [[float(i == j) for j in size] for i in size]
@@ -226,14 +226,15 @@ def in_mode(course: Course, term: Term) -> Reckoned:
     if any(abs(other - mode.rate) < 1e-5 * mode.rate for other in beside):
         raise NotConfirmed("two modes of one frequency")
     top, bottom = (
-        displaced(mode, course.node(name), other.path.owner, str(other.path.component)) for other in (term, term.other)
+        displacement_in(mode, course.node(name), other.path.owner, str(other.path.component))
+        for other in (term, term.other)
     )
     if abs(bottom) < 1e-9 * max(map(abs, mode.shape)):
         raise NotConfirmed("a ratio to what stays at rest")
     return number(top / bottom)
 
 
-def displaced(mode: Mode, node: Node, owner: str, way: str) -> float:
+def displacement_in(mode: OwnMotion, node: Node, owner: str, way: str) -> float:
     """How far a body is displaced, or turned, in a mode, along its positive sense."""
     model = node.model
     seat, (word, _, axis) = model.seats[owner], way.partition(" ")

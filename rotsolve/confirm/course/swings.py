@@ -51,7 +51,7 @@ class SeveralWays(NotConfirmed):
     """More than one coordinate is free, so that it is one of several modes that is asked."""
 
 
-class Near:
+class Neighbourhood:
     """Places near those of an instant, at which all is held that is held there; a spring of which nothing is told begins without force."""
 
     def __init__(self, first: Node) -> None:
@@ -95,7 +95,7 @@ class Near:
         return moment(self.model, placed, {grip.name: "sticks" for grip in grips})
 
 
-class Small(Near):
+class Small(Neighbourhood):
     """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
 
     def __init__(self, first: Node, owner: str) -> None:
