@@ -53,13 +53,13 @@ def in_several_ways(facts: Facts, group: frozenset[str], terms: list[Formula]) -
     return bool(rates) and allowed is None
 
 
-def stable_places(still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
+def stable_places(rest: Instant, still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
     """The letters of angles that balance decides by itself, and their stable values; none where springs have a say in them."""
     supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
     if in_several_ways(still, group, supplies):
         from rotsolve.equations.standing_modes import stable_angles
 
-        return stable_angles(still, group, signs)
+        return stable_angles(rest, still, group, signs)
     balance = groups.drive(still, group)
     if balance is None or balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
@@ -165,7 +165,9 @@ class Placing(Struct, frozen=True):
 
     def found(self, state: str) -> Moments:
         """The moments about an equilibrium that is worked out: the angles of hinged bodies here, the rest by the laws."""
-        self.hold(self.moment(state, REST), ("velocity", "acceleration"))
+        carried = self.carried(state)
+        self.hold(self.moment(state, REST), ("velocity", "acceleration"), carried)
+        self.hold(self.moment(state, REST), ("velocity",))
         rest = self.moment(state, REST)
         still = free_bodies(moving(rest))
         for key, quantity in self.registry.quantities.items():
@@ -174,7 +176,7 @@ class Placing(Struct, frozen=True):
         troubles: dict[frozenset[str], NotYet] = {}
         for group in groups_of(self.configuration, still, state):
             try:
-                self.registry.known.update(stable_places(still, group, self.configuration.signs))
+                self.registry.known.update(stable_places(rest, still, group, self.configuration.signs))
             except NotYet as trouble:
                 troubles[group] = trouble
         return self.moments(self.moment(state, REST), troubles)
@@ -227,9 +229,17 @@ class Placing(Struct, frozen=True):
         travelling = [name for name in names if near.motion(name).kind == "line"]
         return (turning or travelling or names)[0]
 
-    def hold(self, instant: Instant, words: tuple[str, ...]) -> None:
-        """Put velocities, or velocities and accelerations, of all bodies to zero at a moment."""
+    def carried(self, state: str) -> frozenset[str]:
+        """The bodies that are tied to one whose motion is given, with that."""
+        present = [body.name for body in self.configuration.present(state)]
+        led = (name for name in present if self.configuration.drives(name, state))
+        return frozenset().union(*(self.configuration.component(name, state) for name in led))
+
+    def hold(self, instant: Instant, words: tuple[str, ...], without: frozenset[str] = frozenset()) -> None:
+        """Put velocities, or velocities and accelerations, of all bodies but some to zero at a moment."""
         for body in self.configuration.present(instant.state):
+            if body.name in without:
+                continue
             for word in words:
                 for rate in rates_of_body(word, instant, body.name):
                     self.put(rate, ZERO)

@@ -8,7 +8,7 @@ from functools import cached_property
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
@@ -17,6 +17,7 @@ from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import key_of
 from rotsolve.core.writing import spoken
+from rotsolve.equations.carriers import ONLY, carried_along
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import HARMONIC, Swing, displacements_of_body, moving
 from rotsolve.language.problem import MODE, Path, Term
@@ -106,30 +107,34 @@ class Mode(Swing, frozen=True, dict=True):
     def rows(self, tidy: Callable[[Formula], Formula], vanishes: Callable[[Formula], bool]) -> Rows:
         """M and K: how m a grows with the accelerations, and how the forces grow as all is displaced."""
         facts = self.within(free_bodies(moving(self.near)))
-        if any(body.changing or body.sliding or body.sweep is not None for body in facts.bodies) or facts.given:
+        if any(body.changing or body.sliding or body.sweep is not None for body in facts.bodies):
             raise NotYet(UNTOLD)
         names = [name for name, *_ in self.letters_of_group]
         at_rest = {place.name: ZERO for _, place, _, _ in self.letters_of_group}
-        ways = free_ways(facts, self.group, names, lambda slope: vanishes(slope.substitute(at_rest)))
-        if ways is None or not ways.rates:
+        carried = carried_along(self.near, facts, self.group)
+        found = free_ways(facts, self.group, names, lambda slope: vanishes(slope.substitute(at_rest)), carried)
+        if found is None or not found.rates:
             raise NotYet(UNTOLD)
-        tied = {name: simplify(told.substitute(at_rest)) for name, told in ways.tied.items()}
-        own = {name: (place, change) for name, place, change, _ in self.letters_of_group}
-        grown: dict[str, Formula] = {name: own[name][0] for name in ways.rates}
-        displaced = {
-            own[name][0].name: grown[name] if name in grown else tied[name].substitute(grown) for name in names
-        }
-        changes = {name: change.name for name, (_, change) in own.items()}
-        inertia = inertias(facts.bodies, FreeWays(ways.rates, tied), changes)
-        pushes = [push.substitute(displaced) for push in generalized_forces(facts.bodies, ways)]
-        coordinates = tuple(own[name][0] for name in ways.rates)
+        resting = FreeWays(
+            found.rates, {name: simplify(one.substitute(at_rest)) for name, one in found.tied.items()}, carried
+        )
+        places = {name: place for name, place, _, _ in self.letters_of_group}
+        coordinates = tuple(places[name] for name in found.rates)
+        grown: dict[str, Formula] = {name: places[name] for name in found.rates} | resting.virtual
+        displaced = {places[name].name: grown[name].substitute({n: places[n] for n in found.rates}) for name in names}
+        pushes = generalized_forces(facts.bodies, found)
+        led = [places[name].name for name in carried.given]
+        if any(not is_zero(differentiate(push, name)) for push in pushes for name in led):
+            raise NotYet(f"what pushes the bodies that are carried along depends on how far they have gone: {ONLY}")
+        pushes = [push.substitute(displaced) for push in pushes]
+        inertia = inertias(facts.bodies, resting)
 
         def there(value: Formula) -> Formula:
             return tidy(value.substitute(at_rest))
 
         return Rows(
             coordinates,
-            tuple(own[name][1] for name in ways.rates),
+            tuple(Symbol(carried.letters[name]) for name in found.rates),
             tuple(tuple(map(there, row)) for row in inertia),
             tuple(tuple(there(-differentiate(push, place.name)) for place in coordinates) for push in pushes),
             tuple(map(there, pushes)),

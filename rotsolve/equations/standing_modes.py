@@ -9,19 +9,21 @@ from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import Call, Formula
 from rotsolve.core.facts import Facts
 from rotsolve.core.symbols import key_of, of_kinds
+from rotsolve.equations.carriers import carried_along
 from rotsolve.equations.equilibrium import PLACES, STATE_IT, angle_rates
 from rotsolve.laws.groups import rates_of
 from rotsolve.laws.modes import FreeWays, free_ways, generalized_forces
+from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
 
 NOT_TOLD = "where these bodies are in equilibrium is not told"
 
 
-def stable_angles(still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
+def stable_angles(rest: Instant, still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
     """Angle after angle of which one force alone speaks, where that drives it back: in a stable equilibrium each coordinate alone is."""
     bodies = [body for body in still.bodies if body.name in group]
     rates = sorted({name for body in bodies for name in rates_of(body)}, key=wanted)
-    ways = free_ways(still, group, rates, is_zero)
+    ways = free_ways(still, group, rates, is_zero, carried_along(rest, still, group))
     if ways is None:
         raise NotYet(NOT_TOLD, help=STATE_IT)
     found: dict[str, Formula] = {}
@@ -60,4 +62,4 @@ def in_functions(push: Formula) -> list[str]:
 def growth_of_angle(angle: str, still: Facts, ways: FreeWays, way: str) -> Formula:
     """How fast an angle grows, counterclockwise, with one of the ways."""
     grown = next(rate for body in still.bodies for rate in angle_rates(angle, body))
-    return differentiate(grown.substitute(dict(ways.tied)), way)
+    return differentiate(grown.substitute(dict(ways.virtual)), way)

@@ -21,15 +21,29 @@ from rotsolve.laws.groups import gained, supplied
 Matrix = tuple[tuple[Formula, ...], ...]
 
 
+class Carried(Struct, frozen=True):
+    """The accelerations of bodies: their letters by those of the rates in any small motion, and the values of those that are given."""
+
+    letters: Mapping[str, str] = {}
+    given: Mapping[str, Formula] = {}
+
+
 class FreeWays(Struct, frozen=True):
-    """How a group can move: the letters of its independent rates, and all others by them."""
+    """How a group can move: the letters of its independent rates, and all others by them and by those that are given."""
 
     rates: tuple[str, ...]
     tied: Mapping[str, Formula]
+    carried: Carried = Carried()
+
+    @property
+    def virtual(self) -> dict[str, Formula]:
+        """All rates by the independent ones, where what is given does not move."""
+        still = dict.fromkeys(self.carried.given, ZERO)
+        return {name: told.substitute(still) for name, told in self.tied.items()} | still
 
 
 def free_ways(
-    facts: Facts, group: frozenset[str], rates: Sequence[str], vanishes: Callable[[Formula], bool]
+    facts: Facts, group: frozenset[str], rates: Sequence[str], vanishes: Callable[[Formula], bool], carried: Carried
 ) -> FreeWays | None:
     """The independent ones of `rates`, the most wanted first, by the rules; None where a rule tells none of them."""
     tied: dict[str, Formula] = {}
@@ -39,30 +53,42 @@ def free_ways(
         gap = simplify((rule.velocity[0] - rule.velocity[1]).substitute(tied))
         if is_zero(gap):
             continue
-        held = (name for name in reversed(rates) if name in gap.symbols())
+        held = (name for name in reversed(rates) if name in gap.symbols() and name not in carried.given)
         name = next((name for name in held if not vanishes(differentiate(gap, name))), "")
         value = solve_linear(gap, name) if name else None
         if value is None:
             return None
         tied = {other: simplify(told.substitute({name: value})) for other, told in tied.items()} | {name: value}
-    return FreeWays(tuple(name for name in rates if name not in tied), tied)
+    own = tuple(name for name in rates if name not in tied and name not in carried.given)
+    return FreeWays(own, tied, carried)
 
 
 def generalized_forces(bodies: Sequence[BodyFacts], ways: FreeWays) -> list[Formula]:
-    """The generalized force of each way: the power of all forces and couples per independent rate."""
-    power = total([size * rate for body in bodies for size, rate in supplied(body)]).substitute(dict(ways.tied))
-    return [simplify(differentiate(power, name)) for name in ways.rates]
+    """What pushes along each way: the power of all forces and couples per independent rate, less that of m a of what is carried along."""
+    power = total([size * rate for body in bodies for size, rate in supplied(body)]).substitute(ways.virtual)
+    pushes = [differentiate(power, name) for name in ways.rates]
+    if ways.carried.given:
+        own = dict.fromkeys((ways.carried.letters[name] for name in ways.rates), ZERO)
+        given = {ways.carried.letters[name]: value for name, value in ways.carried.given.items()}
+        taken = inertial_power(bodies, ways).substitute(own).substitute(given)
+        pushes = [push - differentiate(taken, name) for push, name in zip(pushes, ways.rates, strict=True)]
+    still = dict.fromkeys(ways.rates, ZERO)
+    return [simplify(push.substitute(still)) for push in pushes]
 
 
-def inertias(bodies: Sequence[BodyFacts], ways: FreeWays, accelerations: Mapping[str, str]) -> Matrix:
-    """M: how much m a and I α per rate of one way grow with the acceleration of another; `accelerations` by the letters of rates."""
-    tied = dict(ways.tied)
+def inertial_power(bodies: Sequence[BodyFacts], ways: FreeWays) -> Formula:
+    """The power of all m a and I α, by the independent rates, their accelerations and those that are given."""
+    letters = ways.carried.letters
+    grown = {name: Symbol(letters[name]) for name in (*ways.rates, *ways.carried.given)}
+    accelerations = {letters[name]: told.substitute(grown) for name, told in ways.tied.items()}
     power = total([masses(body, size) * rate for body in bodies for size, rate in gained(body)])
-    grown = {name: Symbol(accelerations[name]) for name in ways.rates}
-    power = power.substitute({accelerations[name]: told.substitute(grown) for name, told in tied.items()}).substitute(
-        tied
-    )
-    own = [accelerations[name] for name in ways.rates]
+    return power.substitute(accelerations).substitute(ways.virtual)
+
+
+def inertias(bodies: Sequence[BodyFacts], ways: FreeWays) -> Matrix:
+    """M: how much m a and I α per rate of one way grow with the acceleration of another."""
+    power = inertial_power(bodies, ways)
+    own = [ways.carried.letters[name] for name in ways.rates]
     still = dict.fromkeys((*ways.rates, *own), ZERO)
     return tuple(
         tuple(simplify(differentiate(differentiate(power, rate), name).substitute(still)) for name in own)
