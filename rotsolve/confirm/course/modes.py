@@ -14,7 +14,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.reading import Reckoned, number
-from rotsolve.confirm.course.swings import STEP, Neighbourhood
+from rotsolve.confirm.course.swings import STEP, Neighbourhood, weighed
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.pose import PER_BODY
 from rotsolve.language.problem import MODE, Term
@@ -50,19 +50,6 @@ class Modes(Neighbourhood):
             wider = found.union(*(group for group in groups if group & found))
             more, found = wider != found, wider
         return {names.index(name) for name in found}
-
-    def free(self) -> list[int]:
-        """Coordinates that can be told independently: turns first, then ways."""
-        rows = [slope for slope, _ in self.rows(self.first.placed.q)]
-        wanted = [seat.first + k for k in (2, 0, 1) for seat in self.model.seats.values()]
-        found: list[int] = []
-        for index in wanted:
-            fixed = [*rows, *({other: 1.0} for other in found)]
-            if index in solved(fixed, [0.0] * len(fixed), self.model.size).open:
-                alone = solved([*fixed, {index: 1.0}], [*[0.0] * len(fixed), 1.0], self.model.size).values
-                if weighed(self.model.masses, alone, alone) > 0.0:  # a particle that turns is no motion
-                    found.append(index)
-        return found
 
     def pushes_at(self, values: Sequence[float]) -> list[float]:
         """The second rates of the free coordinates."""
@@ -148,11 +135,6 @@ class Modes(Neighbourhood):
                 ]
                 found.append(OwnMotion(math.sqrt(square), rates))
         return found
-
-
-def weighed(masses: Sequence[float], one: Sequence[float], other: Sequence[float]) -> float:
-    """Σ m u v."""
-    return sum(mass * a * b for mass, a, b in zip(masses, one, other, strict=True))
 
 
 def general_eigen(stiffness: Square, inertia: Square) -> list[tuple[float, list[float]]]:

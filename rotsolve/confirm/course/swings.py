@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from msgspec.structs import replace
 
@@ -68,6 +68,19 @@ class Neighbourhood:
         rows, grips = split(held_by(self.model, pose))
         return [(row.slope, row.gap) for row in (*rows, *(grip.row for grip in grips))]
 
+    def free(self) -> list[int]:
+        """Coordinates that can be told independently: turns first, then ways."""
+        rows = [slope for slope, _ in self.rows(self.first.placed.q)]
+        wanted = [seat.first + k for k in (2, 0, 1) for seat in self.model.seats.values()]
+        found: list[int] = []
+        for index in wanted:
+            fixed = [*rows, *({other: 1.0} for other in found)]
+            if index in solved(fixed, [0.0] * len(fixed), self.model.size).open:
+                alone = solved([*fixed, {index: 1.0}], [*[0.0] * len(fixed), 1.0], self.model.size).values
+                if weighed(self.model.masses, alone, alone) > 0.0:  # a particle that turns is no motion
+                    found.append(index)
+        return found
+
     def at_all(self, values: Mapping[int, float]) -> list[float]:
         """The places where some coordinates have values."""
         q = list(self.first.placed.q)
@@ -95,6 +108,11 @@ class Neighbourhood:
         return moment(self.model, placed, {grip.name: "sticks" for grip in grips})
 
 
+def weighed(masses: Sequence[float], one: Sequence[float], other: Sequence[float]) -> float:
+    """Σ m u v."""
+    return math.fsum(mass * a * b for mass, a, b in zip(masses, one, other, strict=True))
+
+
 class Small(Neighbourhood):
     """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
 
@@ -104,17 +122,20 @@ class Small(Neighbourhood):
 
     def free_index(self, owner: str) -> int:
         """The coordinate that swings: of the body that is named, else of the only one that nothing holds."""
+        if not owner:
+            free = self.free()
+            if len(free) > 1:
+                raise SeveralWays("more than one body may swing")
+            if not free:
+                raise NotConfirmed("nothing of it can swing")
+            return free[0]
         rows = self.rows(self.first.placed.q)
         found = solved([slope for slope, _ in rows], [0.0] * len(rows), self.model.size)
         loose = [index for index in sorted(found.open) if self.model.masses[index]]
-        names = [owner] if owner in self.model.seats else list(self.model.seats)
-        places = [self.model.seats[name].first + k for name in names for k in (2, 0, 1)]
+        places = [self.model.seats[owner].first + k for k in (2, 0, 1)]
         own = [index for index in places if index in loose]
         if not own:
             raise NotConfirmed("nothing of it can swing")
-        again = solved([*[slope for slope, _ in rows], {own[0]: 1.0}], [0.0] * (len(rows) + 1), self.model.size)
-        if not owner and any(self.model.masses[index] for index in again.open):
-            raise SeveralWays("more than one body may swing")
         return own[0]
 
     def push(self, value: float, rate: float = 0.0) -> float:
