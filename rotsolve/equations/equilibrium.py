@@ -14,6 +14,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add
 from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.core.quantity import DAMPINGS
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import (
     MIXED,
@@ -31,7 +32,7 @@ from rotsolve.core.symbols import (
 from rotsolve.core.writing import spoken
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving
-from rotsolve.language.keys import varying_values
+from rotsolve.language.keys import Element, varying_values
 from rotsolve.language.problem import MODE, Term
 from rotsolve.laws import groups
 from rotsolve.motion.configuration import Configuration
@@ -123,7 +124,8 @@ class Placing(Struct, frozen=True):
             self.made[state, found] = self.found(state) if found else self.named(state)
         moments = self.made[state, found]
         group = self.group(moments, term.path.owner)
-        self.check_free(group, moments.near)
+        damped = self.damped(group, moments.near)
+        self.check_free(group, moments.near, damped=damped and term.modifier == "small swings")
         if group in moments.troubles:
             raise moments.troubles[group]
         body = self.leading(moments.near, group, term.path.owner)
@@ -132,7 +134,7 @@ class Placing(Struct, frozen=True):
         terms = [term for body in members for term in (*groups.gain(body), *groups.supply(body))]
         swing = Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
         several = in_several_ways(bodies, group, terms)
-        if not several and not term.modifier.startswith(MODE):
+        if not (several or damped or term.modifier.startswith(MODE) or term.path.quantity in DAMPINGS):
             return swing
         if not term.modifier or term.start:
             raise NotYet(f"`{body}` and what it is tied to {SEVERAL_WAYS}")
@@ -140,16 +142,28 @@ class Placing(Struct, frozen=True):
 
         return mode_of(swing, term)
 
-    def check_free(self, group: frozenset[str], near: Instant) -> None:
-        """Nothing damps, rubs or drives the bodies that swing: it would be no harmonic motion about a place that stays."""
+    def damped(self, group: frozenset[str], near: Instant) -> bool:
+        """Whether something acts on the bodies that swing by how fast they go."""
+        acting = (item for item in self.configuration.acting(near.state) if self.touched(item, near) & group)
+        return any(self.by_rate(item, near.state) for item in acting)
+
+    def touched(self, item: Element, near: Instant) -> set[str]:
+        """The bodies on which an element acts."""
+        return {near.host(ref.owner) for ref in item.touches() if ref.owner in self.configuration.bodies}
+
+    def by_rate(self, item: Element, state: str) -> bool:
+        """Whether an element acts by how fast its body goes."""
+        words = (word for value in varying_values(item) for _, _, word in paths_in(value))
+        return any(word in RATES for word in words) or item.pace(self.configuration, state) in (RATE, MIXED)
+
+    def check_free(self, group: frozenset[str], near: Instant, *, damped: bool) -> None:
+        """But for what damps swings that are asked as such, nothing damps, rubs or drives the bodies that swing: it would be no harmonic
+        motion about a place that stays."""
         for item in self.configuration.acting(near.state):
-            touched = {near.host(ref.owner) for ref in item.touches() if ref.owner in self.configuration.bodies}
-            if not touched & group:
+            if not self.touched(item, near) & group:
                 continue
             values = tuple(varying_values(item))
-            if any(word in RATES for value in values for _, _, word in paths_in(value)) or item.pace(
-                self.configuration, near.state
-            ) in (RATE, MIXED):
+            if not damped and self.by_rate(item, near.state):
                 help = f"leave out `{item.name}` for the swings without it"
                 raise NotYet(f"`{item.name}` damps or drives the swings by how fast they go: not solved yet", help=help)
             if any(TIME in value.symbols() for value in values):
@@ -184,7 +198,7 @@ class Placing(Struct, frozen=True):
     def moments(self, rest: Instant, troubles: Mapping[frozenset[str], NotYet]) -> Moments:
         """All moments of the swings about an equilibrium, velocities left out: they are small of second order."""
         still = free_bodies(moving(rest))
-        self.hold(self.moment(rest.state, NEAR), ("velocity",))
+        self.hold(self.moment(rest.state, NEAR), ("velocity",), self.going(rest.state))
         self.displace(rest, still, self.moment(rest.state, NEAR))
         return Moments(rest, still, self.moment(rest.state, NEAR), troubles)
 
@@ -228,6 +242,13 @@ class Placing(Struct, frozen=True):
         turning = [name for name in names if angle_key(near, name) in self.registry.known]
         travelling = [name for name in names if near.motion(name).kind == "line"]
         return (turning or travelling or names)[0]
+
+    def going(self, state: str) -> frozenset[str]:
+        """The bodies whose speeds count: those that are tied to one on which something acts by how fast that goes."""
+        acting = (item for item in self.configuration.acting(state) if self.by_rate(item, state))
+        names = {ref.owner for item in acting for ref in item.touches() if ref.owner in self.configuration.bodies}
+        hosts = (self.configuration.host(name, state) for name in names)
+        return frozenset().union(*(self.configuration.component(host, state) for host in hosts))
 
     def carried(self, state: str) -> frozenset[str]:
         """The bodies that are tied to one whose motion is given, with that."""

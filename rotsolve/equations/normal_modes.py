@@ -13,7 +13,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
+from rotsolve.core.quantity import DAMPINGS, FREQUENCIES, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import key_of
 from rotsolve.core.writing import spoken
@@ -53,6 +53,7 @@ class Rows(Struct, frozen=True):
     stiffness: Matrix
     pushes: tuple[Formula, ...]
     displaced: Mapping[str, Formula]
+    damping: Matrix = ()
     along: tuple[Formula, ...] = ()  # the same at any displacement
 
 
@@ -99,6 +100,18 @@ class Mode(Swing, frozen=True, dict=True):
                     found.append((rate.name, place, change, name))
         return sorted(found, key=lambda item: self._rank(item[3], item[1]))
 
+    def speeds(self) -> dict[str, Symbol]:
+        """The letters of real rates by those of any small motion, where something acts by them."""
+        found = dict[str, Symbol]()
+        for body in self.still.bodies:
+            if body.name in self.group:
+                rates = (rates_of_body("velocity", at, body.name) for at in (moving(self.near), self.near))
+                pairs = ((any_, real) for any_, real in zip(*rates, strict=True) if any_ != real)
+                found |= {
+                    any_.name: real for any_, real in pairs if isinstance(any_, Symbol) and isinstance(real, Symbol)
+                }
+        return found
+
     def _rank(self, name: str, place: Symbol) -> int:
         """Turns about an axis and ways along a line before turns of what moves freely, and those before its ways."""
         kind, turns = self.near.motion(name).kind, key_of(place.name).kind == "rotation"
@@ -129,9 +142,26 @@ class Mode(Swing, frozen=True, dict=True):
         pushes = [push.substitute(displaced) for push in pushes]
         inertia = inertias(facts.bodies, resting)
 
+        speeds = self.speeds()
+        going = {
+            speeds[name].name: told.substitute({one: speeds[one] for one in found.rates})
+            for name, told in resting.virtual.items()
+            if name in speeds
+        }
+        pushes = [push.substitute(going) for push in pushes]
+        at_rest |= {speed.name: ZERO for speed in speeds.values()}
+
         def there(value: Formula) -> Formula:
             return tidy(value.substitute(at_rest))
 
+        damping = tuple(
+            tuple(there(-differentiate(push, speeds[name].name)) for name in found.rates if name in speeds)
+            for push in pushes
+        )
+        if any(bent(push, speeds[name].name) for push in pushes for name in found.rates if name in speeds):
+            raise NotYet(
+                f"what damps {', '.join(f'`{name}`' for name in sorted(self.group))} is not proportional to how fast they go"
+            )
         return Rows(
             coordinates,
             tuple(Symbol(carried.letters[name]) for name in found.rates),
@@ -139,6 +169,7 @@ class Mode(Swing, frozen=True, dict=True):
             tuple(tuple(there(-differentiate(push, place.name)) for place in coordinates) for push in pushes),
             tuple(map(there, pushes)),
             displaced,
+            damping,
             tuple(map(tidy, pushes)),
         )
 
@@ -159,7 +190,7 @@ class Mode(Swing, frozen=True, dict=True):
     @cached_property
     def letters(self) -> dict[str, Formula]:
         """Period, frequency and angular frequency of the mode, and the ratio of two displacements."""
-        found = {word: self._letter(word) for word in (*FREQUENCIES, *([SHAPE] if self.compared else []))}
+        found = {word: self._letter(word) for word in (*FREQUENCIES, *DAMPINGS, *([SHAPE] if self.compared else []))}
         return found
 
     def dimension(self, word: str) -> Dimension:
@@ -171,6 +202,8 @@ class Mode(Swing, frozen=True, dict=True):
     def _letter(self, word: str) -> Formula:
         kind, number = QUANTITIES[word], str(self.number or "")
         letter, dimension, mark = kind.letter.removesuffix("0") + number, kind.dimension, number
+        if word == "angular_frequency" and self.speeds():
+            letter = "omega_d"
         if word == SHAPE:
             first, second = (self.way_of(*one) for one in self.compared)
             top, bottom = (self.near.registry.quantities[one.name].dimension for one in (first, second))
@@ -178,6 +211,18 @@ class Mode(Swing, frozen=True, dict=True):
             mark = f"{number} {' '.join(part for one in self.compared for part in one)}"
         quantity = SceneQuantity(word, "+".join(sorted(self.group)), self.when_asked, mark, letter, dimension)
         return self.near.registry.ask(quantity)
+
+    def letter_of_damping(self, letter: str) -> Formula:
+        """γ, or ω₀ without damping."""
+        kind = QUANTITIES["angular_frequency"]
+        whole = "+".join((*sorted(self.group), letter))
+        return self.near.registry.ask(SceneQuantity(kind.word, whole, self.when_asked, "", letter, kind.dimension))
+
+    def speed_letters(self, rows: Rows) -> tuple[Symbol, ...]:
+        """The letters of the real rates of the coordinates."""
+        real = self.speeds()
+        rates = {place: rate for rate, place, _, _ in self.letters_of_group}
+        return tuple(real[rates[place]] for place in rows.coordinates)
 
     @property
     def when_asked(self) -> str:
@@ -214,3 +259,8 @@ class Mode(Swing, frozen=True, dict=True):
         """Heading of the section of the modes."""
         place = "the equilibrium" if self.found else spoken(self.rest.state)
         return f"Small swings about {place}" if key == self.harmonic else ""
+
+
+def bent(push: Formula, speed: str) -> bool:
+    """Whether a force is not proportional to a speed."""
+    return speed in simplify(differentiate(push, speed)).symbols()

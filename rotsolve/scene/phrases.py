@@ -21,7 +21,7 @@ from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units.dimension import ANGLE, Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
-from rotsolve.language.grammar import ALONE, ANGLE_OF, CLAUSES, MODIFIERS, RATIO_OF, SWINGS, WHICH
+from rotsolve.language.grammar import ALONE, ANGLE_OF, CLAUSES, DAMPED, MODIFIERS, RATIO_OF, SWINGS, WHICH
 from rotsolve.language.problem import EXTREMES, Condition, Find, Path, Term
 from rotsolve.language.words import quoted
 from rotsolve.scene.clauses import Clauses
@@ -33,7 +33,7 @@ from rotsolve.scene.tree import Node, Text
 from rotsolve.scene.values import expression
 
 SIZE_OF_CHANGE = "size of change of"
-WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle", "ratio")
+WITH_OF = ("size", "change", *(word.removesuffix(" of") for word in SWINGS), "which", "angle", "ratio")
 WHICH_HELP = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}`"
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
 
@@ -204,6 +204,9 @@ class PhraseReader:
 
     def swings(self, modifier: str, words: list[Lexeme], outer: bool) -> Formula | None:
         """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
+        if modifier in DAMPED and self.scope.space:
+            place = self.node.part(words[0].start, words[-1].end)
+            return self.scope.fault(place, "damped swings are solved in the plane only", "leave out `up: z`", "find")
         if modifier == RATIO_OF or (words and words[0].text == "mode"):
             from rotsolve.scene.modes import read_mode
 

@@ -15,6 +15,7 @@ from rotsolve.algebra.exact.spectrum import spectrum_roots
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Product, Quotient, Symbol, divide, multiply, sqrt
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import MODE_SHAPE, NORMAL_MODE, Equation
+from rotsolve.core.quantity import DAMPINGS
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.writing import and_joined, positive_first, spoken
 from rotsolve.equations.normal_modes import SHAPE, Mode, Rows, Spectrum
@@ -22,6 +23,7 @@ from rotsolve.equations.swing import STRETCHES
 from rotsolve.laws.modes import characteristic, determinant, shapes
 from rotsolve.laws.oscillation import periods
 from rotsolve.paths.meaning import NotYet
+from rotsolve.search.damped import settle_damped
 
 if TYPE_CHECKING:
     from rotsolve.search.swings import Stepping
@@ -32,6 +34,9 @@ SQUARE = "ω²"
 def settle_mode(mode: Mode, word: str, search: Stepping, asked: str) -> list[int]:
     """The frequency of a mode, and the ratio of two displacements in it; the equations hold for all questions."""
     spectrum = spectrum_of(mode, search)
+    if word in DAMPINGS or any(part != ZERO for row in spectrum.rows.damping for part in row):
+        settle_damped(mode, spectrum, word, search)
+        return []
     square = spectrum.squares[number_meant(mode, spectrum) - 1]
     if mode.omega.name not in search.swung:
         search.swung.add(mode.omega.name)
@@ -144,7 +149,8 @@ def entries_of(rows: Rows) -> Iterator[Formula]:
 def replace_parts(rows: Rows, change: Callable[[Formula], Formula]) -> Rows:
     """The rows with each entry, and what pushes along a way, changed."""
     inertia, stiffness = (tuple(tuple(map(change, row)) for row in matrix) for matrix in (rows.inertia, rows.stiffness))
-    return replace(rows, inertia=inertia, stiffness=stiffness, along=tuple(map(change, rows.along)))
+    damping = tuple(tuple(map(change, row)) for row in rows.damping)
+    return replace(rows, inertia=inertia, stiffness=stiffness, damping=damping, along=tuple(map(change, rows.along)))
 
 
 def check_driven_back(mode: Mode, rows: Rows, squares: Sequence[Formula], search: Stepping) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from msgspec.structs import replace
 
@@ -16,6 +16,7 @@ from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.forces import spring_length
 from rotsolve.confirm.instant import Dynamics, Placed, gathered, moment, split
 from rotsolve.confirm.linear import solved
+from rotsolve.core.quantity import DAMPINGS
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.language.problem import MODE, Condition, State, Term
 
@@ -29,10 +30,14 @@ def swing_time(course: Course, term: Term) -> float:
     """The time of one swing to and fro."""
     if term.modifier == "swings":
         return rest_to_rest(course, term)
+    return about_equilibrium(course, term, lambda small, told: small.period(told=told))
+
+
+def about_equilibrium(course: Course, term: Term, asked: Callable[[Small, bool], float]) -> float:
+    """What is asked of small swings, about the state that is named, or an equilibrium that is found."""
     name = term.at or course.names[0]
     state = course.states[course.names.index(name)]
-    first = course.node(name)
-    return Small(first, term.path.owner).period(told=term.at is not None and state.balance)
+    return asked(Small(course.node(name), term.path.owner), term.at is not None and state.balance)
 
 
 def rest_to_rest(course: Course, term: Term) -> float:
@@ -166,23 +171,41 @@ class Small(Neighbourhood):
                 return value
         return None
 
-    def period(self, *, told: bool) -> float:
-        """2π/√(ω² − γ²), with −ω² the slope of the push by the place and −2 γ by the rate, where the equilibrium is stable."""
+    def oscillator(self, *, told: bool) -> tuple[float, float]:
+        """ω₀² and γ: −ω₀² is the slope of the push by the place and −2 γ that by the rate, where the equilibrium is stable."""
         start = self.first.placed.q[self.index]
         for value in [start] if told else (self.equilibrium(start + part) for part in STARTS):
             slope = 0.0 if value is None else self.slope(value)
             if value is None or slope >= 0.0:
                 continue
-            damping = -(self.push(value, STEP) - self.push(value, -STEP)) / (4.0 * STEP)
-            square = -slope - damping * damping
-            if square <= 0.0:
-                raise NotConfirmed("swings that die out without a turn")
-            return 2.0 * math.pi / math.sqrt(square)
+            return -slope, -(self.push(value, STEP) - self.push(value, -STEP)) / (4.0 * STEP)
         raise NotConfirmed("no stable equilibrium was found")
+
+    def period(self, *, told: bool) -> float:
+        """2π/√(ω₀² − γ²)."""
+        free, damping = self.oscillator(told=told)
+        square = free - damping * damping
+        if square <= 0.0:
+            raise NotConfirmed("swings that die out without a turn")
+        return 2.0 * math.pi / math.sqrt(square)
+
+    def damped(self, word: str, *, told: bool) -> float:
+        """What is asked of damped swings: γ/ω₀, the time in which the slower part of them dies down to 1/e, or γ T."""
+        free, damping = self.oscillator(told=told)
+        if damping <= 0.0:
+            raise NotConfirmed("swings that nothing damps")
+        if word == "damping_ratio":
+            return damping / math.sqrt(free)
+        if word == "logarithmic_decrement":
+            return damping * self.period(told=told)
+        return 1.0 / (damping - math.sqrt(max(damping * damping - free, 0.0)))
 
 
 def swinging(course: Course, term: Term) -> Reckoned:
     """The period of swings, or their frequency, or 2π times that; in one of several modes too."""
+    word = term.path.quantity
+    if word in DAMPINGS:
+        return number(about_equilibrium(course, term, lambda small, told: small.damped(word, told=told)))
     if not term.modifier.startswith(MODE):
         try:
             return period_as_asked(swing_time(course, term), term.path.quantity)
