@@ -17,7 +17,7 @@ from rotsolve.core.equation import FAMILIES, Equation
 from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Fault, Span
 from rotsolve.core.passage import Encounter, Passage, Travel
-from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.quantity import DAMPINGS, OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import is_key, rub_of
 from rotsolve.equations.states import Fixed, Statements
@@ -376,7 +376,7 @@ def term_of(condition: Condition) -> Term:
 
 def question_of(term: Term) -> str:
     """What tells the swings of one question from those of another: the body and the state, a mode and what is compared in it."""
-    mode = term.modifier if term.modifier.startswith(MODE) else ""
+    mode = term.modifier if term.modifier.startswith(MODE) else "damped" if term.path.quantity in DAMPINGS else ""
     compared = "" if term.other is None else f" {path_text(term.other.path)} {path_text(term.path)}"
     return f"{term.path.owner} {term.at or ''} {term.start or ''} {mode}{compared}"
 

@@ -8,6 +8,15 @@ from fractions import Fraction
 from rotsolve.algebra.formula import ONE, PI, Formula, Number, sqrt
 from rotsolve.core.equation import DAMPED_SWINGS, Equation
 
+ALONE, TURNING = (
+    ("damping_ratio", "time_constant"),
+    "turning",
+)  # what is asked whether or not it swings, and what only where it does
+DIES_DOWN = {
+    1: "of the amplitude, as e^(−γ t)",
+    0: "where it is critically damped, as (A + B t) e^(−γ t)",
+    -1: "of the slower part, where it is overdamped",
+}
 TWO = Number(Fraction(2))
 
 
@@ -17,11 +26,15 @@ def damped_frequency(rate: Formula, free: Formula) -> Formula:
 
 
 def damped_swings(
-    rate: Formula, free: Formula, letters: Mapping[str, Formula], section: str, case: int | None
+    rate: Formula, free: Formula, letters: Mapping[str, Formula], section: str, case: int, kind: str
 ) -> Iterator[Equation]:
-    """What is asked of damped swings, by γ and ω₀; `case` is the sign of ω₀ − γ: only while it is positive there is a period."""
-    yield DAMPED_SWINGS.equation(letters["damping_ratio"], rate / free, section, words="damping ratio")
-    if case == 1:
+    """One of what is asked alone, or all that hangs on a period, by γ and ω₀; `case` is the sign of ω₀ − γ."""
+    if kind == "damping_ratio":
+        yield DAMPED_SWINGS.equation(letters[kind], rate / free, section, words="damping ratio")
+    elif kind == "time_constant":
+        slow = ONE / rate if case != -1 else ONE / (rate - sqrt(rate**2 - free**2))
+        yield DAMPED_SWINGS.equation(letters[kind], slow, section, words=f"time constant {DIES_DOWN[case]}")
+    else:
         omega, period = letters["angular_frequency"], letters["swing_period"]
         words = "angular frequency of the damped swings, γ < ω₀"
         yield DAMPED_SWINGS.equation(omega, damped_frequency(rate, free), section, words=words)
@@ -29,10 +42,3 @@ def damped_swings(
         yield DAMPED_SWINGS.equation(letters["frequency"], omega / (TWO * PI), section, words="frequency")
         words = "logarithmic decrement, of two swings that follow one another"
         yield DAMPED_SWINGS.equation(letters["logarithmic_decrement"], rate * period, section, words=words)
-    slow = ONE / rate if case != -1 else ONE / (rate - sqrt(rate**2 - free**2))
-    words = {
-        1: "time constant of the amplitude, as e^(−γ t)",
-        0: "time constant, critically damped: as (A + B t) e^(−γ t)",
-        -1: "time constant of the slower part, overdamped",
-    }[1 if case is None else case]
-    yield DAMPED_SWINGS.equation(letters["time_constant"], slow, section, words=words)

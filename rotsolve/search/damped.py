@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import Formula, multiply, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, multiply, sqrt
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import DAMPED_SWINGS, DAMPING_RATE
 from rotsolve.core.writing import positive_first
 from rotsolve.equations.normal_modes import Mode, Spectrum
-from rotsolve.laws.damping import damped_swings
+from rotsolve.laws.damping import ALONE, TURNING, damped_swings
 from rotsolve.paths.meaning import NotYet
 
 if TYPE_CHECKING:
@@ -19,32 +19,42 @@ NO_TURN = {0: "critically damped: it comes back without a swing", -1: "overdampe
 
 
 def settle_damped(mode: Mode, spectrum: Spectrum, word: str, search: Stepping) -> None:
-    """γ, ω₀ and all that follows from them, written once; refused where it is asked for a period and there is none."""
+    """γ, ω₀ and what is asked by them, each written once; refused where it is asked for a period and there is none."""
     rows = spectrum.rows
+    if not any(part != ZERO for row in rows.damping for part in row):
+        raise NotYet("nothing damps these swings", help="an action such as `force: -b*block.velocity` does")
     if len(rows.coordinates) > 1 or not spectrum.squares:
         raise NotYet("damped swings are solved of bodies that move in one way")
-    inertia, damping = rows.inertia[0][0], rows.damping[0][0]
-    rate, square = search.solver.simplify(damping / (2 * inertia)), spectrum.squares[0]
+    rate = search.solver.simplify(rows.damping[0][0] / (2 * rows.inertia[0][0]))
     if search.signs.of_sizes(rate) == -1:
         raise NotYet("what acts drives the swings on, by how fast they go: they grow")
-    case = search.signs.of_sizes(search.solver.simplify(square - rate**2))
-    if case is None:
-        raise NotYet(
-            "whether it swings or creeps back hangs on letters without a number", help="give the letters numbers"
-        )
-    if case < 1 and word not in ("damping_ratio", "time_constant"):
-        raise NotYet(f"{NO_TURN[case]}, and has no period", help="ask for the `damping_ratio` or the `time_constant`")
-    if mode.harmonic in search.swung:
-        return
-    search.swung.add(mode.harmonic)
     gamma, free = mode.letter_of_damping("gamma"), mode.letter_of_damping("omega0")
-    section, told = mode.harmonic, in_words(mode, spectrum, gamma, free)
-    words = "damping rate, half of what stands by the speed"
-    search.planner.extend(DAMPING_RATE.equation(gamma, rate, section, (), told, words=words))
-    undamped = search.solver.simplify(sqrt(square))
-    search.planner.extend(DAMPED_SWINGS.equation(free, undamped, section, words="angular frequency without damping"))
-    for equation in damped_swings(gamma, free, mode.letters, section, case):
-        search.planner.extend(equation)
+    case = case_of(rate, spectrum.squares[0], word, search)
+    if mode.harmonic not in search.swung:
+        search.swung.add(mode.harmonic)
+        told, words = in_words(mode, spectrum, gamma, free), "damping rate, half of what stands by the speed"
+        search.planner.extend(DAMPING_RATE.equation(gamma, rate, mode.harmonic, (), told, words=words))
+        undamped, words = search.solver.simplify(sqrt(spectrum.squares[0])), "angular frequency without damping"
+        search.planner.extend(DAMPED_SWINGS.equation(free, undamped, mode.harmonic, words=words))
+    kind = word if word in ALONE else TURNING
+    if f"{mode.harmonic} {kind}" not in search.swung:
+        search.swung.add(f"{mode.harmonic} {kind}")
+        for equation in damped_swings(gamma, free, mode.letters, mode.harmonic, case, kind):
+            search.planner.extend(equation)
+
+
+def case_of(rate: Formula, square: Formula, word: str, search: Stepping) -> int:
+    """The sign of ω₀ − γ. Where it hangs on a letter that is sought, what has a period swings, which the answer has to fulfil."""
+    gap = search.solver.simplify(square - rate**2)
+    case = 1 if word == "damping_ratio" else search.signs.of_sizes(gap)
+    if case is None and gap.symbols() & search.scene.configuration.problem.sought and word not in ALONE:
+        case = 1
+    if case is None:
+        message = "whether it swings or creeps back hangs on letters without a number"
+        raise NotYet(message, help="give the letters numbers")
+    if case < 1 and word not in ALONE:
+        raise NotYet(f"{NO_TURN[case]}, and has no period", help="ask for the `damping_ratio` or the `time_constant`")
+    return case
 
 
 def in_words(mode: Mode, spectrum: Spectrum, gamma: Formula, free: Formula) -> Words:
