@@ -166,6 +166,9 @@ class Placing(Struct, frozen=True):
             if not damped and self.by_rate(item, near.state):
                 help = f"leave out `{item.name}` for the swings without it"
                 raise NotYet(f"`{item.name}` damps or drives the swings by how fast they go: not solved yet", help=help)
+            if any(word in ("displacement", "rotation") for value in values for _, _, word in paths_in(value)):
+                message = f"`{item.name}` goes by how far a body has gone since the first state: swings under it are not solved yet"
+                raise NotYet(message, help="a `spring` or a `torsion` drives back as well, or a couple by the `angle`")
             if any(TIME in value.symbols() for value in values):
                 raise NotYet(f"`{item.name}` changes in time while the bodies swing: not solved yet")
             if item.brakes():

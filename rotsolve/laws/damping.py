@@ -1,4 +1,4 @@
-"""Damping: q̈ + 2 γ q̇ + ω₀² q = 0 in its three cases: it swings while γ < ω₀, else it creeps back (Kleppner & Kolenkow, §11.2)."""
+"""Damping: q̈ + 2 γ q̇ + ω₀² q = 0 in its three cases: it swings while γ < ω₀, else it creeps back (Taylor, Classical Mechanics, §5.4)."""
 
 from __future__ import annotations
 
