@@ -23,7 +23,7 @@ from rotsolve.core.faults import Fault, Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.language.problem import Problem
 
-ASSEMBLED = "the equations of motion of all bodies, solved by computer with numbers, give the same "
+ASSEMBLED = "all bodies' equations, solved with numbers, give the same "
 SUMMED = "another sum over the masses gives the same "
 TOLD_BY_MASSES = (
     "inertia_tensor",
@@ -119,7 +119,7 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     checks = []
     for words, static in ((SUMMED, True), (ASSEMBLED, False)):
         good = [letters[item.name] for item in verdicts if item.holds and (item.name in of_mass) is static]
-        checks += [Check((words, *in_a_row(good)))] if good else []
+        checks += [Check((words, *in_a_row(good)), bare=len(good) == len(letters) and not static)] if good else []
     checks += [Check((letters[one.name], one.also), None, AGAINST) for one in verdicts if one.holds and one.also]
     checks += [
         Check((letters[one.name], f" is {one.also}"), None, NEARLY)

@@ -149,7 +149,8 @@ RATES_OF_MOMENTUM = (RATE_IN_AXES, RATE_IN_STILL_AXES)
 
 # energy
 
-CONSERVATION = Law("conservation of energy", "conservation of energy{since}, K₁ + U₁ = K₂ + U₂", ENERGY, 4)
+FROM_STATE_TO_STATE, FROM_REST = "K₁ + U₁ = K₂ + U₂", "U₁ − U₂ = K₂"  # forms of the conservation of energy
+CONSERVATION = Law("conservation of energy", "conservation of energy{since}, {form}", ENERGY, 4)
 WORK_AND_ENERGY = Law("work and energy", "work and energy, K₁ + U₁ + W = K₂ + U₂", ENERGY, 4)
 TURNING_FRAME = Law(
     "energy in a turning frame", "energy in the frame that turns with {driven}, K′₁ + U′₁{work} = K′₂ + U′₂", ENERGY, 4
@@ -157,7 +158,7 @@ TURNING_FRAME = Law(
 POWER = Law("power", "power and kinetic energy", ENERGY, 12)
 DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
 WORK = Law("work", "work of {owner}", cost=3)
-WORK_OF_SLIP = Law("work of an even slip", WORK.words, cost=2, steady="slip")
+WAY_OF_SLIP = Law("way of an even slip", "way by which {owner} slides", cost=1, steady="slip")
 
 # momentum and angular momentum
 

@@ -50,6 +50,7 @@ class Work(Struct, frozen=True):
     bodies: tuple[str, ...]
     spelled: Formula | None = None  # what `amount` stands for, where it is a letter
     inner: bool = False  # done by forces between the parts of the system
+    slide: Formula | None = None  # the letter for how far its touching point slides, where `amount` is one
 
 
 class Passage(Struct, frozen=True):

@@ -53,7 +53,11 @@ def limit_checks(search: Search) -> Iterator[Check]:
     """What becomes of an answer when a mass is left out, and when a pure number or an angle is nothing: of each the most telling one."""
     plain = not search.scene.modes  # else a body that slides may stick when an angle is small
     for dimensions, least in ((MASS,), 1), ((NONE, ANGLE), 0):
-        found = [item for item in vanishing_letters(search, dimensions) if item[0] >= least] if least or plain else []
+        found = [
+            item
+            for item in vanishing_letters(search, dimensions)
+            if item[0] >= least and (least or plain or spreads(search.givens[item[1].vanishing], search))
+        ]
         if found:
             _, check, answered = min(found, key=lambda item: item[0])
             yield check

@@ -235,7 +235,9 @@ class DerivationComposer:
     def _reached(self, state: str) -> str:
         """What is said of a state that has no lines of its own."""
         before = self.scene.configuration.timeline.before(state)
-        return "the clock starts" if before is None else "as the event leaves it" if before.event else "later"
+        if before is None:
+            return "the clock starts"
+        return f"just after the {spoken(before.event.name)}" if before.event is not None else "later"
 
     # sections
 
@@ -418,7 +420,7 @@ class DerivationComposer:
         spoken_of = [*asked, *(line.path for line in told if line.path is not None)]
         kinds = {key_of(name).kind for name in self.letters.names} | {path.quantity for path in spoken_of}
         return not kinds.isdisjoint(("angle", COORDINATE + "angle")) or any(
-            swing.turns for swing in self.scene.swings.values()
+            swing.turns and self.scene.configuration.heavy for swing in self.scene.swings.values()
         )
 
     def _conventions(self) -> tuple[Words, ...]:

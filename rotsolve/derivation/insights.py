@@ -51,7 +51,7 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from beside_free_fall(lawful, search)
     yield from beside_weights(lawful, search)
     yield from energy_lost(search)
-    yield from opposite_energies(told)
+    yield from opposite_energies(told, search)
     yield from beside_a_ring(told, search)
     yield from list(by_point_of_contact(told, search)) or about_contacts(told, search)
     yield from by_friction_alone(alone, told, search)
@@ -274,11 +274,21 @@ def energy_at(state: str, search: Search) -> Formula | None:
     return None if has_quantities(found) else found
 
 
-def opposite_energies(told: Sequence[Answered]) -> Iterator[Words]:
+def opposite_energies(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "W = −ΔK", of two energies that are asked for."""
     energies = [
         (item, formula) for item in told if item.asked.dimension == ENERGY and (formula := in_givens(item)) is not None
     ]
+    told_before = [
+        (item, given)
+        for item, formula in energies
+        for given in search.givens.values()
+        if given.dimension == ENERGY and given.value is not None and is_zero(formula + given.value)
+    ]
+    if told_before:
+        item, given = told_before[0]
+        yield (called(item), " = −", Symbol(given.name))
+        return
     for (one, first), (other, second) in combinations(energies, 2):
         if is_zero(first + second):
             asked = {(term.modifier, term.path.quantity) for item in (one, other) for term in item.asked.find.terms}

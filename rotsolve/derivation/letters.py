@@ -7,7 +7,7 @@ from functools import cached_property
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Integral, Symbol
+from rotsolve.algebra.formula import Formula, Integral, Product, Symbol
 from rotsolve.algebra.notation.letters import DOT, INDEXED, PRIME
 from rotsolve.core.derivation import Words
 from rotsolve.core.quantity import QUANTITIES
@@ -212,14 +212,25 @@ def in_printed_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
     if names.keys().isdisjoint(formula.symbols()) and not formula.holds(Integral):
         return formula
 
-    def change(node: Formula) -> Formula:
+    def relabelled(node: Formula) -> Formula:
         if isinstance(node, Symbol):
             return Symbol(names[node.name]) if node.name in names else node
+        old = node.children()
+        new = tuple(map(relabelled, old))
+        if any(before is not after for before, after in zip(old, new, strict=True)):
+            node = (
+                Product(new) if isinstance(node, Product) else node.with_children(new)
+            )  # ½ (2 m) v² stays as it is written
         if isinstance(node, Integral) and node.variable in names:
             return Integral(node.integrand, names[node.variable], node.lower, node.upper)
         return node
 
-    return formula.transform(change)
+    return relabelled(formula)
+
+
+def multiple_in(factors: Sequence[Formula]) -> Formula | None:
+    """The number of a multiple among factors, which stays as it is written there: 2 of ½ (2 m) v²."""
+    return next((factor.factors[0] for factor in factors if isinstance(factor, Product)), None)
 
 
 def bound(formula: Formula) -> set[str]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+
+from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import is_zero, simplify, without_direction
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ZERO, Formula, Quotient, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Quotient, Symbol
+from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.derivation import Answer, Check, Words
 from rotsolve.core.symbols import has_quantities
 from rotsolve.search.letterspace import LetterSpace
@@ -14,28 +17,53 @@ from rotsolve.search.letterspace import LetterSpace
 LONGEST, SHORT = 60, 14  # nodes of a formula that is looked at, and of what it comes to
 
 
+class Put(Struct, frozen=True):
+    """Values of letters, with how they are told: d → 0, β = ⅓ (uniform rod)."""
+
+    values: dict[str, Formula]
+    words: Words
+
+
 def at_ends_of_ranges(answers: Sequence[Answer], space: LetterSpace) -> Iterator[Check]:
-    """The first answer in which a letter stands that goes from nothing up to another one, at both ends."""
-    for letter, most in ranges(space):
-        for answer in answers:
-            formula = answer.formula
-            if formula is None or letter not in formula.symbols() or length(formula) > LONGEST:
-                continue
-            ends = [(Symbol(letter), " → 0", ZERO), (Symbol(letter), " = ", Symbol(most))]
-            for name, way, value in ends:
-                found = put_at(formula, letter, value, space)
-                if found is not None:
-                    words: Words = (
-                        name,
-                        way,
-                        *((value,) if value != ZERO else ()),
-                        " gives ",
-                        answer.symbol,
-                        " = ",
-                        found,
-                    )
-                    yield Check(words)
-            break
+    """What the first answer in which such letters stand comes to at the ends of their ranges, and for what is uniform."""
+    uniform, most = list(uniform_shapes(space)), list(ranges(space))
+    for letter, bound in most:
+        yield from told_at(Put({letter: ZERO}, (Symbol(letter), " → 0")), answers, space)
+        yield from told_at(at_bound(letter, bound), answers, space)
+    for one in uniform:
+        yield from told_at(one, answers, space)
+        for letter, bound in most:
+            edge = at_bound(letter, bound)
+            yield from told_at(Put(one.values | edge.values, (*one.words, ", ", *edge.words)), answers, space)
+
+
+def at_bound(letter: str, bound: str) -> Put:
+    """A letter as large as it may be."""
+    return Put({letter: Symbol(bound)}, (Symbol(letter), " = ", Symbol(bound)))
+
+
+def told_at(put: Put, answers: Sequence[Answer], space: LetterSpace) -> Iterator[Check]:
+    """ "d = r gives F = …", of the first answer that holds all its letters, where that is short."""
+    for answer in answers:
+        formula = answer.formula
+        if formula is not None and put.values.keys() <= formula.symbols() and length(formula) <= LONGEST:
+            found = put_at(formula, put.values, space)
+            if found is not None:
+                yield Check((*put.words, " gives ", answer.symbol, " = ", found))
+            return
+
+
+def uniform_shapes(space: LetterSpace) -> Iterator[Put]:
+    """The pure numbers of moments of inertia that the shapes of bodies would have if they were uniform: β = ⅓ of a rod of length 2 r."""
+    for body in space.problem.bodies:
+        if body.inertia is None or body.shape is None or body.mass is None:
+            continue
+        own = body.shape.moment(body.mass)
+        for name in sorted(body.inertia.symbols() & space.letters.keys()):
+            if space.letters[name].dimension == NONE and is_zero(body.inertia.substitute({name: ZERO})):
+                value = simplify(own / body.inertia.substitute({name: ONE}), positive=space.positive)
+                if isinstance(value, Number) and value != ZERO:
+                    yield Put({name: value}, (Symbol(name), " = ", value, f" (uniform {body.shape.word})"))
 
 
 def ranges(space: LetterSpace) -> Iterator[tuple[str, str]]:
@@ -49,9 +77,9 @@ def ranges(space: LetterSpace) -> Iterator[tuple[str, str]]:
                 yield letter, most
 
 
-def put_at(formula: Formula, letter: str, value: Formula, space: LetterSpace) -> Formula | None:
-    """A formula at a value of a letter, where that is short; None where it has no value there."""
-    there = formula.substitute({letter: value})
+def put_at(formula: Formula, values: Mapping[str, Formula], space: LetterSpace) -> Formula | None:
+    """A formula at values of letters, where that is short; None where it has no value there."""
+    there = formula.substitute(values)
     if any(is_zero(node.denominator) for node in there.walk(Quotient) if isinstance(node, Quotient)):
         return None
     if without_direction(there) or has_quantities(there):

@@ -73,7 +73,8 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
         if agreed:
             names = listed(answered.asked.find.name for answered in agreed)
             said = (f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names)
-            yield Check((*said, *equation_told(law, search, other, letters)), law=law)
+            shown = equation_told(law, search, other, letters)
+            yield Check((*said, *shown), law=law, bare=not shown)
 
 
 def equation_told(law: str, search: Search, other: Search, letters: Letters) -> Words:

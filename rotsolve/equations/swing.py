@@ -83,7 +83,10 @@ class Swing(Struct, frozen=True, dict=True):
     def title(self, key: str) -> str:
         """Heading of one of its sections; nothing for another one."""
         angle = self.rest.registry.known.get(SymbolKey("angle", self.body, "", self.rest.when).name)
-        found = f"the equilibrium at {in_degrees(angle)}{self.hanging}" if angle else "the equilibrium"
+        told = angle is not None and (self.weighs or angle != ZERO)  # what nothing pulls down may have any angle for 0
+        found = (
+            f"the equilibrium at {in_degrees(angle)}{self.hanging}" if told and angle is not None else "the equilibrium"
+        )
         place = found if self.found else spoken(self.rest.state)
         headings = {
             self.balanced if self.found else "": "In equilibrium",
@@ -91,6 +94,12 @@ class Swing(Struct, frozen=True, dict=True):
             self.harmonic: f"Swings from {spoken(self.start)}" if self.start else f"Small swings about {place}",
         }
         return headings.get(key, "") if key else ""
+
+    @property
+    def weighs(self) -> bool:
+        """Whether a weight acts on the body that swings."""
+        body = next(body for body in self.still.bodies if body.name == self.body)
+        return any(force.role.weighs for force in body.forces)
 
     @property
     def hanging(self) -> str:

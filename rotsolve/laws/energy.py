@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import HALF, ZERO, Formula, Symbol, negate
+from rotsolve.algebra.formula import HALF, ZERO, Formula, Number, Product, Symbol, negate
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.equation import CONSERVATION, WORK_AND_ENERGY, Equation
+from rotsolve.core.equation import CONSERVATION, FROM_REST, FROM_STATE_TO_STATE, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
 from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP, Vector
@@ -36,9 +36,24 @@ def conservation(over: OverPhase) -> Iterator[Equation]:
             if not flat(left) and not flat(right):
                 continue
             since = "" if start is passage else f" since {spoken(start.start.state)}"
-            law, names = WORK_AND_ENERGY if works else CONSERVATION, tuple(sorted(group))
-            remark = reason(passage, group, bool(works))
-            yield law.equation(*arranged(left, right), over.section, names, remark, since=since)
+            names, remark = tuple(sorted(group)), reason(passage, group, bool(works))
+            if works:
+                yield WORK_AND_ENERGY.equation(*arranged(left, right), over.section, names, remark)
+                continue
+            lost = from_rest(start, passage, group)
+            sides, form = (arranged(left, right), FROM_STATE_TO_STATE) if lost is None else (lost, FROM_REST)
+            yield CONSERVATION.equation(*sides, over.section, names, remark, since=since, form=form)
+
+
+def from_rest(start: Passage, passage: Passage, group: frozenset[str]) -> tuple[Formula, Formula] | None:
+    """U₁ − U₂ = K₂ of what starts at rest, where some weights lose and others gain energy; None elsewhere."""
+    before, after = weights(start, group, 0), weights(passage, group, 1)
+    if energy(start, group, 0) != before or springs(passage, group, 1):
+        return None
+    lost = flat([*before, *map(negate, after)])
+    motion = kinetic(body for body in passage.end.bodies if body.name in group)
+    both = len({is_negative(term) for term in lost}) == 2
+    return (positive_first(lost), positive_first(motion)) if both and motion else None
 
 
 def in_turning_frames(over: OverPhase) -> Iterator[Equation]:
@@ -106,13 +121,19 @@ def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:
     terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
-            terms.extend(HALF * body.mass * item for item in squares(body.centre_velocity))
+            terms.extend(half_of(body.mass, item) for item in squares(body.centre_velocity))
         if body.inertia is not None:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
         if body.sweep is not None:
             terms.append(HALF * body.sweep.inertia * square(body.sweep.rate))
         terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
     return [term for term in terms if term != ZERO]
+
+
+def half_of(mass: Formula, squared: Formula) -> Formula:
+    """½ m v², of a multiple as it is written: ½ (2 m) v²."""
+    multiple = isinstance(mass, Product) and isinstance(mass.factors[0], Number)
+    return Product((HALF, mass, squared)) if multiple else HALF * mass * squared
 
 
 def squares(velocity: Vector) -> list[Formula]:
@@ -124,12 +145,22 @@ def squares(velocity: Vector) -> list[Formula]:
 
 def potential(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
     """m g h of each body, and the energy of the springs."""
-    facts = (passage.start, passage.end)[end]
+    return [*weights(passage, group, end), *springs(passage, group, end)]
+
+
+def weights(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
+    """m g h of each body."""
     terms: list[Formula] = []
-    for body in facts.bodies:
+    for body in (passage.start, passage.end)[end].bodies:
         heights = passage.heights.get(body.name)
         if body.name in group and heights is not None:
-            weights = [force for force in body.forces if force.role.weighs]
-            terms.extend(force.size * (heights[end] + force.arm.along(UP)) for force in weights)
-    terms.extend(item.energy for item in facts.potentials if group & set(item.bodies))
-    return terms
+            pulls = [force for force in body.forces if force.role.weighs]
+            terms.extend(force.size * (heights[end] + force.arm.along(UP)) for force in pulls)
+    return [term for term in terms if term != ZERO]
+
+
+def springs(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
+    """The energy of the springs."""
+    facts = (passage.start, passage.end)[end]
+    terms = [item.energy for item in facts.potentials if group & set(item.bodies)]
+    return [term for term in terms if term != ZERO]

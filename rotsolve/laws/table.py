@@ -64,9 +64,9 @@ from rotsolve.core.equation import (
     TURNING_FRAME,
     TWISTS,
     UNPRESSED,
+    WAY_OF_SLIP,
     WORK,
     WORK_AND_ENERGY,
-    WORK_OF_SLIP,
     Equation,
     Law,
 )
@@ -204,7 +204,7 @@ LAWS = (
     Principle((POWER,), (SWINGING,), "groups:power_of_forces"),
     Principle((CONSERVATION, WORK_AND_ENERGY), (PHASE,), "energy:conservation"),
     Principle((TURNING_FRAME,), (PHASE,), "energy:in_turning_frames"),
-    Principle((WORK, WORK_OF_SLIP), (PHASE,), "works:works_spelled"),
+    Principle((WORK, WAY_OF_SLIP), (PHASE,), "works:works_spelled"),
     Principle(
         (*STEADY_ACCELERATION, IN_TIME, BY_PLACE, SUMMED_OVER_WAY, COORDINATE, TIME_ELAPSED),
         (PHASE,),

@@ -9,7 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula, Integral, Sum, Symbol, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import WORK, WORK_OF_SLIP, Equation
+from rotsolve.core.equation import WAY_OF_SLIP, WORK, Equation
 from rotsolve.core.facts import Rule
 from rotsolve.core.symbols import CONSTANT, is_key, key_of
 from rotsolve.core.writing import is_negative, spoken
@@ -30,18 +30,24 @@ class ByItsPoint(Struct, frozen=True):
 
 
 def works_spelled(over: OverPhase) -> Iterator[Equation]:
-    """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own."""
+    """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own; s by how the slip of a touching point changes evenly."""
     for work in over.passage.works:
         if work.spelled is None or work.spelled == work.amount:
             continue
-        law, spelled = WORK, work.spelled
-        words: Words = ()
+        where, owner = (over.section, work.bodies), spoken(work.owner)
         apart = by_way_of_its_point(work.spelled)
-        if apart is not None:
-            mean = slid_evenly(apart, over)
-            law, (way, words) = (WORK_OF_SLIP, mean) if mean is not None else (WORK, gone(apart))
-            spelled = apart.force * way
-        yield law.equation(work.amount, spelled, over.section, work.bodies, words, owner=spoken(work.owner))
+        slid = None if apart is None else slid_evenly(apart, over)
+        if apart is None:
+            yield WORK.equation(work.amount, work.spelled, *where, owner=owner)
+        elif slid is None or work.slide is None:
+            way, words = gone(apart)
+            yield WORK.equation(work.amount, apart.force * way, *where, words, owner=owner)
+        else:
+            wrong = apart.force * apart.along
+            along = ("along the way ", work.slide, " by which the touching point slides; ", wrong)
+            words = (*along, " would be wrong, since the body rolls a part of that way")
+            yield WORK.equation(work.amount, apart.force * work.slide, *where, words, owner=owner)
+            yield WAY_OF_SLIP.equation(work.slide, slid[0], *where, slid[1], owner="the touching point")
 
 
 def by_way_of_its_point(work: Formula) -> ByItsPoint | None:
@@ -75,17 +81,8 @@ def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | N
     after = slip_of_point(apart, {name: pair[1] for name, pair in rates.items()}, (*passage.end.rules, *over.held))
     if (before == ZERO) == (after == ZERO):
         return None
-    way = HALF * (before + after) * passage.duration
     change = ("falls evenly from ", before, " to 0") if after == ZERO else ("grows evenly from 0 to ", after)
-    return way, (
-        "the slip ",
-        *change,
-        ": the rim slides by ",
-        way,
-        ", not by ",
-        apart.along,
-        ", since it turns meanwhile",
-    )
+    return HALF * (before + after) * passage.duration, ("its slip ", *change, ", since accelerations are constant")
 
 
 def slip_of_point(apart: ByItsPoint, rates: Mapping[str, Formula], rules: Sequence[Rule]) -> Formula:

@@ -25,14 +25,14 @@ from rotsolve.core.facts import (
 )
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit
+from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.footing import footings, on_parts
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import Frame, mass_of, moment_about, sweep
+from rotsolve.motion.rigid import Frame, mass_of, moment_about, sweep, tidy
 
 Told = TypeVar("Told", Rule, Potential)
 
@@ -186,7 +186,7 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     formula, remark = moment_about(own.pieces, point, instant.configuration.order)
     if formula == ZERO:
         return Inertia(ZERO, ZERO, "")
-    letter = given_inertia(body, own, bool(members))
+    letter = given_inertia(body, own, bool(members)) or given_together(carried, point, own, instant)
     label = inertia_label(body, instant, own, members)
     if letter is None:
         kind = QUANTITIES["inertia"]
@@ -211,6 +211,15 @@ def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:
     """The moment of inertia where the scene gives it for just this axis, so that nothing is left to define."""
     simple = body.inertia is not None and not own.cm.parts and not joined and not body.parts and not body.holes
     return body.inertia if simple else None
+
+
+def given_together(carried: tuple[str, ...], point: Vector, own: Frame, instant: Instant) -> Formula | None:
+    """I₁ + I₂ of bodies that turn as one about their common axis, where the scene gives each of them."""
+    given = [instant.body(name).inertia for name in carried]
+    on_axis = all(not tidy(piece.at - point).parts for piece in own.pieces)
+    if len(given) < 2 or not on_axis or len(own.pieces) != len(given):
+        return None
+    return total([inertia for inertia in given if inertia is not None]) if None not in given else None
 
 
 def inertia_label(body: Body, instant: Instant, own: Frame, members: tuple[str, ...]) -> str:

@@ -79,7 +79,7 @@ def why_conserved(facts: Facts, group: frozenset[str]) -> Iterator[str]:
         jolt = "what is laid down comes to rest without a jolt (the mass still rolled up is as its radius squared)"
         parts.append(jolt)
     if any(role.pulls for role in roles):
-        parts.append("the string's tension gives one body what it takes from the other")
+        parts.append("what the string takes from one body it gives to the others")
     if any(role.rubs for role in roles):
         parts.append("friction does no work (the point of contact is at rest)")
     elif any(role.presses for role in roles):

@@ -9,8 +9,10 @@ from msgspec import Struct
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Integral, total
+from rotsolve.algebra.units.dimension import LENGTH
 from rotsolve.core.facts import BodyFacts, Force, signed
 from rotsolve.core.passage import Work
+from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import CONSTANT, RATES, TIME, at_any_time, running
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading
 from rotsolve.motion.instant import Instant
@@ -142,5 +144,6 @@ def named_work(owner: str, amount: Formula | None, bodies: tuple[str, ...], inte
     mentions = first.configuration.mentions
     if amount is None or mentions.asks(owner, "work") or mentions.asks(owner, "power"):
         letter = first.ask("work", owner, when=interval.name)
-        return Work(owner, letter, owner, bodies, amount)
+        slide = SceneQuantity("displacement", owner, interval.name, "", "s", LENGTH)
+        return Work(owner, letter, owner, bodies, amount, slide=first.registry.ask(slide))
     return Work(owner, amount, owner, bodies)

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, Sum, Symbol
-from rotsolve.core.derivation import Answer, Derivation, Equality, Move, Refusal, Section
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Move, Refusal, Section
 from rotsolve.page.blocks import (
     WITH,
     AnswerRow,
@@ -32,7 +32,7 @@ from rotsolve.page.blocks import (
     Title,
     authored,
 )
-from rotsolve.page.depth import BRIEF, FEWEST_TERMS, LONG, NONE, NORMAL, STEPS
+from rotsolve.page.depth import BRIEF, FEWEST_TERMS, FULL, LONG, NONE, NORMAL, STEPS
 from rotsolve.page.inserted import CoherentUnits, InsertedNumbers, coherent_units
 from rotsolve.page.plan import plan_of, planned_once
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
@@ -88,9 +88,10 @@ class DerivationPage(Page, frozen=True):
         if derivation.refused:
             yield Title(2, ("Not answered",))
             yield Bullets(tuple(map(refusal_bullet, derivation.refused)))
-        if derivation.checks:
+        checks = derivation.checks if self.detail == FULL else tuple(in_short(derivation.checks))
+        if checks:
             yield Title(2, ("Checks",))
-            yield Checks(derivation.checks)
+            yield Checks(checks)
 
     def section_blocks(self, derivation: Derivation, numbers: InsertedNumbers) -> Iterator[PageBlock]:
         """All sections of a derivation, with as much as is to be told."""
@@ -119,6 +120,15 @@ class DerivationPage(Page, frozen=True):
         from rotsolve.page.data import derivation_data
 
         return {"file": self.file, **derivation_data(self.derivation, self.digits)}
+
+
+def in_short(checks: Iterable[Check]) -> Iterator[Check]:
+    """The checks that a reader can follow, and in two words that all answers agree with a computation with numbers."""
+    for check in checks:
+        if not check.bare:
+            yield check
+        elif not check.law:
+            yield replace(check, words=("confirmed with numbers",))
 
 
 def with_abbreviations(derivation: Derivation) -> tuple[Derivation, tuple[Abbreviation, ...]]:
@@ -175,7 +185,11 @@ def opening_rows(derivation: Derivation, digits: int | None) -> Iterator[Labelle
     """Source, givens, conventions, what is asked, and the states."""
     yield Labelled("Source", ((authored(derivation.source),),) if derivation.source else ())
     units = coherent_units(derivation.givens)
-    givens = tuple(given_with_number(given, units, digits) for given in shown_givens(derivation.givens))
+    asked = {answer.dimension: answer.unit for answer in derivation.answers}
+    givens = tuple(
+        given_with_number(given, units, digits if asked.get(given.dimension) != given.unit else None)
+        for given in shown_givens(derivation.givens)
+    )
     yield Labelled("Given", givens, ", ")
     yield Labelled("Signs", derivation.conventions, beside=bool(givens))
     yield Labelled("Places", derivation.places)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Sum, Symbol
 from rotsolve.core.derivation import Answer, Derivation, Equality, ForceLine, LawLine, Section
 from rotsolve.core.equation import (
     ABOUT_CONTACT,
@@ -15,7 +15,6 @@ from rotsolve.core.equation import (
     INERTIA,
     INTEGRATED,
     KINETIC_ENERGY_AT,
-    NEWTON,
     PARALLEL_AXES,
     RATE_IN_AXES,
     RATE_IN_STILL_AXES,
@@ -105,10 +104,9 @@ def plan_sentences(section: Section, derivation: Derivation) -> Iterator[Phrase]
     if laws:
         yield (capital(f"{and_joined(laws)}."),)
     yield from map(turned_alone, telling_forces(section))
+    yield from only_torques(section)
     if laws and ties:
         yield (f"The motions are tied together: {and_joined(ties)}.",)
-    if len(set(newtonian(section))) > 1:
-        yield (f"That makes {len(section.laws)} equations for as many unknowns.",)
 
 
 def telling_forces(section: Section) -> Iterator[ForceLine]:
@@ -120,16 +118,19 @@ def telling_forces(section: Section) -> Iterator[ForceLine]:
             yield line
 
 
+def only_torques(section: Section) -> Iterator[Phrase]:
+    """ "About the point of contact only F (R − r) turns reel.", where one torque alone acts about it."""
+    for law in section.laws:
+        left = law.equation.left
+        if law.name == ABOUT_CONTACT.name and not isinstance(left, Sum) and len(law.bodies) == 1:
+            yield ("About the point of contact only the torque ", left, f" turns {law.bodies[0]}.")
+
+
 def turned_alone(line: ForceLine) -> Phrase:
     """Why Newton's second law is needed as well: "Only the friction f turns disc: it is unknown, and Newton's second law tells it."."""
     assert line.turned is not None
     noun, letter = line.turned
     return (f"Only the {noun} ", letter, f" turns {line.body}: it is unknown, and Newton's second law tells it.")
-
-
-def newtonian(section: Section) -> Iterator[str]:
-    """Labels of Newton's laws in a section."""
-    return (law.law for law in section.laws if law.family == NEWTON)
 
 
 def plan_stage(number: int, section: Section, found: Sequence[Answer]) -> Phrase:

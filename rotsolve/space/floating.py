@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from msgspec import Struct
 
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate, total
-from rotsolve.core.equation import CONSERVATION, MOMENTUM, Equation
+from rotsolve.core.equation import CONSERVATION, FROM_STATE_TO_STATE, MOMENTUM, Equation
 from rotsolve.core.vectors.triple import (
     AXES,
     NOTHING,
@@ -51,7 +51,9 @@ class FloatingTogether(Struct, frozen=True):
             first, last = (self.energy(laws) for laws in (before, after))
             if first != last:
                 since = f" of {whole} about their centre of mass"
-                yield CONSERVATION.equation(first, last, interval.name, self.names, since=since)
+                yield CONSERVATION.equation(
+                    first, last, interval.name, self.names, since=since, form=FROM_STATE_TO_STATE
+                )
 
     def momenta(self, before: SpaceLaws, after: SpaceLaws) -> Iterator[tuple[tuple[str, str], Formula, Formula]]:
         """What stays of the angular momentum, before and after, with the words in front of and behind it."""

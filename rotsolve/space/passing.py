@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
-from rotsolve.core.equation import BY_PLACE, CONSERVATION, MOMENTUM, Equation
+from rotsolve.core.equation import BY_PLACE, CONSERVATION, FROM_STATE_TO_STATE, MOMENTUM, Equation
 from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
@@ -164,7 +164,7 @@ def of_energy(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws
         return  # nothing tells how far it has fallen
     first, last = (energy_of(laws, name, "rotational" if held else "") for laws in (before, after))
     if first != last:
-        yield CONSERVATION.equation(first, last, interval.name, (name,), since="")
+        yield CONSERVATION.equation(first, last, interval.name, (name,), since="", form=FROM_STATE_TO_STATE)
 
 
 def momenta(name: str, before: SpaceLaws, after: SpaceLaws) -> Iterator[tuple[str, Pairing]]:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula, total
-from rotsolve.core.equation import CONSERVATION, MOMENTUM, Equation
+from rotsolve.core.equation import CONSERVATION, FROM_STATE_TO_STATE, MOMENTUM, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, dot_product, scaled_by, vector_sum
 from rotsolve.core.writing import spoken
@@ -48,7 +48,9 @@ class HeldTogether(Struct, frozen=True):
             return
         first, last = (total([energy_of(laws, name) for name in self.names]) for laws in (before, after))
         if first != last:
-            yield CONSERVATION.equation(first, last, interval.name, self.names, since=f" of {whole}")
+            yield CONSERVATION.equation(
+                first, last, interval.name, self.names, since=f" of {whole}", form=FROM_STATE_TO_STATE
+            )
 
     def swings_as_one(self, laws: SpaceLaws) -> bool:
         """Whether they go round on a hinge with what is fast on the first of them, of which the energy is told already."""

@@ -25,7 +25,7 @@ states: {now: {coin.tilt: theta, coin.spin: s, coin.precession: W, steady: true}
 find: {s: s, L: coin.stability at now}
 """
 SPUN = SCENE.replace("70 deg, W: 20 rad/s, s: unknown", "90 deg, W: unknown, s: 0 rad/s").split("find")[0]
-SAME = "the equations of motion of all bodies, solved by computer with numbers, give the same"
+SAME = "all bodies' equations, solved with numbers, give the same"
 
 
 def grows(shape: str, tilt: float, round_: float) -> tuple[float, float]:
