@@ -15,7 +15,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import DAMPINGS, FREQUENCIES, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import key_of
+from rotsolve.core.symbols import SymbolKey, key_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.carriers import ONLY, carried_along
 from rotsolve.equations.states import rates_of_body
@@ -54,6 +54,7 @@ class Rows(Struct, frozen=True):
     pushes: tuple[Formula, ...]
     displaced: Mapping[str, Formula]
     damping: Matrix = ()
+    led: tuple[str, ...] = ()  # bodies whose motion is given
     along: tuple[Formula, ...] = ()  # the same at any displacement
 
 
@@ -170,6 +171,7 @@ class Mode(Swing, frozen=True, dict=True):
             tuple(map(there, pushes)),
             displaced,
             damping,
+            tuple(motion.drive.body for motion in facts.given if motion.drive.body in self.group),
             tuple(map(tidy, pushes)),
         )
 
@@ -254,6 +256,13 @@ class Mode(Swing, frozen=True, dict=True):
         raise NotYet(
             f"`{asked}` is no way in which `{host}` swings here", help="compare a `rotation` or `displacement`"
         )
+
+    def angles_found(self) -> Iterator[tuple[str, Formula]]:
+        """The angles of bodies in an equilibrium that is worked out."""
+        for body in self.still.bodies:
+            angle = self.rest.registry.known.get(SymbolKey("angle", body.name, "", self.rest.when).name)
+            if self.found and body.name in self.group and angle is not None:
+                yield body.name, angle
 
     def title(self, key: str) -> str:
         """Heading of the section of the modes."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, multiply, sqrt
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import DAMPED_SWINGS, DAMPING_RATE
-from rotsolve.core.writing import positive_first
-from rotsolve.equations.normal_modes import Mode, Spectrum
+from rotsolve.core.writing import and_joined, positive_first, spoken
+from rotsolve.equations.normal_modes import Mode, Rows, Spectrum
 from rotsolve.laws.damping import ALONE, TURNING, damped_swings
 from rotsolve.paths.meaning import NotYet
 
@@ -68,6 +69,8 @@ def in_words(mode: Mode, spectrum: Spectrum, gamma: Formula, free: Formula) -> W
     ]
     form = positive_first([change, multiply(2 * gamma, speed), multiply(free**2, place)])
     held: Words = (*spectrum.held, ".", NEXT) if spectrum.held else ()
+    if rows.led:
+        held = (*(part for line in carried_in_words(mode, rows) for part in (*line, NEXT)), *held)
     return (
         *held,
         "To first order, by the power that all forces have:",
@@ -77,3 +80,11 @@ def in_words(mode: Mode, spectrum: Spectrum, gamma: Formula, free: Formula) -> W
         form,
         " = 0",
     )
+
+
+def carried_in_words(mode: Mode, rows: Rows) -> Iterator[Words]:
+    """That −m a pushes what is carried along, and where it hangs then."""
+    led = and_joined(list(dict.fromkeys(map(spoken, rows.led))))
+    yield (f"Seen from {led} each body is pushed by −m a too, with the a of {led}.",)
+    for name, angle in mode.angles_found():
+        yield (f"At rest there {spoken(name)} has the angle ", angle, ".")

@@ -23,7 +23,7 @@ from rotsolve.equations.swing import STRETCHES
 from rotsolve.laws.modes import characteristic, determinant, shapes
 from rotsolve.laws.oscillation import periods
 from rotsolve.paths.meaning import NotYet
-from rotsolve.search.damped import settle_damped
+from rotsolve.search.damped import carried_in_words, settle_damped
 
 if TYPE_CHECKING:
     from rotsolve.search.swings import Stepping
@@ -229,6 +229,8 @@ def rows_in_words(mode: Mode, spectrum: Spectrum, search: Stepping) -> Words:
         terms = [multiply(part, rate) for part, rate in zip(masses, rows.accelerations, strict=True)]
         terms += [multiply(part, place) for part, place in zip(stiff, rows.coordinates, strict=True)]
         lines.append((positive_first(terms), " = 0"))
+    if rows.led:
+        lines[:0] = carried_in_words(mode, rows)
     if spectrum.held:
         lines.insert(0, (*spectrum.held, "."))
     omega = mode.common
