@@ -13,7 +13,6 @@ from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.phase import followed
 from rotsolve.confirm.course.reading import Reckoned, number
-from rotsolve.confirm.forces import spring_length
 from rotsolve.confirm.instant import Dynamics, Placed, gathered, moment, split
 from rotsolve.confirm.linear import solved
 from rotsolve.core.quantity import DAMPINGS
@@ -65,6 +64,8 @@ class Neighbourhood:
         springs = [item for item in self.model.acting.connections if isinstance(item, Spring)]
         for item in springs:
             if item.name not in self.offsets:
+                from rotsolve.confirm.forces import spring_length
+
                 self.offsets[item.name] = spring_length(item, first.pose, self.model).value
         self.before = [gap for _, gap in self.rows(first.placed.q)]
 
