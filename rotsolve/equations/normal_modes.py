@@ -202,16 +202,15 @@ class Mode(Swing, frozen=True, dict=True):
         return self.near.registry.quantities[letter.name].dimension
 
     def _letter(self, word: str) -> Formula:
-        kind, number = QUANTITIES[word], str(self.number or "")
-        letter, dimension, mark = kind.letter.removesuffix("0") + number, kind.dimension, number
+        kind, whole = QUANTITIES[word], "+".join(sorted(self.group))
+        letter, dimension = kind.letter.removesuffix("0"), kind.dimension
         if word == "angular_frequency" and self.speeds():
             letter = "omega_d"
         if word == SHAPE:
-            first, second = (self.way_of(*one) for one in self.compared)
-            top, bottom = (self.near.registry.quantities[one.name].dimension for one in (first, second))
-            dimension, letter = top / bottom, kind.letter + number
-            mark = f"{number} {' '.join(part for one in self.compared for part in one)}"
-        quantity = SceneQuantity(word, "+".join(sorted(self.group)), self.when_asked, mark, letter, dimension)
+            first, second = (self.near.registry.quantities[self.way_of(*one).name] for one in self.compared)
+            dimension = first.dimension / second.dimension
+            whole = " ".join((whole, *(part for one in self.compared for part in one)))
+        quantity = SceneQuantity(word, whole, self.when_asked, str(self.number or ""), letter, dimension)
         return self.near.registry.ask(quantity)
 
     def letter_of_damping(self, letter: str) -> Formula:
