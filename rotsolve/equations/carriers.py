@@ -16,7 +16,7 @@ from rotsolve.paths.meaning import NotYet
 ONLY = "solved are swings on what goes straight on at a constant acceleration, and does not turn"
 
 
-def carried_along(instant: Instant, facts: Facts, group: frozenset[str]) -> Carried:
+def carried_accelerations(instant: Instant, facts: Facts, group: frozenset[str]) -> Carried:
     """The letters of all accelerations of a group at a moment of its swings, and the values of those that are given."""
     letters, given = dict[str, str](), {}
     for body in facts.bodies:

@@ -54,7 +54,7 @@ def in_several_ways(facts: Facts, group: frozenset[str], terms: list[Formula]) -
     return bool(rates) and allowed is None
 
 
-def stable_places(rest: Instant, still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
+def balanced_places(rest: Instant, still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
     """The letters of angles that balance decides by itself, and their stable values; none where springs have a say in them."""
     supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
     if in_several_ways(still, group, supplies):
@@ -193,7 +193,7 @@ class Placing(Struct, frozen=True):
         troubles: dict[frozenset[str], NotYet] = {}
         for group in groups_of(self.configuration, still, state):
             try:
-                self.registry.known.update(stable_places(rest, still, group, self.configuration.signs))
+                self.registry.known.update(balanced_places(rest, still, group, self.configuration.signs))
             except NotYet as trouble:
                 troubles[group] = trouble
         return self.moments(self.moment(state, REST), troubles)

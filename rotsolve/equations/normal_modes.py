@@ -17,11 +17,11 @@ from rotsolve.core.quantity import DAMPINGS, FREQUENCIES, QUANTITIES
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import SymbolKey, key_of
 from rotsolve.core.writing import spoken
-from rotsolve.equations.carriers import ONLY, carried_along
+from rotsolve.equations.carriers import ONLY, carried_accelerations
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import HARMONIC, Swing, displacements_of_body, moving
 from rotsolve.language.problem import MODE, Path, Term
-from rotsolve.laws.modes import FreeWays, Matrix, free_ways, generalized_forces, inertias
+from rotsolve.laws.modes import FreeWays, Matrix, generalized_forces, independent_ways, inertias
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.paths.meaning import NotYet
 
@@ -125,8 +125,8 @@ class Mode(Swing, frozen=True, dict=True):
             raise NotYet(UNTOLD)
         names = [name for name, *_ in self.letters_of_group]
         at_rest = {place.name: ZERO for _, place, _, _ in self.letters_of_group}
-        carried = carried_along(self.near, facts, self.group)
-        found = free_ways(facts, self.group, names, lambda slope: vanishes(slope.substitute(at_rest)), carried)
+        carried = carried_accelerations(self.near, facts, self.group)
+        found = independent_ways(facts, self.group, names, lambda slope: vanishes(slope.substitute(at_rest)), carried)
         if found is None or not found.rates:
             raise NotYet(UNTOLD)
         resting = FreeWays(
@@ -159,7 +159,7 @@ class Mode(Swing, frozen=True, dict=True):
             tuple(there(-differentiate(push, speeds[name].name)) for name in found.rates if name in speeds)
             for push in pushes
         )
-        if any(bent(push, speeds[name].name) for push in pushes for name in found.rates if name in speeds):
+        if any(not_proportional(push, speeds[name].name) for push in pushes for name in found.rates if name in speeds):
             raise NotYet(
                 f"what damps {', '.join(f'`{name}`' for name in sorted(self.group))} is not proportional to how fast they go"
             )
@@ -269,6 +269,6 @@ class Mode(Swing, frozen=True, dict=True):
         return f"Small swings about {place}" if key == self.harmonic else ""
 
 
-def bent(push: Formula, speed: str) -> bool:
+def not_proportional(push: Formula, speed: str) -> bool:
     """Whether a force is not proportional to a speed."""
     return speed in simplify(differentiate(push, speed)).symbols()

@@ -9,10 +9,10 @@ from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import Call, Formula
 from rotsolve.core.facts import Facts
 from rotsolve.core.symbols import key_of, of_kinds
-from rotsolve.equations.carriers import carried_along
+from rotsolve.equations.carriers import carried_accelerations
 from rotsolve.equations.equilibrium import PLACES, STATE_IT, angle_rates
 from rotsolve.laws.groups import rates_of
-from rotsolve.laws.modes import FreeWays, free_ways, generalized_forces
+from rotsolve.laws.modes import FreeWays, generalized_forces, independent_ways
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
 
@@ -23,7 +23,7 @@ def stable_angles(rest: Instant, still: Facts, group: frozenset[str], signs: Sig
     """Angle after angle of which one force alone speaks, where that drives it back: in a stable equilibrium each coordinate alone is."""
     bodies = [body for body in still.bodies if body.name in group]
     rates = sorted({name for body in bodies for name in rates_of(body)}, key=wanted)
-    ways = free_ways(still, group, rates, is_zero, carried_along(rest, still, group))
+    ways = independent_ways(still, group, rates, is_zero, carried_accelerations(rest, still, group))
     if ways is None:
         raise NotYet(NOT_TOLD, help=STATE_IT)
     found: dict[str, Formula] = {}

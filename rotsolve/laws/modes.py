@@ -42,7 +42,7 @@ class FreeWays(Struct, frozen=True):
         return {name: told.substitute(still) for name, told in self.tied.items()} | still
 
 
-def free_ways(
+def independent_ways(
     facts: Facts, group: frozenset[str], rates: Sequence[str], vanishes: Callable[[Formula], bool], carried: Carried
 ) -> FreeWays | None:
     """The independent ones of `rates`, the most wanted first, by the rules; None where a rule tells none of them."""

@@ -30,10 +30,10 @@ def settle_damped(mode: Mode, spectrum: Spectrum, word: str, search: Stepping) -
     if search.signs.of_sizes(rate) == -1:
         raise NotYet("what acts drives the swings on, by how fast they go: they grow")
     gamma, free = mode.letter_of_damping("gamma"), mode.letter_of_damping("omega0")
-    case = case_of(rate, spectrum.squares[0], word, search)
+    case = case_of_damping(rate, spectrum.squares[0], word, search)
     if mode.harmonic not in search.swung:
         search.swung.add(mode.harmonic)
-        told, words = in_words(mode, spectrum, gamma, free), "damping rate, half of what stands by the speed"
+        told, words = row_in_words(mode, spectrum, gamma, free), "damping rate, half of what stands by the speed"
         search.planner.extend(DAMPING_RATE.equation(gamma, rate, mode.harmonic, (), told, words=words))
         undamped, words = search.solver.simplify(sqrt(spectrum.squares[0])), "angular frequency without damping"
         search.planner.extend(DAMPED_SWINGS.equation(free, undamped, mode.harmonic, words=words))
@@ -44,7 +44,7 @@ def settle_damped(mode: Mode, spectrum: Spectrum, word: str, search: Stepping) -
             search.planner.extend(equation)
 
 
-def case_of(rate: Formula, square: Formula, word: str, search: Stepping) -> int:
+def case_of_damping(rate: Formula, square: Formula, word: str, search: Stepping) -> int:
     """The sign of ω₀ − γ. Where it hangs on a letter that is sought, what has a period swings, which the answer has to fulfil."""
     gap = search.solver.simplify(square - rate**2)
     case = 1 if word == "damping_ratio" else search.signs.of_sizes(gap)
@@ -58,7 +58,7 @@ def case_of(rate: Formula, square: Formula, word: str, search: Stepping) -> int:
     return case
 
 
-def in_words(mode: Mode, spectrum: Spectrum, gamma: Formula, free: Formula) -> Words:
+def row_in_words(mode: Mode, spectrum: Spectrum, gamma: Formula, free: Formula) -> Words:
     """The row, and the form into which it is brought."""
     rows = spectrum.rows
     (place,), (change,), (speed,) = rows.coordinates, rows.accelerations, mode.speed_letters(rows)

@@ -127,10 +127,10 @@ def in_balance(mode: Mode, rows: Rows, search: Stepping) -> tuple[Rows, Words]:
             found = {name: told.substitute({letter: value}) for name, told in found.items()} | {letter: value}
         elif search.signs.decide(left) != 0:
             raise NotYet(f"{group_in_words(mode)} are not in equilibrium: {spoken(mode.rest.state) or 'as they are'}")
-    spoken_of = {name for part in entries_of(rows) for name in part.symbols()}
+    spoken_of = {name for part in matrix_entries(rows) for name in part.symbols()}
     known = set(search.givens) | set(search.values)
     settled = replace_parts(rows, lambda part: search.solver.simplify(part.substitute(found)))
-    if {name for part in entries_of(settled) for name in part.symbols()} - known:
+    if {name for part in matrix_entries(settled) for name in part.symbols()} - known:
         raise NotYet(
             f"how {group_in_words(mode)} swing depends on how springs are stretched in the equilibrium, which is not told"
         )
@@ -141,7 +141,7 @@ def in_balance(mode: Mode, rows: Rows, search: Stepping) -> tuple[Rows, Words]:
     return settled, tuple(words)
 
 
-def entries_of(rows: Rows) -> Iterator[Formula]:
+def matrix_entries(rows: Rows) -> Iterator[Formula]:
     """The entries of M and K."""
     return (part for matrix in (rows.inertia, rows.stiffness) for row in matrix for part in row)
 
