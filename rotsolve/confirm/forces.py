@@ -13,7 +13,7 @@ from rotsolve.confirm.jet import Jet, Slope, distance
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
-from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, mover, pointing
+from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, WORDS, mover, pointing
 from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Band, Press
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import MutualDrive
@@ -105,8 +105,10 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
 
 
 def spring_way(item: Spring, model: Known) -> Way:
-    """From a wall out of it, along the line of travel of an end where that is not upright; else from left to right along that line, down
-    from the ceiling, up from whatever else it stands on, of two bodies down."""
+    """As is said; else from a wall out of it, along the line of travel of an end where that is not upright; else from left to right along
+    that line, down from the ceiling, up from whatever else it stands on, of two bodies down."""
+    if item.direction is not None:
+        return WORDS[item.direction]
     first, second = item.spring
     anchor, body = (first, second) if first.owner not in model.seats else (second, first)
     way = next((found for ref in (body, anchor) if (found := end_travel(ref, model)) is not None), None)

@@ -225,6 +225,10 @@ HARMONIC = Law("simple harmonic motion", "simple harmonic motion")
 PENDULUM = Law("pendulum", "equation of motion of a pendulum")
 SMALL_SWINGS = Law("small swings", "small swings", cost=1)
 SWINGS = Law("period of swings", cost=1)
+NORMAL_MODE = Law("normal mode", "angular frequency of {mode}", cost=1, explained=True)
+DAMPING_RATE = Law("damping rate", "{words}", cost=1, explained=True)
+DAMPED_SWINGS = Law("damped swings", "{words}", cost=1)
+MODE_SHAPE = Law("shape of a mode", "{words}", cost=1)
 SMALL_DISTURBANCE = Law(
     "small disturbance", family=NEWTON, cost=1
 )  # of a steady motion in space, by what its torques are then

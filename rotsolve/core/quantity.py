@@ -181,6 +181,24 @@ QUANTITIES: dict[str, QuantityKind] = {
             (),
             "`angular_frequency of small swings`: 2π times the frequency",
         ),
+        kind(
+            "amplitude_ratio",
+            "number",
+            "r",
+            (),
+            "`ratio of A to B in mode 1`: of two displacements or rotations in a mode",
+        ),
+        kind("damping_ratio", "number", "zeta", (), "`damping_ratio of small swings`: γ/ω₀ of damped ones"),
+        kind(
+            "time_constant", "time", "tau", (), "`time_constant of small swings`: in which damped ones die down to 1/e"
+        ),
+        kind(
+            "logarithmic_decrement",
+            "number",
+            "Lambda",
+            (),
+            "`logarithmic_decrement of small swings`: γ T of damped ones",
+        ),
         kind("bending_moment", "torque", "M", (POINT,), "inside a rod at a point; positive where it sags"),
         kind("shear", "force", "V", (POINT,), "across a rod at a point, from the part before it on the part beyond"),
         kind("compression", "force", "C", (POINT,), "along a rod at a point; negative where it is pulled"),
@@ -323,8 +341,14 @@ INERTIAL = ("centrifugal", "euler", "coriolis")  # forces in a frame that turns
 FELT = {"force": INERTIAL}  # components that a quantity has beside its three in space
 BEARINGS = {"bearing1": "bearing 1", "bearing2": "bearing 2"}  # of a hinge in space, and how they are spoken of
 OF_BEARINGS = ("force", "impulse")  # what is told of each bearing of a hinge
+DAMPINGS = ("damping_ratio", "time_constant", "logarithmic_decrement")  # of damped swings
+FREQUENCIES = ("swing_period", "frequency", "angular_frequency")  # of swings, and of each of their modes
 OSCILLATING = {  # what is asked of swings, and how it is said
     "swing_period": "period",
     "frequency": "frequency",
     "angular_frequency": "angular frequency",
+    "amplitude_ratio": "ratio of amplitudes",
+    "damping_ratio": "damping ratio",
+    "time_constant": "time constant",
+    "logarithmic_decrement": "logarithmic decrement",
 }

@@ -435,7 +435,16 @@ class DerivationComposer:
             start = f" = 0 at {spoken(first)}" if first else " is the running time"
             said.append((self.letters.printed(Symbol(TIME)), start))
         for swing in self.scene.swings.values():
-            what = "angle turned" if swing.turns else "displacement"
-            said.append((self.letters.printed(swing.coordinate), f": {what} from the equilibrium"))
+            for kind, what in (("rotation", "angle"), ("displacement", "displacement")):
+                places = [place for place in swing.coordinates if key_of(place.name).kind == kind]
+                shown = [place for place in places if place.name in self.letters.names or swing.number is None]
+                if shown:
+                    turned = " turned" if kind == "rotation" else ""
+                    said.append(
+                        (
+                            *in_a_row(map(self.letters.printed, shown)),
+                            f": {what}{'s' * (len(shown) > 1)}{turned} from the equilibrium",
+                        )
+                    )
             said += [(f"{spoken(name)} is so long that it keeps its direction",) for name in swing.long]
         return tuple(dict.fromkeys(said))

@@ -17,7 +17,7 @@ from rotsolve.search.letterspace import LetterSpace
 LONGEST, SHORT = 60, 14  # nodes of a formula that is looked at, and of what it comes to
 
 
-class Put(Struct, frozen=True):
+class LettersAt(Struct, frozen=True):
     """Values of letters, with how they are told: d → 0, β = ⅓ (uniform rod)."""
 
     values: dict[str, Formula]
@@ -28,21 +28,21 @@ def at_ends_of_ranges(answers: Sequence[Answer], space: LetterSpace) -> Iterator
     """What the first answer in which such letters stand comes to at the ends of their ranges, and for what is uniform."""
     uniform, most = list(uniform_shapes(space)), list(ranges(space))
     for letter, bound in most:
-        yield from told_at(Put({letter: ZERO}, (Symbol(letter), " → 0")), answers, space)
+        yield from told_at(LettersAt({letter: ZERO}, (Symbol(letter), " → 0")), answers, space)
         yield from told_at(at_bound(letter, bound), answers, space)
     for one in uniform:
         yield from told_at(one, answers, space)
         for letter, bound in most:
             edge = at_bound(letter, bound)
-            yield from told_at(Put(one.values | edge.values, (*one.words, ", ", *edge.words)), answers, space)
+            yield from told_at(LettersAt(one.values | edge.values, (*one.words, ", ", *edge.words)), answers, space)
 
 
-def at_bound(letter: str, bound: str) -> Put:
+def at_bound(letter: str, bound: str) -> LettersAt:
     """A letter as large as it may be."""
-    return Put({letter: Symbol(bound)}, (Symbol(letter), " = ", Symbol(bound)))
+    return LettersAt({letter: Symbol(bound)}, (Symbol(letter), " = ", Symbol(bound)))
 
 
-def told_at(put: Put, answers: Sequence[Answer], space: LetterSpace) -> Iterator[Check]:
+def told_at(put: LettersAt, answers: Sequence[Answer], space: LetterSpace) -> Iterator[Check]:
     """ "d = r gives F = …", of the first answer that holds all its letters, where that is short."""
     for answer in answers:
         formula = answer.formula
@@ -53,7 +53,7 @@ def told_at(put: Put, answers: Sequence[Answer], space: LetterSpace) -> Iterator
             return
 
 
-def uniform_shapes(space: LetterSpace) -> Iterator[Put]:
+def uniform_shapes(space: LetterSpace) -> Iterator[LettersAt]:
     """The pure numbers of moments of inertia that the shapes of bodies would have if they were uniform: β = ⅓ of a rod of length 2 r."""
     for body in space.problem.bodies:
         if body.inertia is None or body.shape is None or body.mass is None:
@@ -63,7 +63,7 @@ def uniform_shapes(space: LetterSpace) -> Iterator[Put]:
             if space.letters[name].dimension == NONE and is_zero(body.inertia.substitute({name: ZERO})):
                 value = simplify(own / body.inertia.substitute({name: ONE}), positive=space.positive)
                 if isinstance(value, Number) and value != ZERO:
-                    yield Put({name: value}, (Symbol(name), " = ", value, f" (uniform {body.shape.word})"))
+                    yield LettersAt({name: value}, (Symbol(name), " = ", value, f" (uniform {body.shape.word})"))
 
 
 def ranges(space: LetterSpace) -> Iterator[tuple[str, str]]:

@@ -14,6 +14,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add
 from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.core.quantity import DAMPINGS
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import (
     MIXED,
@@ -31,8 +32,8 @@ from rotsolve.core.symbols import (
 from rotsolve.core.writing import spoken
 from rotsolve.equations.states import rates_of_body
 from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving
-from rotsolve.language.keys import varying_values
-from rotsolve.language.problem import Term
+from rotsolve.language.keys import Element, varying_values
+from rotsolve.language.problem import MODE, Term
 from rotsolve.laws import groups
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
@@ -41,16 +42,25 @@ from rotsolve.motion.passages import groups_of
 from rotsolve.paths.meaning import NotYet
 
 PLACES = ("elongation", "angle")  # what balance decides
-SEVERAL_WAYS = "can move in several ways: the swings of such bodies are not solved yet"
+SEVERAL_WAYS = (
+    "can move in several ways: solved are the periods, frequencies and shapes of their small swings, each by its own"
+)
 STATE_IT = "give a state with its angle and `balance: true`, and say `about` it"
 
 
-def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tuple[str, Formula] | None:
-    """The letter of the one angle that balance decides by itself, and its stable value; None where springs have a say in it."""
+def in_several_ways(facts: Facts, group: frozenset[str], terms: list[Formula]) -> bool:
+    """Whether the rules let a group move in several ways."""
+    rates, allowed = groups.freedom(facts, group, terms)
+    return bool(rates) and allowed is None
+
+
+def balanced_places(rest: Instant, still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
+    """The letters of angles that balance decides by itself, and their stable values; none where springs have a say in them."""
     supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
-    rates, allowed = groups.freedom(still, group, supplies)
-    if rates and allowed is None:
-        raise NotYet(f"{', '.join(f'`{name}`' for name in sorted(group))} {SEVERAL_WAYS}")
+    if in_several_ways(still, group, supplies):
+        from rotsolve.equations.standing_modes import stable_angles
+
+        return stable_angles(rest, still, group, signs)
     balance = groups.drive(still, group)
     if balance is None or balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
@@ -59,7 +69,7 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
     calls = [node for node in drive.walk(Call) if isinstance(node, Call)]
     if not any(letter in node.symbols() for letter in letters for node in calls):  # in a sine or cosine
         root = solve_linear(drive, letters[0]) if len(letters) == 1 else None
-        return (letters[0], root) if isinstance(root, (Number, Symbol)) else None
+        return {letters[0]: root} if isinstance(root, (Number, Symbol)) else {}
     if len(letters) > 1:
         raise NotYet("where these bodies are in equilibrium is not told", help=STATE_IT)
     slope = differentiate(drive, letters[0]) * turning_rate(letters[0], still, group)
@@ -69,7 +79,7 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
     stable = [root for root in roots if signs.of_sizes(slope.substitute({letters[0]: root})) == -1]
     if len(stable) != 1:
         raise NotYet("the stable equilibrium is not told", help=STATE_IT)
-    return letters[0], simplify(stable[0])
+    return {letters[0]: simplify(stable[0])}
 
 
 def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
@@ -108,35 +118,58 @@ class Placing(Struct, frozen=True):
     made: dict[tuple[str, bool], Moments] = field(default_factory=dict)
 
     def swing(self, term: Term) -> Swing:
-        """The swing that a question speaks of."""
+        """The swing that a question speaks of, one of the modes where it can go in several ways."""
         state, found = self.state_of(term)
         if (state, found) not in self.made:
             self.made[state, found] = self.found(state) if found else self.named(state)
         moments = self.made[state, found]
         group = self.group(moments, term.path.owner)
-        self.check_free(group, moments.near)
+        damped = self.damped(group, moments.near)
+        self.check_free(group, moments.near, damped=damped and term.modifier == "small swings")
         if group in moments.troubles:
             raise moments.troubles[group]
         body = self.leading(moments.near, group, term.path.owner)
         bodies = free_bodies(moving(moments.near))
         members = [body for body in bodies.bodies if body.name in group]
         terms = [term for body in members for term in (*groups.gain(body), *groups.supply(body))]
-        if groups.freedom(bodies, group, terms)[1] is None:
+        swing = Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
+        several = in_several_ways(bodies, group, terms)
+        if not (several or damped or term.modifier.startswith(MODE) or term.path.quantity in DAMPINGS):
+            return swing
+        if not term.modifier or term.start:
             raise NotYet(f"`{body}` and what it is tied to {SEVERAL_WAYS}")
-        return Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
+        from rotsolve.equations.normal_modes import mode_of
 
-    def check_free(self, group: frozenset[str], near: Instant) -> None:
-        """Nothing damps, rubs or drives the bodies that swing: it would be no harmonic motion about a place that stays."""
+        return mode_of(swing, term)
+
+    def damped(self, group: frozenset[str], near: Instant) -> bool:
+        """Whether something acts on the bodies that swing by how fast they go."""
+        acting = (item for item in self.configuration.acting(near.state) if self.touched(item, near) & group)
+        return any(self.by_rate(item, near.state) for item in acting)
+
+    def touched(self, item: Element, near: Instant) -> set[str]:
+        """The bodies on which an element acts."""
+        return {near.host(ref.owner) for ref in item.touches() if ref.owner in self.configuration.bodies}
+
+    def by_rate(self, item: Element, state: str) -> bool:
+        """Whether an element acts by how fast its body goes."""
+        words = (word for value in varying_values(item) for _, _, word in paths_in(value))
+        return any(word in RATES for word in words) or item.pace(self.configuration, state) in (RATE, MIXED)
+
+    def check_free(self, group: frozenset[str], near: Instant, *, damped: bool) -> None:
+        """But for what damps swings that are asked as such, nothing damps, rubs or drives the bodies that swing: it would be no harmonic
+        motion about a place that stays."""
         for item in self.configuration.acting(near.state):
-            touched = {near.host(ref.owner) for ref in item.touches() if ref.owner in self.configuration.bodies}
-            if not touched & group:
+            if not self.touched(item, near) & group:
                 continue
             values = tuple(varying_values(item))
-            if any(word in RATES for value in values for _, _, word in paths_in(value)) or item.pace(
-                self.configuration, near.state
-            ) in (RATE, MIXED):
+            told = any(word in RATES for value in values for _, _, word in paths_in(value))  # a power is not
+            if self.by_rate(item, near.state) and not (damped and told):
                 help = f"leave out `{item.name}` for the swings without it"
                 raise NotYet(f"`{item.name}` damps or drives the swings by how fast they go: not solved yet", help=help)
+            if any(word in ("displacement", "rotation") for value in values for _, _, word in paths_in(value)):
+                message = f"`{item.name}` goes by how far a body has gone since the first state: swings under it are not solved yet"
+                raise NotYet(message, help="a `spring` or a `torsion` drives back as well, or a couple by the `angle`")
             if any(TIME in value.symbols() for value in values):
                 raise NotYet(f"`{item.name}` changes in time while the bodies swing: not solved yet")
             if item.brakes():
@@ -150,7 +183,9 @@ class Placing(Struct, frozen=True):
 
     def found(self, state: str) -> Moments:
         """The moments about an equilibrium that is worked out: the angles of hinged bodies here, the rest by the laws."""
-        self.hold(self.moment(state, REST), ("velocity", "acceleration"))
+        carried = self.carried(state)
+        self.hold(self.moment(state, REST), ("velocity", "acceleration"), carried)
+        self.hold(self.moment(state, REST), ("velocity",))
         rest = self.moment(state, REST)
         still = free_bodies(moving(rest))
         for key, quantity in self.registry.quantities.items():
@@ -159,18 +194,15 @@ class Placing(Struct, frozen=True):
         troubles: dict[frozenset[str], NotYet] = {}
         for group in groups_of(self.configuration, still, state):
             try:
-                root = stable_angle(still, group, self.configuration.signs)
+                self.registry.known.update(balanced_places(rest, still, group, self.configuration.signs))
             except NotYet as trouble:
                 troubles[group] = trouble
-                continue
-            if root is not None:
-                self.registry.known[root[0]] = root[1]
         return self.moments(self.moment(state, REST), troubles)
 
     def moments(self, rest: Instant, troubles: Mapping[frozenset[str], NotYet]) -> Moments:
         """All moments of the swings about an equilibrium, velocities left out: they are small of second order."""
         still = free_bodies(moving(rest))
-        self.hold(self.moment(rest.state, NEAR), ("velocity",))
+        self.hold(self.moment(rest.state, NEAR), ("velocity",), self.going(rest.state))
         self.displace(rest, still, self.moment(rest.state, NEAR))
         return Moments(rest, still, self.moment(rest.state, NEAR), troubles)
 
@@ -215,9 +247,24 @@ class Placing(Struct, frozen=True):
         travelling = [name for name in names if near.motion(name).kind == "line"]
         return (turning or travelling or names)[0]
 
-    def hold(self, instant: Instant, words: tuple[str, ...]) -> None:
-        """Put velocities, or velocities and accelerations, of all bodies to zero at a moment."""
+    def going(self, state: str) -> frozenset[str]:
+        """The bodies whose speeds count: those that are tied to one on which something acts by how fast that goes."""
+        acting = (item for item in self.configuration.acting(state) if self.by_rate(item, state))
+        names = {ref.owner for item in acting for ref in item.touches() if ref.owner in self.configuration.bodies}
+        hosts = (self.configuration.host(name, state) for name in names)
+        return frozenset().union(*(self.configuration.component(host, state) for host in hosts))
+
+    def carried(self, state: str) -> frozenset[str]:
+        """The bodies that are tied to one whose motion is given, with that."""
+        present = [body.name for body in self.configuration.present(state)]
+        led = (name for name in present if self.configuration.drives(name, state))
+        return frozenset().union(*(self.configuration.component(name, state) for name in led))
+
+    def hold(self, instant: Instant, words: tuple[str, ...], without: frozenset[str] = frozenset()) -> None:
+        """Put velocities, or velocities and accelerations, of all bodies but some to zero at a moment."""
         for body in self.configuration.present(instant.state):
+            if body.name in without:
+                continue
             for word in words:
                 for rate in rates_of_body(word, instant, body.name):
                     self.put(rate, ZERO)

@@ -17,11 +17,11 @@ from rotsolve.core.equation import FAMILIES, Equation
 from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Fault, Span
 from rotsolve.core.passage import Encounter, Passage, Travel
-from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.quantity import DAMPINGS, OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import is_key, rub_of
 from rotsolve.equations.states import Fixed, Statements
-from rotsolve.language.problem import Condition, Find, Path, State, Term
+from rotsolve.language.problem import MODE, Condition, Find, Path, State, Term
 from rotsolve.laws.table import (
     BETWEEN,
     EVENT,
@@ -42,7 +42,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.paths.meaning import NotYet
+from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.paths.reader import PathReader
 from rotsolve.profile import staged
 
@@ -375,8 +375,10 @@ def term_of(condition: Condition) -> Term:
 
 
 def question_of(term: Term) -> str:
-    """What tells the swings of one question from those of another: the body and the state."""
-    return f"{term.path.owner} {term.at or ''} {term.start or ''}"
+    """What tells the swings of one question from those of another: the body and the state, a mode and what is compared in it."""
+    mode = term.modifier if term.modifier.startswith(MODE) else "damped" if term.path.quantity in DAMPINGS else ""
+    compared = "" if term.other is None else f" {path_text(term.other.path)} {path_text(term.path)}"
+    return f"{term.path.owner} {term.at or ''} {term.start or ''} {mode}{compared}"
 
 
 def coordinate_rate(travel: Travel, instant: Instant) -> Formula:

@@ -11,9 +11,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Symbol, call
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
-from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
 from rotsolve.core.symbols import SymbolKey, has_quantities, key_of, of_kinds
 from rotsolve.core.vectors.heading import RIGHT, UP, heading, opposite
 from rotsolve.core.writing import spoken
@@ -42,6 +43,7 @@ class Swing(Struct, frozen=True, dict=True):
     near: Instant
     found: bool
     start: str = ""  # the state at which a large swing starts
+    number: int | None = None  # of several modes the one that is meant
 
     @property
     def section(self) -> str:
@@ -67,6 +69,11 @@ class Swing(Struct, frozen=True, dict=True):
     def coordinate(self) -> Symbol:
         """Angle or way from the equilibrium."""
         return symbol_of(list(displacements_of_body(self.near, self.body))[-1 if self.turns else 0])
+
+    @property
+    def coordinates(self) -> tuple[Symbol, ...]:
+        """All coordinates that count from the equilibrium."""
+        return (self.coordinate,)
 
     @cached_property
     def acceleration(self) -> Symbol:
@@ -120,7 +127,7 @@ class Swing(Struct, frozen=True, dict=True):
     @property
     def letters(self) -> dict[str, Formula]:
         """The period, frequency and angular frequency, of small swings or of the large one from its start."""
-        return {word: self.near.ask(word, self.body, when=self.start or self.place) for word in OSCILLATING}
+        return {word: self.near.ask(word, self.body, when=self.start or self.place) for word in FREQUENCIES}
 
     @property
     def exact(self) -> bool:
@@ -139,6 +146,10 @@ class Swing(Struct, frozen=True, dict=True):
         springs = ((body, force) for body, force in pulls if force.role.springs and force.owner not in placed)
         across = ((force, body.motion.velocity_of(force.arm).cross(force.direction)) for body, force in springs)
         return tuple(dict.fromkeys(force.owner for force, speed in across if not is_zero(speed)))
+
+    def dimension(self, word: str) -> Dimension:
+        """The dimension of what is asked of it."""
+        return QUANTITIES[word].dimension
 
     def amplitude(self) -> Formula:
         """The angle from the equilibrium at which a large swing starts, at rest."""

@@ -138,6 +138,13 @@ NAMED_AXES = ("space", "body", "node")  # in which components may be asked, besi
 APPROXIMATIONS = ("fast spin",)
 RESERVED_WORDS = (*CLAUSES, "on", "across", "is", "of", "unknown", "number")
 SWINGS = {"period of": "swing_period", "frequency of": "frequency", "angular_frequency of": "angular_frequency"}
+DAMPED = {
+    "damping_ratio of": "damping_ratio",
+    "time_constant of": "time_constant",
+    "logarithmic_decrement of": "logarithmic_decrement",
+}
+SWINGS |= DAMPED
+RATIO_OF = "ratio of"  # of two amplitudes in a mode
 WHICH, IS = "which of", "is"  # of several options: `{which of: {a: PHRASE, b: PHRASE}, is: largest}`
 ALONE = ("lost", "total", "mean", "largest", "smallest")  # modifiers without `of`
 ANGLE_OF = "angle of"  # of two vectors in space: `angle of A from B`

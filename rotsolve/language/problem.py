@@ -91,6 +91,7 @@ class Phase(Struct, frozen=True):
 
 
 EXTREMES = ("largest", "smallest")
+MODE = "mode "  # with its number the modifier of what is asked of one of several ways in which bodies swing
 ANY_TIME = "any time"  # in place of a state: the moment that runs through a phase
 
 
@@ -100,7 +101,7 @@ class Term(Struct, frozen=True):
     modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest'; of the periods and frequencies of swings
     In space components are asked in `axes` (space, body, node, or those of a body that is named) and `relative` to a body; of an
     `angle of` two vectors `other` is the second.
-    'small swings' (`at` an equilibrium) or 'swings' (from `start`).
+    'small swings' or 'mode 1' (`at` an equilibrium) or 'swings' (from `start`); of a `ratio of` two amplitudes `other` is the second.
     A `time from A to B` has path.quantity 'time'. `at` names one state or is ANY_TIME, `during` a phase or event, `start`/`end` two states.
     """
 

@@ -57,7 +57,7 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
     """The meaning of a term with its sign, whether or not its size is asked."""
     if term.path.quantity in OSCILLATING and not scene.configuration.problem.space:
         swing = scene.swing(term)
-        return Meaning(swing.letters[term.path.quantity], QUANTITIES[term.path.quantity].dimension), swing.harmonic
+        return Meaning(swing.letters[term.path.quantity], swing.dimension(term.path.quantity)), swing.harmonic
     start, end = term.start, term.end
     if scene.configuration.problem.space:
         if term.at == ANY_TIME:

@@ -21,7 +21,7 @@ from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units.dimension import ANGLE, Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
-from rotsolve.language.grammar import ALONE, ANGLE_OF, CLAUSES, MODIFIERS, SWINGS, WHICH
+from rotsolve.language.grammar import ALONE, ANGLE_OF, CLAUSES, DAMPED, MODIFIERS, RATIO_OF, SWINGS, WHICH
 from rotsolve.language.problem import EXTREMES, Condition, Find, Path, Term
 from rotsolve.language.words import quoted
 from rotsolve.scene.clauses import Clauses
@@ -33,7 +33,7 @@ from rotsolve.scene.tree import Node, Text
 from rotsolve.scene.values import expression
 
 SIZE_OF_CHANGE = "size of change of"
-WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
+WITH_OF = ("size", "change", *(word.removesuffix(" of") for word in SWINGS), "which", "angle", "ratio")
 WHICH_HELP = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}`"
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
 
@@ -155,7 +155,7 @@ class PhraseReader:
         modifier, words = self.modifier(words)
         if modifier is None:
             return None
-        if modifier in SWINGS:
+        if modifier in (*SWINGS, RATIO_OF):
             return self.swings(modifier, words, outer)
         if modifier == ANGLE_OF:
             return self.angle(words, outer)
@@ -204,7 +204,15 @@ class PhraseReader:
 
     def swings(self, modifier: str, words: list[Lexeme], outer: bool) -> Formula | None:
         """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
-        found = read_swings(self.scope, self.node, words, modifier)
+        if modifier in DAMPED and self.scope.space:
+            place = self.node.part(words[0].start, words[-1].end)
+            return self.scope.fault(place, "damped swings are solved in the plane only", "leave out `up: z`", "find")
+        if modifier == RATIO_OF or (words and words[0].text == "mode"):
+            from rotsolve.scene.modes import read_mode
+
+            found = read_mode(self.scope, self.node, words, modifier)
+        else:
+            found = read_swings(self.scope, self.node, words, modifier)
         if found is None:
             return None
         term, rest = found
@@ -373,17 +381,28 @@ def read_swings(scope: Scope, node: Text, words: list[Lexeme], modifier: str) ->
         asked = node.value[words[0].start : words[-1].end] if words else ""
         return scope.fault(place, f"{quoted(f'{modifier} {asked}'.strip())} is not known", FORM, "find")
     span, found, rest = node.part(words[0].start, rest[0].end), {"of": "", "about": "", "from": ""}, rest[1:]
-    while rest and rest[0].text in found:
-        if len(rest) < 2:
-            return scope.fault(node.part(rest[0].start, rest[0].end), f"nothing follows `{rest[0].text}`", FORM, "find")
-        name = name_after(scope, node, rest[1], "body" if rest[0].text == "of" else "state")
-        if name is None:
-            return None
-        found[rest[0].text], rest = name, rest[2:]
+    left = clauses_of_swings(scope, node, rest, found, FORM)
+    if left is None:
+        return None
+    rest = left
     if (kind == SMALL and found["from"]) or (kind == LARGE and (found["about"] or not found["from"])):
         return scope.fault(span, "small swings are `about` a state, other ones `from` one", FORM, "find")
     path = Path(found["of"], SWINGS[modifier], span=span)
     return Term(path, kind, at=found["about"] or None, start=found["from"] or None), rest
+
+
+def clauses_of_swings(
+    scope: Scope, node: Text, rest: list[Lexeme], found: dict[str, str], form: str
+) -> list[Lexeme] | None:
+    """The names behind `of`, `about` and `from`, put into those `found`, and the words after them; None after a fault."""
+    while rest and rest[0].text in found:
+        if len(rest) < 2:
+            return scope.fault(node.part(rest[0].start, rest[0].end), f"nothing follows `{rest[0].text}`", form, "find")
+        name = name_after(scope, node, rest[1], "body" if rest[0].text == "of" else "state")
+        if name is None:
+            return None
+        found[rest[0].text], rest = name, rest[2:]
+    return rest
 
 
 def trailing(scope: Scope, node: Text, rest: list[Lexeme]) -> Nothing:

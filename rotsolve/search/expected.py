@@ -12,7 +12,7 @@ from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.core.quantity import OSCILLATING, PLANE
+from rotsolve.core.quantity import FREQUENCIES, PLANE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
 from rotsolve.core.writing import spoken
@@ -46,7 +46,7 @@ class Expected(Struct, frozen=True):
             return self._by_turn(name, quantity)
         if quantity.kind in ("displacement", "rotation"):
             return self._onward(quantity.kind, quantity.owner, quantity.when, quantity.component)
-        if quantity.kind in ("time", "tension", "mass", "normal_force", "period", *OSCILLATING):
+        if quantity.kind in ("time", "tension", "mass", "normal_force", "period", *FREQUENCIES):
             return 1, (Symbol(name), " > 0")
         return 0, ()
 

@@ -46,13 +46,12 @@ from rotsolve.solver.steps import (
 )
 
 if TYPE_CHECKING:
+    from rotsolve.equations.normal_modes import Spectrum
     from rotsolve.questions.functions_of_time import Beside
 
 STONES_TRIED = 3  # letters of a scene that may have to be settled before an answer
-HELPS_TRIED, FEW_HELPS = (
-    8,
-    2,
-)  # lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
+# lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
+HELPS_TRIED, FEW_HELPS = 8, 2
 INDEPENDENT = 2  # of the equations of steady acceleration about one motion
 SHORT = 12  # nodes of what has been found for a letter on the way, which is then taken as it stands
 TURN = 2 * PI
@@ -124,6 +123,7 @@ class Search(Struct, dict=True):
     seeking: Find | None = None  # the question with an equation of its own that is at hand
     separate: set[str] = field(default_factory=set)  # the questions that seek an unknown letter, each its own value
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
+    spectra: dict[str, Spectrum] = field(default_factory=dict)  # of the normal modes of bodies, by their section
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
     failed: dict[object, NoAnswer] = field(default_factory=dict)  # what has had no answer, by all on which that hangs
     settling: set[str] = field(default_factory=set)  # the letters for which others are being settled first

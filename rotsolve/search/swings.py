@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Protocol
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import HARMONIC, Equation
+from rotsolve.core.equation import HARMONIC, NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.symbols import RATES, of_kinds
 from rotsolve.core.writing import spoken
@@ -33,6 +34,7 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import NoAnswer
 
 if TYPE_CHECKING:
+    from rotsolve.equations.normal_modes import Spectrum
     from rotsolve.language.problem import Given
     from rotsolve.plan import Planner
     from rotsolve.questions.find import Asked
@@ -52,6 +54,7 @@ class Stepping(Protocol):
     known: set[str]
     swung: set[str]
     displaced: dict[str, Formula]
+    spectra: dict[str, Spectrum]
 
     def step(self, letter: str) -> Found: ...
 
@@ -68,10 +71,17 @@ def settle_swing(swing: Swing, word: str, search: Stepping, asked: str) -> list[
 
     Returns the pool indices of the equations that hold for this question alone.
     """
+    if swing.number is not None:
+        from rotsolve.equations.normal_modes import Mode
+        from rotsolve.search.modes import settle_mode
+
+        assert isinstance(swing, Mode)
+        return settle_mode(swing, word, search, asked)
     passing: list[int] = []
     if swing.harmonic not in search.swung:
         search.swung.add(swing.harmonic)
-        exact = acceleration_of(swing, search)
+        settle_angle(swing, search)
+        exact = search.solver.with_answers(acceleration_of(swing, search))
         slope = search.solver.simplify(restoring(exact, swing.coordinate))
         check_stable(swing, exact, slope, search)
         motion = large_motion(swing, exact, slope, search) if swing.start else small_motion(swing, exact, slope, search)
@@ -80,6 +90,14 @@ def settle_swing(swing: Swing, word: str, search: Stepping, asked: str) -> list[
         if isinstance(letter, Symbol) and letter.name != asked and letter.name not in search.solver.solved:
             search.step(letter.name)
     return passing
+
+
+def settle_angle(swing: Swing, search: Stepping) -> None:
+    """The letters of the angle at which it stands, where they are sought: the state about which it swings tells them."""
+    angle = None if swing.found else swing.rest.angle(swing.body)
+    sought = search.scene.configuration.problem.sought - search.known
+    for name in sorted(angle.symbols() & sought) if angle is not None else ():
+        search.step(name)
 
 
 def small_motion(swing: Swing, exact: Formula, slope: Formula, search: Stepping) -> Iterator[Equation]:
@@ -92,7 +110,7 @@ def small_motion(swing: Swing, exact: Formula, slope: Formula, search: Stepping)
         search.solver.solved.pop(swing.acceleration.name, None)
         search.known.discard(swing.acceleration.name)
     motion = harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
-    undecided = search.signs.of_sizes(slope) is None
+    undecided = sign_with_roots(slope, search) is None
     yield replace(motion, remark=("stable while ", swing.omega**2, " > 0")) if undecided else motion
     same = same_at_any_size(swing, search) if words == "period" else None
     for equation in periods(swing.omega, swing.letters, swing.harmonic, words):
@@ -146,16 +164,34 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping)
     """Small swings need an equilibrium, and one to which the bodies are driven back."""
     name, state = spoken(swing.body), spoken(swing.rest.state) if not swing.found else "the equilibrium"
     at_rest = exact.substitute({swing.coordinate.name: ZERO})
-    if search.signs.decide(at_rest) != 0:
+    if search.signs.decide(at_rest) != 0 and not balanced_by_law(at_rest, swing, search):
         raise NotYet(f"`{name}` is not in equilibrium at {state}: it speeds up there")
     known = set(search.givens) | set(search.values)
     if slope.symbols() - known:
         raise NotYet(f"how `{name}` swings about {state} depends on how its springs are stretched there")
-    way = search.signs.of_sizes(slope)
+    way = sign_with_roots(slope, search)
     if way == 0:
         raise NotYet(f"nothing drives `{name}` back to {state}: there are no small swings")
     if way == 1:
         raise NotYet(f"`{name}` has no small swings about {state}: the equilibrium is unstable")
+
+
+def balanced_by_law(push: Formula, swing: Swing, search: Stepping) -> bool:
+    """Whether a law at the state says that nothing speeds up there, by which a letter without a closed form is told."""
+    if not push.symbols() & search.scene.configuration.problem.sought:
+        return False
+    laws = [law for law in search.planner.pool if law.family == NEWTON and law.section == swing.rest.state]
+    gaps = (search.solver.with_answers(law.left - law.right) for law in laws)
+    shares = (search.solver.simplify(push / gap) for gap in gaps if not is_zero(gap))
+    return any(not share.symbols() & push.symbols() & search.scene.configuration.problem.sought for share in shares)
+
+
+def sign_with_roots(value: Formula, search: Stepping) -> int | None:
+    """The sign of what may hang on letters that are found as numbers alone."""
+    roots = {name: found.number for name, found in search.solver.solved.items() if found.number is not None}
+    if not value.symbols() & roots.keys() or set(search.signs.lacking(value)) - roots.keys():
+        return search.signs.of_sizes(value)
+    return evaluate(value, search.values, roots=roots, digits=8).sign
 
 
 def slope_in(unknowns: frozenset[str], swing: Swing, search: Stepping) -> tuple[Formula, Words, Formula]:

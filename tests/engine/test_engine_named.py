@@ -134,11 +134,6 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         + "states: {high: {rod.angle: 20 deg, at rest: all}, low: {time: t1}}\nfind: {x: rod.angular_velocity at low}\n",
         ROD + FALL + "find: {x: rod.angular_velocity at low}\n",
     ),
-    "damped swings": (ROD + OIL + SWING, ROD + SWING),
-    "swings of links": (
-        LINKS + "connections: {pin: {hinge: a.start}, joint: {hinge: [a.end, b.start]}}\n" + SWING,
-        LINKS + "connections: {pin: {hinge: a.start}, joint: {weld: [a.end, b.start]}}\n" + SWING,
-    ),
     "lopsided on a line": (
         f"bodies: {{{LOPSIDED % 'moves: down, '}}}\nactions: {{pull: {{force: F, on: wheel.center, direction: up}}}}\n"
         + REST

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 
 from msgspec.structs import replace
 
@@ -12,9 +13,11 @@ from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.phase import followed
 from rotsolve.confirm.course.reading import Reckoned, number
-from rotsolve.confirm.instant import Placed, gathered, moment, split
+from rotsolve.confirm.instant import Dynamics, Placed, gathered, moment, split
 from rotsolve.confirm.linear import solved
-from rotsolve.language.problem import Condition, State, Term
+from rotsolve.core.quantity import DAMPINGS
+from rotsolve.elements.connections.springs import Spring
+from rotsolve.language.problem import MODE, Condition, State, Term
 
 STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
 ROUGH = 1e-4  # share of a slope by which two steps may tell it otherwise
@@ -26,10 +29,14 @@ def swing_time(course: Course, term: Term) -> float:
     """The time of one swing to and fro."""
     if term.modifier == "swings":
         return rest_to_rest(course, term)
+    return about_equilibrium(course, term, lambda small, told: small.period(told=told))
+
+
+def about_equilibrium(course: Course, term: Term, asked: Callable[[Small, bool], float]) -> float:
+    """What is asked of small swings, about the state that is named, or an equilibrium that is found."""
     name = term.at or course.names[0]
     state = course.states[course.names.index(name)]
-    first = course.node(name)
-    return Small(first, term.path.owner).period(told=term.at is not None and state.balance)
+    return asked(Small(course.node(name), term.path.owner), term.at is not None and state.balance)
 
 
 def rest_to_rest(course: Course, term: Term) -> float:
@@ -44,58 +51,102 @@ def rest_to_rest(course: Course, term: Term) -> float:
     return 2.0 * (followed(start, rest).end.time - start.time)
 
 
-class Small:
-    """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
+class SeveralWays(NotConfirmed):
+    """More than one coordinate is free, so that it is one of several modes that is asked."""
 
-    def __init__(self, first: Node, owner: str) -> None:
+
+class Neighbourhood:
+    """Places near those of an instant, at which all is held that is held there; a spring of which nothing is told begins without force."""
+
+    def __init__(self, first: Node) -> None:
         self.first, self.model = first, first.model
+        self.offsets = dict(first.placed.offsets)
+        springs = [item for item in self.model.acting.connections if isinstance(item, Spring)]
+        for item in springs:
+            if item.name not in self.offsets:
+                from rotsolve.confirm.forces import spring_length
+
+                self.offsets[item.name] = spring_length(item, first.pose, self.model).value
         self.before = [gap for _, gap in self.rows(first.placed.q)]
-        self.index = self.free_index(owner)
 
     def rows(self, q: list[float]) -> list[tuple[dict[int, float], float]]:
         pose = replace(self.first.placed, q=q, speed=[0.0] * len(q)).pose(self.model)
         rows, grips = split(held_by(self.model, pose))
         return [(row.slope, row.gap) for row in (*rows, *(grip.row for grip in grips))]
 
-    def free_index(self, owner: str) -> int:
-        """The coordinate that swings: of the body that is named, else of the only one that nothing holds."""
-        rows = self.rows(self.first.placed.q)
-        found = solved([slope for slope, _ in rows], [0.0] * len(rows), self.model.size)
-        loose = [index for index in sorted(found.open) if self.model.masses[index]]
-        names = [owner] if owner in self.model.seats else list(self.model.seats)
-        places = [self.model.seats[name].first + k for name in names for k in (2, 0, 1)]
-        own = [index for index in places if index in loose]
-        if not own:
-            raise NotConfirmed("nothing of it can swing")
-        again = solved([*[slope for slope, _ in rows], {own[0]: 1.0}], [0.0] * (len(rows) + 1), self.model.size)
-        if not owner and any(self.model.masses[index] for index in again.open):
-            raise NotConfirmed("more than one body may swing")
-        return own[0]
+    def free(self) -> list[int]:
+        """Coordinates that can be told independently: turns first, then ways."""
+        rows = [slope for slope, _ in self.rows(self.first.placed.q)]
+        wanted = [seat.first + k for k in (2, 0, 1) for seat in self.model.seats.values()]
+        found: list[int] = []
+        for index in wanted:
+            fixed = [*rows, *({other: 1.0} for other in found)]
+            if index in solved(fixed, [0.0] * len(fixed), self.model.size).open:
+                alone = solved([*fixed, {index: 1.0}], [*[0.0] * len(fixed), 1.0], self.model.size).values
+                if weighed(self.model.masses, alone, alone) > 0.0:  # a particle that turns is no motion
+                    found.append(index)
+        return found
 
-    def at(self, value: float) -> list[float]:
-        """The places where the coordinate has a value."""
+    def at_all(self, values: Mapping[int, float]) -> list[float]:
+        """The places where some coordinates have values."""
         q = list(self.first.placed.q)
         for _ in range(30):
             self.first.budget.spend(self.model)
             rows = self.rows(q)
-            gaps = [old - gap for (_, gap), old in zip(rows, self.before, strict=True)] + [value - q[self.index]]
+            gaps = [old - gap for (_, gap), old in zip(rows, self.before, strict=True)]
+            gaps += [value - q[index] for index, value in values.items()]
             if max(map(abs, gaps)) < 1e-12:
                 break
-            found = solved([*[slope for slope, _ in rows], {self.index: 1.0}], gaps, len(q))
+            found = solved([*[slope for slope, _ in rows], *({index: 1.0} for index in values)], gaps, len(q))
             q = [old + change for old, change in zip(q, found.values, strict=True)]
         return q
 
-    def push(self, value: float, rate: float = 0.0) -> float:
-        """The second rate of the coordinate at a place and a rate."""
+    def moment_at(self, q: list[float], rates: Mapping[int, float] | None = None) -> Dynamics:
+        """The accelerations at places, at rest but for the rates of some coordinates."""
         self.first.budget.spend(self.model)
-        q = self.at(value)
-        rows = self.rows(q)
-        speed = solved([*[slope for slope, _ in rows], {self.index: 1.0}], [*[0.0 for _ in rows], rate], len(q)).values
-        placed = Placed(q, speed, self.first.time, self.first.placed.offsets, self.first.placed.origin)
+        rows, given = self.rows(q), rates or {}
+        told = [*[slope for slope, _ in rows], *({index: 1.0} for index in given)]
+        speed = solved(told, [*[0.0 for _ in rows], *given.values()], len(q)).values
+        placed = Placed(q, speed, self.first.time, self.offsets, self.first.placed.origin)
         grips = gathered(self.model, placed.pose(self.model))[1]
         if any(grip.normal is None for grip in grips):
             raise NotConfirmed("dry friction, by which small swings stick")
-        return moment(self.model, placed, {grip.name: "sticks" for grip in grips}).rates[self.index]
+        return moment(self.model, placed, {grip.name: "sticks" for grip in grips})
+
+
+def weighed(masses: Sequence[float], one: Sequence[float], other: Sequence[float]) -> float:
+    """Σ m u v."""
+    return math.fsum(mass * a * b for mass, a, b in zip(masses, one, other, strict=True))
+
+
+class Small(Neighbourhood):
+    """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
+
+    def __init__(self, first: Node, owner: str) -> None:
+        super().__init__(first)
+        self.index = self.free_index(owner)
+
+    def free_index(self, owner: str) -> int:
+        """The coordinate that swings: of the body that is named, else of the only one that nothing holds."""
+        if not owner:
+            free = self.free()
+            if len(free) > 1:
+                raise SeveralWays("more than one body may swing")
+            if not free:
+                raise NotConfirmed("nothing of it can swing")
+            return free[0]
+        rows = self.rows(self.first.placed.q)
+        found = solved([slope for slope, _ in rows], [0.0] * len(rows), self.model.size)
+        loose = [index for index in sorted(found.open) if self.model.masses[index]]
+        places = [self.model.seats[owner].first + k for k in (2, 0, 1)]
+        own = [index for index in places if index in loose]
+        if not own:
+            raise NotConfirmed("nothing of it can swing")
+        return own[0]
+
+    def push(self, value: float, rate: float = 0.0) -> float:
+        """The second rate of the coordinate at a place and a rate."""
+        return self.moment_at(self.at_all({self.index: value}), {self.index: rate}).rates[self.index]
 
     def bend(self, value: float, step: float = STEP) -> float:
         """How fast the push grows with the place, by a step to both sides."""
@@ -121,24 +172,49 @@ class Small:
                 return value
         return None
 
-    def period(self, *, told: bool) -> float:
-        """2π/√(ω² − γ²), with −ω² the slope of the push by the place and −2 γ by the rate, where the equilibrium is stable."""
+    def oscillator(self, *, told: bool) -> tuple[float, float]:
+        """ω₀² and γ: −ω₀² is the slope of the push by the place and −2 γ that by the rate, where the equilibrium is stable."""
         start = self.first.placed.q[self.index]
         for value in [start] if told else (self.equilibrium(start + part) for part in STARTS):
             slope = 0.0 if value is None else self.slope(value)
             if value is None or slope >= 0.0:
                 continue
-            damping = -(self.push(value, STEP) - self.push(value, -STEP)) / (4.0 * STEP)
-            square = -slope - damping * damping
-            if square <= 0.0:
-                raise NotConfirmed("swings that die out without a turn")
-            return 2.0 * math.pi / math.sqrt(square)
+            return -slope, -(self.push(value, STEP) - self.push(value, -STEP)) / (4.0 * STEP)
         raise NotConfirmed("no stable equilibrium was found")
+
+    def period(self, *, told: bool) -> float:
+        """2π/√(ω₀² − γ²)."""
+        free, damping = self.oscillator(told=told)
+        square = free - damping * damping
+        if square <= 0.0:
+            raise NotConfirmed("swings that die out without a turn")
+        return 2.0 * math.pi / math.sqrt(square)
+
+    def damped(self, word: str, *, told: bool) -> float:
+        """What is asked of damped swings: γ/ω₀, the time in which the slower part of them dies down to 1/e, or γ T."""
+        free, damping = self.oscillator(told=told)
+        if damping <= 0.0:
+            raise NotConfirmed("swings that nothing damps")
+        if word == "damping_ratio":
+            return damping / math.sqrt(free)
+        if word == "logarithmic_decrement":
+            return damping * self.period(told=told)
+        return 1.0 / (damping - math.sqrt(max(damping * damping - free, 0.0)))
 
 
 def swinging(course: Course, term: Term) -> Reckoned:
-    """The period of swings, or their frequency, or 2π times that."""
-    return period_as_asked(swing_time(course, term), term.path.quantity)
+    """The period of swings, or their frequency, or 2π times that; in one of several modes too."""
+    word = term.path.quantity
+    if word in DAMPINGS:
+        return number(about_equilibrium(course, term, lambda small, told: small.damped(word, told=told)))
+    if not term.modifier.startswith(MODE):
+        try:
+            return period_as_asked(swing_time(course, term), term.path.quantity)
+        except SeveralWays:
+            pass
+    from rotsolve.confirm.course.modes import in_mode
+
+    return in_mode(course, term)
 
 
 def period_as_asked(time: float, quantity: str) -> Reckoned:

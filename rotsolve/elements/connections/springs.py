@@ -10,11 +10,13 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula, add, negate
 from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, Vector, along_text, unit
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between, rightward
 from rotsolve.language.bodies import Body, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
+
+WAYS = {"left": LEFT, "right": RIGHT, "up": UP, "down": DOWN}
 
 
 class Spring(Connection, frozen=True):
@@ -26,6 +28,9 @@ class Spring(Connection, frozen=True):
     spring: tuple[PointRef, ...] = key("points", "its two ends", count=(2, 2), required=True, example="[ground, block]")
     stiffness: Formula | None = amount("stiffness", "stiffness", "k", "positive", default=None)
     rest_length: Formula | None = amount("length without force", "length", "L", "nonnegative", default=None)
+    direction: str | None = key(
+        "choice", "which way a long one runs, from its first end to its second", choices=("left", "right", "up", "down")
+    )
 
     def check(self, scene: Surroundings) -> None:
         """One from a place ends at a hinged body, whose hinge is the origin, and its rest length tells how it is stretched; so that of what
@@ -34,6 +39,9 @@ class Spring(Connection, frozen=True):
         if ride is not None and self.rest_length is None:
             message = f"`{self.name}` holds `{ride.rider.owner}`, which slides: give its `rest_length`"
             raise Unsolvable(message, span=self.spring[0].span, help="how long it is without force")
+        if self.direction is not None and (self.placed or ride is not None):
+            message = f"`{self.name}` runs from one of its ends to the other, whose places tell its direction"
+            raise Unsolvable(message, span=self.spring[0].span, help="leave out `direction`")
         for ref in self.spring if self.placed else ():
             if ref.place is None and ref.owner not in scene.held and ride is None:
                 help = "solved are springs from a place to a point of a hinged body; the hinge is at [0, 0]"
@@ -98,12 +106,15 @@ class Spring(Connection, frozen=True):
         return add(distance(gap, instant), negate(self.rest_length))
 
     def along(self, instant: Moment) -> Vector:
-        """Unit vector from the first end to the second: where they are, if a place is named; from a wall out of it; else from left to right
-        along a level or sloping line of travel of one of them, up from the ground, down from the ceiling, of two bodies down."""
+        """Unit vector from the first end to the second: as is said, or where they are, if a place is named; from a wall out of it; else
+        from left to right along a level or sloping line of travel of one of them, up from the ground, down from the ceiling, of two bodies
+        down."""
         configuration = instant.configuration
         straight = between(*self.ends(instant), instant) if self.told(instant) else None
         if straight is not None:
             return straight
+        if self.direction is not None:
+            return unit(WAYS[self.direction])
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
         lines = ((self.travel(ref, instant), ref) for ref in (body, anchor))
         line, ref = next((found for found in lines if found[0] is not None), (None, body))
