@@ -40,14 +40,14 @@ def conservation(over: OverPhase) -> Iterator[Equation]:
             if works:
                 yield WORK_AND_ENERGY.equation(*arranged(left, right), over.section, names, remark)
                 continue
-            lost = from_rest(start, passage, group)
+            lost = lost_by_weights(start, passage, group)
             sides, form = (arranged(left, right), FROM_STATE_TO_STATE) if lost is None else (lost, FROM_REST)
             yield CONSERVATION.equation(*sides, over.section, names, remark, since=since, form=form)
 
 
-def from_rest(start: Passage, passage: Passage, group: frozenset[str]) -> tuple[Formula, Formula] | None:
+def lost_by_weights(start: Passage, passage: Passage, group: frozenset[str]) -> tuple[Formula, Formula] | None:
     """U₁ − U₂ = K₂ of what starts at rest, where some weights lose and others gain energy; None elsewhere."""
-    before, after = weights(start, group, 0), weights(passage, group, 1)
+    before, after = weight_energies(start, group, 0), weight_energies(passage, group, 1)
     if energy(start, group, 0) != before or springs(passage, group, 1):
         return None
     lost = flat([*before, *map(negate, after)])
@@ -145,10 +145,10 @@ def squares(velocity: Vector) -> list[Formula]:
 
 def potential(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
     """m g h of each body, and the energy of the springs."""
-    return [*weights(passage, group, end), *springs(passage, group, end)]
+    return [*weight_energies(passage, group, end), *springs(passage, group, end)]
 
 
-def weights(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
+def weight_energies(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
     """m g h of each body."""
     terms: list[Formula] = []
     for body in (passage.start, passage.end)[end].bodies:

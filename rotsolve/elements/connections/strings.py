@@ -215,8 +215,8 @@ class String(Connection, frozen=True):
         if any(end not in instant.configuration.bodies or instant.motion(end).turns for end in ends):
             return False
         wheel = instant.motion(before.second.owner)
-        rims = [wheel.velocity_of(arm) for arm in (before.arms[1], after.arms[0])]
-        return rims[0].dot(before.along) == rims[1].dot(after.along)
+        feeds = [arm.turned(90).dot(leg.along) for leg, arm in ((before, before.arms[1]), (after, after.arms[0]))]
+        return not wheel.velocity.parts and not wheel.acceleration.parts and feeds[0] == feeds[1]
 
     def rules(self, strand: tuple[Leg, ...], instant: Moment, *, alike: bool = False) -> Iterator[Rule]:
         """Σ over the legs of (rate of the second end − rate of the first end) along the leg = 0; of ends that move `alike` without the
