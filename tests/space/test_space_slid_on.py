@@ -1,4 +1,4 @@
-"""What slides from state to state: a bead on a rod that turns freely, by its energy and its angular momentum, a block on a slanted slide."""
+"""What slides from state to state: a bead on a rod that turns freely, a block on a slanted slide."""
 
 from __future__ import annotations
 
