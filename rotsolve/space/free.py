@@ -81,8 +81,12 @@ def refuse_about_axis(laws: SpaceLaws, path: Path, omega: Triple, axis: Triple) 
     still = all(map(laws.moment.held.vanishes, omega))
     if still or (path.quantity != "tilt" and all(map(laws.moment.held.vanishes, cross_product(omega, axis)))):
         how = "does not turn" if still else "turns about its own axis alone"
-        message = f"`{path.owner}` {how} at {laws.moment.spoken_of()}: it has no `{path.quantity}` about its angular momentum"
-        raise NotYet(message, path.span, "" if still else f"ask for its `angular_velocity` or `{path.owner}.axial_rate`")
+        message = (
+            f"`{path.owner}` {how} at {laws.moment.spoken_of()}: it has no `{path.quantity}` about its angular momentum"
+        )
+        raise NotYet(
+            message, path.span, "" if still else f"ask for its `angular_velocity` or `{path.owner}.axial_rate`"
+        )
 
 
 def refuse_unfree(laws: SpaceLaws, path: Path) -> None:

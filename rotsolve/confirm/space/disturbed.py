@@ -106,7 +106,9 @@ def growth_together(world: World, name: str, ways: Sequence[OpenWay]) -> float:
         raise NotConfirmed(NO_PLACE)
     aside = [0.1] * count
     one, other = let_go(aside, rates), let_go(aside, rates, further=FURTHER)
-    if any(abs(a - b) > max(SAME * max(most, *map(abs, one)), ROUNDED * size**2) for a, b in zip(one, other, strict=True)):
+    if any(
+        abs(a - b) > max(SAME * max(most, *map(abs, one)), ROUNDED * size**2) for a, b in zip(one, other, strict=True)
+    ):
         raise NotConfirmed(PASSES)
     matrix: Matrix = [[float(j == i + count) for j in range(2 * count)] for i in range(count)]
     matrix += [[column[i] for column in (*by_place, *by_rate)] for i in range(count)]
