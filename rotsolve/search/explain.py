@@ -81,6 +81,7 @@ LINE_OR_EVENT = "give it a line, or an event that leads to it"
 FEW = 24  # unknowns of a question for which help is tried: of more, a line or two seldom is enough
 MANY = 6  # unknowns that a message names one by one
 FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
+APART = "the laws can not tell these forces apart: leave out a support, or give one of them"
 
 
 def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
@@ -223,7 +224,7 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
         if leads_on(proposal, scene, find, search.families):
             return proposal.words
     if quantities and all(item.kind in FORCES for item in quantities):
-        return "the laws can not tell these forces apart: leave out a support, or give one of them"
+        return APART
     return "say more: sizes and masses, where each body is at each state, how fast it moves"
 
 
@@ -241,6 +242,8 @@ def suggestion_in_space(missing: Sequence[SceneQuantity | str], find: Find, scen
     if asked and lacking == {("velocity", asked[0].owner)}:
         name = asked[0].owner
         return f"say `{name}.velocity: [2 m/s, 0 m/s, 0 m/s]`, or ask for `{name}.kinetic_energy.rotational`"
+    if lacking and all(kind in (*FORCES, "pull") for kind, _ in lacking):
+        return APART
     return "say more: how each body stands and turns at each state, what holds it, what acts on it"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import acos, cos, degrees, radians, sin, sqrt
 
 import pytest
@@ -92,3 +93,54 @@ find: {T: period of small swings of inner about now}
 
 def test_swings_of_a_gyroscope_that_leans_on_which_no_torque_acts_are_confirmed() -> None:
     assert all(item.holds for item in solve(GYROSCOPE).derivation.confirmed)
+
+
+SHAFT = """title: x
+up: z
+given: {m: 2 kg, M0: 3 N m}
+bodies: {rotor: {shape: disc, mass: m, radius: 0.2 m}}
+connections: {shaft: {hinge: rotor.center, along: z}}
+actions: {c: {couple: M0, on: rotor, direction: [0, 0.9063077870366499, 0.42261826174069944]}}
+states: {now: {rotor.angular_velocity: 0 rad/s}}
+find: {al: rotor.angular_acceleration.z}
+"""
+
+
+def test_a_direction_by_long_decimals_stands_in_formulas_by_letters() -> None:
+    found = solve(SHAFT)
+    assert found.answers["al"].float == pytest.approx(3 * 0.42261826174069944 / 0.04)
+    assert "9063077870366499/" not in str(found)
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+MAST = """title: x
+up: z
+given: {M: 30 kg, m1: 1 m, F: 100 N}
+bodies:
+  mast: {shape: rod, mass: M, length: 2*m1, turned: {about: y, by: -90 deg}}
+  c1: {shape: rod, mass: 0, length: sqrt(8)*m1}
+  c2: {shape: rod, mass: 0, length: sqrt(8)*m1}
+  c3: {shape: rod, mass: 0, length: sqrt(8)*m1}
+connections:
+  foot: {ball: FOOT}
+  a1: {ball: [mast.end, c1.start]}
+  b1: {ball: [[2*m1, 0, 0], c1.end]}
+  a2: {ball: [mast.end, c2.start]}
+  b2: {ball: [[0, 2*m1, 0], c2.end]}
+  a3: {ball: [mast.end, c3.start]}
+  b3: {ball: [[-1.2*m1, -1.6*m1, 0], c3.end]}
+actions: {f: {force: [F, 0, 0], on: mast.center}}
+states: {rest: {balance: true}}
+find: {T: size of b1.force at rest}
+"""
+
+
+@pytest.mark.parametrize(
+    ("foot", "words"),
+    [("[[0, 0, 0], mast.start]", "can not tell these forces apart"), ("mast.start", r"`\[\[x, y, z\], mast\.start\]`")],
+)
+def test_a_mast_on_three_cables(foot: str, words: str) -> None:
+    """Of it nothing tells the three pulls apart; and its own place is said to lack where that of a cable is told."""
+    with pytest.raises(Unsolvable) as refused:
+        solve(MAST.replace("FOOT", foot))
+    assert re.search(words, str(refused.value))
