@@ -176,10 +176,10 @@ def on_slide(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws)
     joint = held.main(name)
     touching = [one for one in held.joints if name in (one.body.owner, one.carrier.owner)]
     acted = any(ref.owner == name for action in before.pushes.actions for ref in action.touches())
-    turns = joint is None or joint.turning or joint.free or joint.pitch is not None or joint.flat
-    if turns or touching != [joint] or joint.carrier.owner in held.bodies or joint.powered or acted:
+    if joint is None or touching != [joint] or acted or held.bodies[name].moved:
         return
-    if not joint.sliding or held.bodies[name].moved:
+    turns = joint.turning or joint.free or joint.pitch is not None or joint.flat
+    if not joint.sliding or turns or joint.powered or joint.carrier.owner in held.bodies:
         return
     try:
         first, last = (energy_of(laws, name) for laws in (before, after))
