@@ -43,7 +43,7 @@ from rotsolve.space.inertia import entry_along
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import left_alone
-from rotsolve.space.rolled_on import rolled_way, rolls_evenly, turned_on
+from rotsolve.space.rolled_on import rolled_rates, rolled_way, rolls_evenly
 from rotsolve.space.spun_up import even_drive, faster_evenly, goes_by_time
 
 
@@ -81,7 +81,7 @@ class Lapse:
             time = self.passed()
             if time is not None and self.rolls_evenly(name):
                 self.later.hangs_on_time()
-                yield from turned_on(name, self.before, self.later, time)
+                yield from rolled_rates(name, self.before, self.later, time)
             yield from self.told_of_flight(name)
         yield from self.laws
 

@@ -27,7 +27,7 @@ def rolls_evenly(before: SpaceLaws, name: str) -> bool:
     return alone and moment.seen_from_space(name) and all(map(held.vanishes, moment.arm(joint.body)))
 
 
-def turned_on(name: str, before: SpaceLaws, later: SpaceMoment, time: Formula) -> Iterator[Equation]:
+def rolled_rates(name: str, before: SpaceLaws, later: SpaceMoment, time: Formula) -> Iterator[Equation]:
     """ω = ω₀ + α t, along the directions of space."""
     start = before.moment.attitude(name)
     for axis, rate, faster, end in zip(AXES, start.omega, start.alpha, later.attitude(name).omega, strict=True):

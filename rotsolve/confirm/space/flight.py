@@ -260,21 +260,11 @@ class Flight:
             if middle > 0.0:
                 rates.append(arrow_length(times_arrow(tensor, omega)) / middle)
                 rates.append(math.sqrt(own.mass * self.rig.gravity * arrow_length(arm) / middle))  # as it swings
-        return STRIDE / max([*rates, *self.sliding_rates()])
+        if self.guided:
+            from rotsolve.confirm.space.far_out import rates_of_way
 
-    def sliding_rates(self) -> Iterator[float]:
-        """u/d and √(u̇/d) of what slides in space, d the way to where the later state tells it to be."""
-        for line in self.state.conditions:
-            joint = None if line.path is None else self.guided.get(line.path.owner)
-            way = self.off_place_in_space(line)
-            if joint is not None and joint.carrier.owner not in self.rig.bodies and way:
-                yield arrow_length(self.start.now.arrow(SLIDES, joint.owner)) / way
-                yield math.sqrt(arrow_length(self.start.found.arrow(SLIDES, joint.owner)) / way)
-
-    def off_place_in_space(self, line: Condition) -> float:
-        """How far a component of a place is at the start from where a line tells it; 0 of all else."""
-        place = line.path is not None and line.path.quantity == "position" and not line.relative
-        return abs(self.gap_of(line)(self.start)) if place and line.value is not None else 0.0
+            rates += rates_of_way(self)
+        return STRIDE / max(rates)
 
     # arrival
 
