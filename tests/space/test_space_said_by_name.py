@@ -144,3 +144,17 @@ def test_a_mast_on_three_cables(foot: str, words: str) -> None:
     with pytest.raises(Unsolvable) as refused:
         solve(MAST.replace("FOOT", foot))
     assert re.search(words, str(refused.value))
+
+
+def test_a_rate_told_beside_the_place_to_which_it_belongs() -> None:
+    """That the place is reached with another rate is said where both are told."""
+    scene = """title: x
+up: z
+bodies: {gate: {shape: rectangle, mass: 20 kg, sides: [1 m, 2 m], points: {A: [-0.5 m, 0, 0]}}}
+connections: {post: {hinge: gate.A, along: [0, 4/5, 3/5]}}
+states: {up: {gate.angle: 0 deg, gate.angular_velocity: 0 rad/s}, low: {gate.angle: 90 deg, gate.angular_velocity: 2 rad/s}}
+find: {F: post.force at low}
+"""
+    with pytest.raises(Unsolvable) as refused:
+        solve(scene)
+    assert "`gate.angle` and `gate.angular_velocity`, of which one follows from the other" in str(refused.value)
