@@ -316,4 +316,4 @@ def asked_within(find: Find, states: Collection[str], spans: Mapping[str | None,
         return False
     named = [(term.at, term.start, term.end, *spans.get(term.during, ())) for term in find.terms]
     times = [[time for time in several if time is not None] for several in named]
-    return all(told and set(told) <= set(states) for told in times)
+    return all(set(told) <= set(states) for told in times)

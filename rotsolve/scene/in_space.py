@@ -25,6 +25,7 @@ WORDS: dict[str, Direction] = {
     "right": ALONG["x"],
     "left": (negate(ONE), ZERO, ZERO),
 }
+LONG_DECIMAL = re.compile(r"[-+]?\d*\.\d{7,}")  # as of a direction that is worked out elsewhere
 UP_HELP = "a scene in space has `up: z` at the top"
 
 
@@ -78,13 +79,19 @@ def read_way(scope: Scope, node: Node, label: str, owner: str = "") -> Direction
 
 def read_ratio(scope: Scope, node: List, label: str, owner: str) -> list[Formula | None]:
     """The components of a direction, of which only the ratio counts: a length in place beside letters is a letter too, and keeps its
-    dimension."""
+    dimension. So is a long decimal, of which all digits would stand in each formula."""
     words = {word for item in node.items if isinstance(item, Text) for word in re.findall(r"\w+", item.value)}
     lettered = not words.isdisjoint(scope.givens)
     letters = "xyz" if lettered else ("", "", "")
     return [
-        read_scalar(scope, item, Want(label, letter=letter, owner=owner))
-        for letter, item in zip(letters, node.items, strict=False)
+        read_scalar(
+            scope,
+            item,
+            Want(label, "number", "n", f"{owner}_{axis}")
+            if isinstance(item, Text) and LONG_DECIMAL.fullmatch(item.value.strip())
+            else Want(label, letter=letter, owner=owner),
+        )
+        for axis, letter, item in zip("xyz", letters, node.items, strict=False)
     ]
 
 

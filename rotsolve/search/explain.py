@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import islice
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
 from rotsolve.core.faults import INCOMPLETE, UNSOLVED, Contradicted, NeverReached, Span, Unsolvable
@@ -13,7 +15,7 @@ from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import ACROSS_AXIS, ASKED, MIXED, POSITION, key_of, phase_midst, real
 from rotsolve.core.writing import in_direction, spoken
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import Find, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import path_text
@@ -51,9 +53,26 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
         start, end = timeline.told(interval)
         on_the_way = timeline.states[timeline.order[start] : timeline.order[end]]
         between = [state.opened for state in on_the_way if state.opened]
-        broken = f"{between[-1]} before" if between else broken
+        twice = too_much_told(timeline.state(end), problem)
+        broken = (
+            f"{between[-1]} before" if between else f"“{equation.label}” can not hold: {twice}" if twice else broken
+        )
         return unreachable(problem, start, end, timeline.state(end).span or fallback, broken)
     return clash(problem, message, timeline.state(interval.end).span or fallback, broken)
+
+
+def too_much_told(state: State, problem: Problem) -> str:
+    """What to leave out where a state that is not reached tells of a body both where it is and how fast it goes there; else ''."""
+    told = {
+        (line.path.owner, line.path.quantity): path_text(replace(line.path, component=None))
+        for line in state.conditions
+        if line.path is not None and line.value is not None and not line.value.symbols() & problem.sought
+    }
+    for (owner, word), place in told.items():
+        rate = next((told[owner, rate] for rate in RATES_TOLD if (owner, rate) in told), "")
+        if word in PLACES_TOLD and rate:
+            return f"`{state.name}` tells `{place}` and `{rate}`, of which one follows from the other"
+    return ""
 
 
 def clash(problem: Problem, message: str, span: Span | None, help: str) -> Contradicted:
@@ -76,11 +95,14 @@ def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
     return unsolvable(problem, message, span, "name the turning point as a state, such as `{block.velocity: 0}`")
 
 
+PLACES_TOLD = ("angle", "position", "displacement", "tilt")
+RATES_TOLD = ("angular_velocity", "velocity", "speed", "nutation")
 ACROSS = "give it a `shape`, or all of its moments: `inertia: {principal: [Ix, Iy, Iz]}`"
 LINE_OR_EVENT = "give it a line, or an event that leads to it"
 FEW = 24  # unknowns of a question for which help is tried: of more, a line or two seldom is enough
 MANY = 6  # unknowns that a message names one by one
 FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
+APART = "the laws can not tell these forces apart: leave out a support, or give one of them"
 
 
 def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
@@ -223,7 +245,7 @@ def suggestion(missing: Sequence[SceneQuantity | str], search: Search, find: Fin
         if leads_on(proposal, scene, find, search.families):
             return proposal.words
     if quantities and all(item.kind in FORCES for item in quantities):
-        return "the laws can not tell these forces apart: leave out a support, or give one of them"
+        return APART
     return "say more: sizes and masses, where each body is at each state, how fast it moves"
 
 
@@ -241,6 +263,8 @@ def suggestion_in_space(missing: Sequence[SceneQuantity | str], find: Find, scen
     if asked and lacking == {("velocity", asked[0].owner)}:
         name = asked[0].owner
         return f"say `{name}.velocity: [2 m/s, 0 m/s, 0 m/s]`, or ask for `{name}.kinetic_energy.rotational`"
+    if lacking and all(kind in (*FORCES, "pull") for kind, _ in lacking):
+        return APART
     return "say more: how each body stands and turns at each state, what holds it, what acts on it"
 
 

@@ -58,6 +58,7 @@ def about_own_momentum(laws: SpaceLaws, path: Path) -> Meaning:
     axial, other = entry_along(tensor, along), entry_along(tensor, across)
     letters, _ = laws.letters_of(name, tensor, own, CM)
     dimension = QUANTITIES[path.quantity].dimension
+    refuse_about_axis(laws, path, own.omega, along)
     if path.quantity == "spin":  # ω₃ − φ̇ cos θ with cos θ = I₃ ω₃/L
         share = add(ONE, negate(axial / other))
         label = "ψ̇ = ω₃ − φ̇ cos θ, φ̇ cos θ = (L/I₁)(I₃ ω₃/L)"
@@ -72,6 +73,20 @@ def about_own_momentum(laws: SpaceLaws, path: Path) -> Meaning:
     cosine = simplify(dot_product(letters, along) / size)
     label = "angle of its axis from its angular momentum"
     return Meaning(Call("acos", (cosine,)), dimension, label=label, laws=defined)
+
+
+def refuse_about_axis(laws: SpaceLaws, path: Path, omega: Triple, axis: Triple) -> None:
+    """Refuse the precession and the spin of a body that turns about its own axis alone, and all of one that does not turn: its axis goes
+    round nothing, and only their sum is told."""
+    still = all(map(laws.moment.held.vanishes, omega))
+    if still or (path.quantity != "tilt" and all(map(laws.moment.held.vanishes, cross_product(omega, axis)))):
+        how = "does not turn" if still else "turns about its own axis alone"
+        message = (
+            f"`{path.owner}` {how} at {laws.moment.spoken_of()}: it has no `{path.quantity}` about its angular momentum"
+        )
+        raise NotYet(
+            message, path.span, "" if still else f"ask for its `angular_velocity` or `{path.owner}.axial_rate`"
+        )
 
 
 def refuse_unfree(laws: SpaceLaws, path: Path) -> None:
@@ -156,6 +171,8 @@ def period_of_turning(laws: SpaceLaws, path: Path) -> Meaning:
     own, name, held = laws.moment.attitude(path.owner), path.owner, laws.moment.held
     dimension = QUANTITIES["period"].dimension
     steady = all(map(held.vanishes, own.alpha)) or (turns_freely(laws, name) and along_momentum(laws, name))
+    if all(map(held.vanishes, own.omega)):
+        raise NotYet(f"`{name}` does not turn at {laws.moment.spoken_of()}: it has no `period`", path.span)
     if steady:
         return Meaning(2 * PI / length_of(own.omega), dimension, label="period, T = 2π/ω")
     if not turns_freely(laws, name):

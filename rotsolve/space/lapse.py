@@ -43,6 +43,7 @@ from rotsolve.space.inertia import entry_along
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.passing import left_alone
+from rotsolve.space.rolled_on import rolled_rates, rolled_way, rolls_evenly
 from rotsolve.space.spun_up import even_drive, faster_evenly, goes_by_time
 
 
@@ -77,6 +78,10 @@ class Lapse:
         for name in self.held.order:
             if self.hinged(name):
                 yield from self.about_hinge(name)
+            time = self.passed()
+            if time is not None and self.rolls_evenly(name):
+                self.later.hangs_on_time()
+                yield from rolled_rates(name, self.before, self.later, time)
             yield from self.told_of_flight(name)
         yield from self.laws
 
@@ -104,6 +109,11 @@ class Lapse:
         earlier = moment.onward
         still = moment.state.steady or (earlier is not None and earlier.steady(name))
         return still and moment.nods(name) and not self.held.falls(name) and self.alone(name)
+
+    @remembered
+    def rolls_evenly(self, name: str) -> bool:
+        """Whether a ball rolls on with a constant angular acceleration."""
+        return rolls_evenly(self.before, name)
 
     def hinged(self, name: str) -> bool:
         """Whether a body turns about a fixed axis with a constant angular acceleration, or as it is driven by a formula of time."""
@@ -290,10 +300,12 @@ class Lapse:
         return start if gravity is None else way_between(scaled_by(gravity, self.fallen()[0]), start)
 
     def centre_way(self, name: str) -> Triple | None:
-        """v₀ t − ½ g t² ẑ, how far that has gone; None of others."""
+        """v₀ t − ½ g t² ẑ, how far that has gone, or what rolls with a constant acceleration; None of others."""
+        time, gravity = self.passed(), self.before.pushes.gravity
+        if time is not None and self.rolls_evenly(name):
+            return rolled_way(name, self.before, time)
         if self.held.of_body(name) or not self.alone(name):
             return None
-        time, gravity = self.passed(), self.before.pushes.gravity
         assert time is not None
         gone = scaled_by(time, self.before.moment.of_centre(name, "velocity"))
         return gone if gravity is None else way_between(scaled_by(gravity, self.fallen()[1]), gone)
@@ -310,7 +322,9 @@ class Lapse:
             yield from self.in_time(own, flown, name, "falls freely, v = v₀ − g t")
         told, first = (moment.vector_told(name, "position") if gone is not None else None for moment in (later, before))
         if gone is not None and told is not None and first is not None and not (told[2] or first[2]):
-            yield from self.in_time(told[0], vector_sum(first[0], gone), name, "falls freely, r = r₀ + v₀ t − ½ g t²")
+            rolls = self.rolls_evenly(name)
+            words = "rolls, r = r₀ + v₀ t + ½ a t²" if rolls else "falls freely, r = r₀ + v₀ t − ½ g t²"
+            yield from self.in_time(told[0], vector_sum(first[0], gone), name, words)
 
     def in_time(self, told: Triple, led: Triple, name: str, words: str) -> Iterator[Equation]:
         """What is told at the later moment as what the time that has passed leads to, by components."""

@@ -48,6 +48,22 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
         raise Unsolvable(message, span=moment.state.span, help=help)
 
 
+def refuse_left(first: SpaceMoment, last: SpaceMoment) -> None:
+    """Refuse a steady state in which a body stands on its hinge, from which a later one has turned: nothing leads from one to the other."""
+    for name in first.held.order:
+        joint = first.held.main(name)
+        if joint is None or not first.stands_on_carrier(name, joint):
+            continue
+        stood, line = first.told(name, "angle"), last.line(name, "angle")
+        if stood is None or line is None or line.value is None or first.held.vanishes(add(line.value, negate(stood))):
+            continue
+        message = (
+            f"`{name}` keeps its `angle` from `{first.when}` on, which is steady, and `{last.when}` tells another one"
+        )
+        help = "states follow one another in time: ask of each steady motion in a scene of its own"
+        raise Unsolvable(message, span=line.span, help=help)
+
+
 def refuse_ball(name: str, moment: SpaceMoment) -> None:
     """Refuse a steady state of a ball that rolls on a body that moves: its turning may stay while its centre is accelerated, or its
     velocity while it turns faster, and nothing tells which is meant."""

@@ -38,7 +38,7 @@ from rotsolve.space.attitude import (
 )
 from rotsolve.space.frames import Relative, frame_of
 from rotsolve.space.rolling import Rolling
-from rotsolve.space.sliding import refuse_elsewhere, slid, slid_since
+from rotsolve.space.sliding import refuse_elsewhere, slid, slid_since, slid_to
 from rotsolve.space.turned import TurnedMoment
 
 
@@ -172,7 +172,7 @@ class SpaceMoment(TurnedMoment):
         """How far a body has slid from where it is drawn, as at the first state; refused where nothing tells how far it has come since."""
         if not self.later:
             refuse_elsewhere(joint, self)
-            return ZERO
+            return ZERO if joint.carrier.owner in self.held.bodies else slid_to(joint, self) or ZERO
         return slid_since(joint, self)
 
     def _slid(self, name: str, joint: Joint, word: str) -> Triple:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, add, multiply, negate
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import BY_PLACE, CONSERVATION, FROM_STATE_TO_STATE, MOMENTUM, Equation
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import TIME
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.vectors.tensor import AXES
@@ -25,6 +26,7 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.core.writing import is_negative, spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.motion.timeline import Interval
+from rotsolve.paths.meaning import NotYet
 from rotsolve.space.attitude import IN_SPACE, NODE
 from rotsolve.space.energies import energy_of
 from rotsolve.space.inertia import CM
@@ -57,6 +59,7 @@ def conserved(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterat
         yield from of_rotor(name, interval, before, after)
         if not left_alone(before, name):
             yield from of_work(name, interval, before, after)
+            yield from on_slide(name, interval, before, after)
             continue
         yield from of_energy(name, interval, before, after)
         if before.moment.held.pointlike(name):
@@ -163,6 +166,25 @@ def of_energy(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws
     if held and gravity is not None:
         return  # nothing tells how far it has fallen
     first, last = (energy_of(laws, name, "rotational" if held else "") for laws in (before, after))
+    if first != last:
+        yield CONSERVATION.equation(first, last, interval.name, (name,), since="", form=FROM_STATE_TO_STATE)
+
+
+def on_slide(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """½ M v₁² + M g h₁ = ½ M v₂² + M g h₂ of a body that slides along a direction of space, with its weight alone on it."""
+    held = before.moment.held
+    joint = held.main(name)
+    touching = [one for one in held.joints if name in (one.body.owner, one.carrier.owner)]
+    acted = any(ref.owner == name for action in before.pushes.actions for ref in action.touches())
+    if joint is None or touching != [joint] or acted or held.bodies[name].moved:
+        return
+    turns = joint.turning or joint.free or joint.pitch is not None or joint.flat
+    if not joint.sliding or turns or joint.powered or joint.carrier.owner in held.bodies:
+        return
+    try:
+        first, last = (energy_of(laws, name) for laws in (before, after))
+    except (Unsolvable, NotYet):  # nothing tells where it is
+        return
     if first != last:
         yield CONSERVATION.equation(first, last, interval.name, (name,), since="", form=FROM_STATE_TO_STATE)
 

@@ -38,7 +38,7 @@ def refuse_apart(moment: SpaceMoment, one: str, other: str) -> None:
 def apart_untold(first: Joint, last: Joint) -> NotYet:
     """That nothing tells how far two joints with the ground are apart."""
     message = f"how far `{first.owner}` and `{last.owner}` are apart nothing tells"
-    ref = last.body
+    ref = (first if first.carrier.place is None and last.carrier.place is not None else last).body
     point = f"{ref.owner}.{ref.point}" if ref.point else ref.owner
     return NotYet(message, ref.span, f"begin what holds them with their places: `[[x, y, z], {point}]`")
 

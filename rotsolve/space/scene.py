@@ -43,10 +43,11 @@ from rotsolve.space.arrangement import NODAL, JointedBodies
 from rotsolve.space.attitude import STANDING_HELP
 from rotsolve.space.euler_rules import axial_rules, turning_rules
 from rotsolve.space.inertia import Tensors
+from rotsolve.space.lasting import refuse_left
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.lines import told_of_forces, told_unread
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.passing import conserved
+from rotsolve.space.passing import conserved, left_alone, turning_tilts
 from rotsolve.space.pushes import Pushes
 from rotsolve.space.reader import SpaceReader
 from rotsolve.space.stability import limit_of, steady_limit
@@ -524,11 +525,28 @@ class SpaceEquations(SceneEquations, dict=True):
             if interval.end == OPEN:
                 continue
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
+            if interval.event is None and ends[0].moment.state.steady:
+                refuse_left(ends[0].moment, ends[1].moment)
             laws = through(interval, *ends) if interval.event is not None else kept_in(interval, *ends)
-            yield from (self.put_in_order(one) for one in (*laws, *self.in_turning_frames(interval)))
+            laws = chain(laws, self.in_turning_frames(interval), self.tilts_on_from(interval))
+            yield from map(self.put_in_order, laws)
         for dynamics in self.dynamics.values():
             yield from told_unread(dynamics, self.dynamics)
         yield from map(self.put_in_order, self.tensors.steps)
+
+    def tilts_on_from(self, interval: Interval) -> Iterator[Equation]:
+        """What leads from a tilt without nutation to an extreme one, where it nods at states on the way."""
+        last, timeline = self.dynamics[interval.end], self.configuration.timeline
+        nodding = [name for name in self.held.order if last.moment.nods(name) and last.moment.extreme_tilt(name)]
+        between: Interval | None = interval
+        while nodding and between is not None and between.event is None:
+            laws = self.dynamics[between.start]
+            still = [name for name in nodding if laws.moment.nodding(name).rates[1] == ZERO]
+            nodding = [name for name in nodding if name not in still]
+            for name in still if between is not interval else ():
+                if left_alone(laws, name):
+                    yield from turning_tilts(name, interval, laws, last)
+            between = timeline.before(between.start)
 
     def in_turning_frames(self, interval: Interval) -> Iterator[Equation]:
         """The energy in the frame of what is driven at a constant rate, over a phase."""

@@ -86,7 +86,7 @@ class HeldTogether(Struct, frozen=True):
         if joint is None:
             return NOTHING
         carrier = joint.carrier.owner
-        held = vector_sum(self.place(carrier, laws), moment.arm(joint.carrier))
+        held = vector_sum(self.place(carrier, laws), moment.carried_at(joint))
         return moment.axes(carrier).to(moment.axes(name), held)
 
 
@@ -131,8 +131,9 @@ def lines_of_turning(laws: SpaceLaws) -> dict[str, Triple]:
 
 
 def keeps_nothing(joint: Joint) -> bool:
-    """Whether a joint touches a surface, or lets its body slide, so that its place is not told."""
-    return bool(joint.rolls or joint.flat or joint.sliding) or joint.pitch is not None
+    """Whether a joint touches a surface, or lets its body slide and turn at once."""
+    turns = bool(joint.turning) or joint.free
+    return bool(joint.rolls or joint.flat or (joint.sliding and turns)) or joint.pitch is not None
 
 
 def kept_together(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate
 from rotsolve.core.drive import TURNING
-from rotsolve.core.equation import CONSERVATION, MOMENTUM, WORK_AND_ENERGY, Equation
+from rotsolve.core.equation import CONSERVATION, FROM_STATE_TO_STATE, MOMENTUM, WORK_AND_ENERGY, Equation
 from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.triple import NOTHING, Triple, Z, dot_product, scaled_by, vector_sum, way_between
 from rotsolve.core.writing import spoken
@@ -49,7 +49,7 @@ def of_work(name: str, interval: Interval, before: SpaceLaws, after: SpaceLaws) 
     )
     since = "" if carrier is None else f" in axes that go with {carrier.name}, where −M a acts"
     if work == ZERO:
-        yield CONSERVATION.equation(first, last, interval.name, members, since=since)
+        yield CONSERVATION.equation(first, last, interval.name, members, since=since, form=FROM_STATE_TO_STATE)
     else:
         yield WORK_AND_ENERGY.equation(add(first, work), last, interval.name, members)
 

@@ -26,6 +26,7 @@ from rotsolve.language.problem import Condition, Path, State
 STEP = 1e-3  # radians, or metres, by which a place is changed: differences are to the fourth order
 STAYS = 1e-6  # how far from where all stays a steady motion may be, in the same
 SAME = 1e-7  # of the largest acceleration: what rounding makes of two that are one
+ROUNDED = 1e-12  # of the square of the largest rate: what rounding leaves of accelerations where no torque acts
 FURTHER = 1.1  # radians by which what is driven is turned on, to see whether that changes anything
 OTHERWISE = "swings of what is driven, slides round, or is held in several ways"
 NO_PLACE = "swings about what is no equilibrium"
@@ -101,11 +102,13 @@ def growth_together(world: World, name: str, ways: Sequence[OpenWay]) -> float:
         for k in range(count)
     ]
     most = max(abs(part) for column in by_place for part in column)
-    if max(map(abs, let_go(here, rates))) > STAYS * most:
+    if max(map(abs, let_go(here, rates))) > max(STAYS * most, ROUNDED * size**2):
         raise NotConfirmed(NO_PLACE)
     aside = [0.1] * count
     one, other = let_go(aside, rates), let_go(aside, rates, further=FURTHER)
-    if any(abs(a - b) > SAME * max(most, *map(abs, one)) for a, b in zip(one, other, strict=True)):
+    if any(
+        abs(a - b) > max(SAME * max(most, *map(abs, one)), ROUNDED * size**2) for a, b in zip(one, other, strict=True)
+    ):
         raise NotConfirmed(PASSES)
     matrix: Matrix = [[float(j == i + count) for j in range(2 * count)] for i in range(count)]
     matrix += [[column[i] for column in (*by_place, *by_rate)] for i in range(count)]

@@ -86,6 +86,9 @@ class Flight:
         self.nodding = spoken - rig.about_momentum
         self.free = [name for name in rig.bodies if all(joint.body.owner != name for joint in rig.joints.values())]
         self.free += [joint.body.owner for joint in rig.joints.values() if joint.flat]  # their places are followed too
+        self.rolling = [
+            joint.body.owner for joint in rig.joints.values() if joint.rolls and rig.main(joint.body.owner) is None
+        ]
         self.guided = {joint.body.owner: joint for joint in rig.joints.values() if joint.sliding and not joint.flat}
         self.drawn = {name: self.drawn_on_slide(joint) for name, joint in self.guided.items()}
         self.axes = {name: self.axis_of(name) for name in rig.bodies}
@@ -173,7 +176,8 @@ class Flight:
                 ties += self.on_slide(name, own, stance)
                 if not self.guided[name].turning:
                     continue  # it stands as what carries it
-            stance.put(name, self.rows(number, name, numbers), as_arrow(own[5:8]) if name in self.free else None)
+            place = as_arrow(own[5:8]) if name in self.free or name in self.rolling else None
+            stance.put(name, self.rows(number, name, numbers), place)
             ties += three_ties(of_turning(name), as_arrow(own[8:11]), None)
             if name in self.free:
                 ties += three_ties(point_terms(name, STILL), as_arrow(own[11:14]), None)
@@ -256,6 +260,10 @@ class Flight:
             if middle > 0.0:
                 rates.append(arrow_length(times_arrow(tensor, omega)) / middle)
                 rates.append(math.sqrt(own.mass * self.rig.gravity * arrow_length(arm) / middle))  # as it swings
+        if self.guided:
+            from rotsolve.confirm.space.far_out import rates_of_way
+
+            rates += rates_of_way(self)
         return STRIDE / max(rates)
 
     # arrival

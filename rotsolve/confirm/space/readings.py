@@ -333,11 +333,15 @@ class Reading:
         changes = sum_of(times_arrow(tensor, self.found.arrow(TURNING, name)), crossed(omega, whole))
         if arrow_length(changes) > ROUNDING * arrow_length(whole) * arrow_length(omega):
             raise NotConfirmed(f"`{word}` about an angular momentum that does not stay")
+        if not any(whole):
+            raise NotConfirmed(f"`{word}` about an angular momentum that is nothing")
         momentum = normed(whole)
         level = crossed(momentum, third)
         if word == "tilt":
             return math.atan2(arrow_length(level), inner_product(momentum, third))
         cosine, sine = inner_product(momentum, third), inner_product(level, level)
+        if sine <= ROUNDING**2:
+            raise NotConfirmed(f"`{word}` of what turns about its own axis alone")
         up, along = inner_product(momentum, omega), inner_product(third, omega)
         if word == "precession":
             return (up - cosine * along) / sine

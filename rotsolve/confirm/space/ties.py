@@ -124,7 +124,11 @@ class Ties:
 
     def driven(self, joint: Joint) -> Iterator[Tie]:
         """How fast a joint turns: as it is driven, as the state tells, as the pitch of a screw asks."""
-        for number, _ in enumerate(joint.sliding if self.lines.steady else ()):
+        lines = self.lines.of(joint.body.owner)
+        faster = any(
+            line.path is not None and line.path.quantity == "acceleration" for line in lines
+        )  # as a lift that starts
+        for number, _ in enumerate(joint.sliding if self.lines.steady and not faster else ()):
             yield Tie(((1.0, (SLIDES, joint.owner, number)),), None, 0.0)
         key = (SPINS, joint.owner, 0)
         if joint.pitch is not None:
