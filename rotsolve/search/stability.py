@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.algebra.notation.text import to_text
@@ -20,7 +21,7 @@ def verge_equation(swing: Swing, unknown: str, modifier: str, search: Search) ->
     slope, told, there = slope_in(frozenset((unknown,)), swing, search)
     search.displaced.pop(swing.acceleration.name)
     state = spoken(swing.rest.state)
-    if there != ZERO and search.signs.taken(there) != 0:
+    if there != ZERO and search.signs.taken(there) != 0 and not balanced_by_numbers(there, search):
         some = f", or with some values of `{unknown}` alone" if unknown in there.symbols() else ""
         raise NotYet(f"{state} is no equilibrium{some}: it speeds up there")
     if unknown not in slope.symbols():
@@ -37,6 +38,14 @@ def verge_equation(swing: Swing, unknown: str, modifier: str, search: Search) ->
         beyond = "beyond" if growing == -1 else "below"
         raise NotYet(f"{state} is stable {beyond} a value", help=f"ask for the `{side}` one")
     return STABILITY.equation(slope, ZERO, swing.harmonic, (), told)
+
+
+def balanced_by_numbers(there: Formula, search: Search) -> bool:
+    """Whether the numbers of the scene make an acceleration nothing exactly, whatever its unknown is: κ (q − q₀) of two right angles."""
+    told = {
+        name: given.value for name in there.symbols() if (given := search.givens.get(name)) and given.value is not None
+    }
+    return is_zero(simplify(there.substitute(told)))
 
 
 def the_verge(slope: Formula, unknown: str, state: str, search: Search) -> Formula:
