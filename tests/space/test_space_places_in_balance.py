@@ -1,4 +1,4 @@
-"""Places that are sought in balance, in a steady motion, at rest and with rates told: the smallest may be negative, and what else fits is told.
+"""Places sought in balance, at rest, with rates told and in a steady motion: the smallest may be negative, and what else fits is told.
 
 By hand: a level boom 2 m long, hinged at h, has under its end a strut 1.3 m long, whose foot stands 1.2 m nearer and at u = h ± 0.5 m; it
 carries half of the weight, F_z = −M g/2, and pushes along itself, F_x/F_z = 1.2 m/(h − u).
