@@ -22,9 +22,9 @@ from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import (
     CONTRADICTORY,
     INCOMPLETE,
+    UNREACHED,
     UNSOLVED,
     Fault,
-    UNREACHED,
     NeverReached,
     SceneError,
     Unsolvable,

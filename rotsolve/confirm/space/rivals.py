@@ -92,7 +92,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
         return None if as_good(hearing, find, own) else True
     if not steady_somewhere(hearing):
         untold = find.modifier in EXTREMES and not followed_nowhere(hearing.problem)
-        if untold and not farthest_rate(hearing, find, own, roots):
+        if untold and not farthest(hearing, find, own, roots):
             return None
         return None if another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
@@ -193,6 +193,16 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
     if any(leaves_nothing(hearing, place, value) for value in filter(sought.may_be, named)):
         return True
     return followed_nowhere(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
+
+
+def farthest(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
+    """Whether of a letter on which a motion hangs none is larger, or smaller, as is asked: of a time, and of a rate."""
+    from rotsolve.confirm.space.first_times import farthest_time, tells_time
+
+    (letter, *more) = hearing.places
+    if more or not isinstance(letter, str) or not tells_time(hearing, letter):
+        return farthest_rate(hearing, find, own, roots)
+    return farthest_time(hearing, find, letter, own, roots)
 
 
 def farthest_rate(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
