@@ -92,7 +92,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
         return None if as_good(hearing, find, own) else True
     if not steady_somewhere(hearing):
         untold = find.modifier in EXTREMES and not followed_nowhere(hearing.problem)
-        if untold and not farthest(hearing, find, own, roots):
+        if untold and not none_farther(hearing, find, own, roots):
             return None
         return None if another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
@@ -195,7 +195,7 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
     return followed_nowhere(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
 
 
-def farthest(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
+def none_farther(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
     """Whether of a letter on which a motion hangs none is larger, or smaller, as is asked: of a time, and of a rate."""
     from rotsolve.confirm.space.first_times import farthest_time, tells_time
 
