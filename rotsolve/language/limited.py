@@ -34,11 +34,13 @@ def letters_of_places(problem: Problem) -> frozenset[str]:
         sizes |= {
             letter for spot in ends for part in spot for letter in part.symbols()
         }  # they make the length of a rod
-    found += [way for element in (*problem.connections, *problem.actions, *problem.events) for way in ways_of(element)]
+    found += [
+        way for element in (*problem.connections, *problem.actions, *problem.events) for way in directions_told(element)
+    ]
     return frozenset(letter for spot in found for part in spot for letter in part.symbols()) - sizes
 
 
-def ways_of(element: Element) -> Iterator[tuple[Formula, ...]]:
+def directions_told(element: Element) -> Iterator[tuple[Formula, ...]]:
     """The directions that an element tells by their components."""
     for field, declared in element.declared.items():
         value = getattr(element, field) if declared.kind in WAYS else None
