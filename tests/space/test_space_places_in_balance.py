@@ -94,3 +94,19 @@ def test_a_force_is_a_size_and_one_against_it_is_told(asked: str) -> None:
     assert found.answers["F"].float == pytest.approx(roots[1])
     beside = "" if asked == "largest F" else f" = {roots[0]:g} in SI units makes it so too"
     assert said(found)["F"] == (True, beside)
+
+
+@pytest.mark.parametrize(("asked", "holds"), [("q", None), ("largest q", True), ("smallest q", None)])
+def test_of_two_angles_in_balance_a_plain_one_is_not_confirmed(asked: str, holds: bool | None) -> None:
+    """Only at the upper one, M g (L/2) cos q = τ with q > 0, a rod that is displaced comes back."""
+    text = """up: z
+given: {M: 3 kg, q: unknown, tau: 10 N m, g: 9.8 m/s^2}
+bodies: {rod: {shape: rod, mass: M, length: 1 m}}
+connections: {h: {hinge: rod.start, along: y}}
+actions: {m1: {couple: [0, -tau, 0], on: rod}}
+states: {rest: {rod.angle: q, balance: true}}
+find: {q: ASKED}
+"""
+    found = solve(text.replace("ASKED", asked))
+    assert abs(found.answers["q"].float) == pytest.approx(math.acos(10 / (3 * 9.8 / 2)))
+    assert said(found)["q"][0] is holds

@@ -166,8 +166,10 @@ def may_be_against(hearing: Hearing, letter: str, own: float) -> bool:
 
 
 def steady_somewhere(hearing: Hearing) -> bool:
-    """Whether a state is a steady motion, which is the same seen from behind where all rates have other signs; in balance nothing moves."""
-    return any(state.steady and not state.balance for state in hearing.problem.states)
+    """Whether a state is a steady motion, which is the same seen from behind where all rates have other signs; of balance, in which nothing
+    moves, an angle alone is looked at as there."""
+    angle = len(hearing.places) == 1 and hearing.is_angle(hearing.places[0])
+    return any(state.steady and (angle or not state.balance) for state in hearing.problem.states)
 
 
 def is_rate(given: Given) -> bool:
