@@ -22,6 +22,7 @@ from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import (
     CONTRADICTORY,
     INCOMPLETE,
+    UNREACHED,
     UNSOLVED,
     Fault,
     NeverReached,
@@ -104,8 +105,6 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
     except Exhausted:
         raise too_long(problem) from None
     except Unsolvable as error:
-        if problem.space and isinstance(error, NeverReached):  # its assembly looks at states, not at the way to them
-            raise
         raise refused_with_others(error, problem, law) from None
     if not solution.derivation.refused:
         return solution
@@ -162,18 +161,20 @@ def as_tried(error: Exception, problem: Problem) -> Exception:
 
 def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str | None) -> Fault:
     """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved."""
-    if fault.kind not in (INCOMPLETE, CONTRADICTORY):
+    if fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
+        return fault
+    if problem.space and fault.kind == UNREACHED:  # its assembly looks at states, not at the way to them
         return fault
     from rotsolve.search.complete import unsolved
 
     with stage("confirm", whole=True):
-        return unsolved(problem, names, law, whole=fault.kind == CONTRADICTORY) or not_found(fault, problem)
+        return unsolved(problem, names, law, whole=fault.kind != INCOMPLETE) or not_found(fault, problem)
 
 
 def not_found(fault: Fault, problem: Problem) -> Fault:
     """What contradicts, told of letters that are sought as what it is: no value is found, by the ways that have been tried."""
     sought = [given.name for given in problem.givens if given.asked]
-    if fault.kind != CONTRADICTORY or not sought:
+    if fault.kind == INCOMPLETE or not sought:
         return fault
     return replace(
         fault, message=f"no {' and '.join(f'`{name}`' for name in sought)} is found that fits: {fault.message}"
@@ -361,7 +362,7 @@ def fairly_refused(
     error: Exception | None, point: Mapping[str, Fraction], problem: Problem, law: str | None
 ) -> Exception | None:
     """Why a case of letters has no answer, as it is or by what the assembly says at its numbers."""
-    if not isinstance(error, Unsolvable) or error.fault.kind != CONTRADICTORY:
+    if not isinstance(error, Unsolvable) or error.fault.kind not in (CONTRADICTORY, UNREACHED):
         return error
     givens = [replace(item, value=Number(point[item.name])) if item.name in point else item for item in problem.givens]
     at_point = replace(problem, givens=tuple(givens))

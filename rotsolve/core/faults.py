@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from msgspec import Struct
 
 INCOMPLETE, CONTRADICTORY = "incomplete", "contradictory"  # kinds of refusals that blame what the scene says
+UNREACHED = "unreached"  # of those that say that a motion never comes to a state, which such data are too
 UNSOLVED = "unsolved"  # of those that say what the program does not solve: there may be an answer
 WIDTH = 100  # columns of a source line that are shown around the caret
 
@@ -142,5 +143,6 @@ class NeverReached(Contradicted):
     Where that is `sure` it does not get there on its way back either.
     """
 
+    kind = UNREACHED
     state = ""
     sure = False

@@ -12,6 +12,8 @@ from rotsolve.language.bodies import PointRef
 from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Problem, references
 
+WAYS = ("direction", "axis in space")  # kinds of keys
+
 
 def limited_letters(problem: Problem) -> dict[str, str]:
     """Letters that stand alone where the scene takes only values within limits, with these: the radius of a wheel, the angle of a slope."""
@@ -19,7 +21,8 @@ def limited_letters(problem: Problem) -> dict[str, str]:
 
 
 def letters_of_places(problem: Problem) -> frozenset[str]:
-    """Letters in coordinates of points or parts, which may be negative, and in nothing that has limits, as sizes or places on rods."""
+    """Letters in coordinates of points, parts or directions, which may be negative, and in nothing that has limits, as sizes or places on
+    rods."""
     named = list(references((problem.bodies, problem.connections, problem.actions, problem.events, problem.finds)))
     sizes = {letter for _, value, _ in limited_values(problem) for letter in value.symbols()}
     sizes |= {letter for ref in named if ref.argument is not None for letter in ref.argument.symbols()}
@@ -31,7 +34,18 @@ def letters_of_places(problem: Problem) -> frozenset[str]:
         sizes |= {
             letter for spot in ends for part in spot for letter in part.symbols()
         }  # they make the length of a rod
+    found += [
+        way for element in (*problem.connections, *problem.actions, *problem.events) for way in directions_told(element)
+    ]
     return frozenset(letter for spot in found for part in spot for letter in part.symbols()) - sizes
+
+
+def directions_told(element: Element) -> Iterator[tuple[Formula, ...]]:
+    """The directions that an element tells by their components."""
+    for field, declared in element.declared.items():
+        value = getattr(element, field) if declared.kind in WAYS else None
+        if isinstance(value, tuple):
+            yield tuple(part for part in value if isinstance(part, Formula))
 
 
 def limited_values(problem: Problem) -> Iterator[tuple[str, Formula, str]]:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
+from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.vectors.tensor import ROWS, InertiaTensor
 from rotsolve.language.bodies import Turn
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.literals import Want
+from rotsolve.scene.literals import Want, infer
 from rotsolve.scene.scope import Nothing, Scope
 from rotsolve.scene.tree import List, Map, Node, Text
 from rotsolve.scene.values import read_scalar
@@ -83,7 +86,7 @@ def read_ratio(scope: Scope, node: List, label: str, owner: str) -> list[Formula
     words = {word for item in node.items if isinstance(item, Text) for word in re.findall(r"\w+", item.value)}
     lettered = not words.isdisjoint(scope.givens)
     letters = "xyz" if lettered else ("", "", "")
-    return [
+    parts = [
         read_scalar(
             scope,
             item,
@@ -93,6 +96,23 @@ def read_ratio(scope: Scope, node: List, label: str, owner: str) -> list[Formula
         )
         for axis, letter, item in zip("xyz", letters, node.items, strict=False)
     ]
+    infer_from_beside(scope, [part for part in parts if part is not None and part != ZERO])
+    return parts
+
+
+def infer_from_beside(scope: Scope, parts: Sequence[Formula]) -> None:
+    """Give a letter of unknown dimension that with which all components of a direction have one."""
+    known: dict[str, Dimension] = {name: own for name, own in scope.dimensions.items() if own is not None}
+    told = set[Dimension]()
+    for part in parts:
+        if part.symbols() <= known.keys():
+            with suppress(DimensionError):
+                told.add(dimension_of(part, known))
+    for part in parts if len(told) == 1 else ():
+        missing = sorted(part.symbols() - known.keys())
+        found = infer(part, missing, scope.dimensions, next(iter(told)))
+        if found is not None:
+            scope.dimensions[missing[0]] = found
 
 
 def read_turning_gravity(scope: Scope, node: Map) -> tuple[Node | None, Node | None]:

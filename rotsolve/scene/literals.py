@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Collection, Iterator, Mapping
+from contextlib import suppress
 from fractions import Fraction
 
 from msgspec import Struct, field
@@ -18,6 +19,7 @@ from rotsolve.algebra.units.dimension import (
     ANGLE,
     BY_NAME,
     DIMENSIONS,
+    KINDS,
     MASS,
     NONE,
     Dimension,
@@ -55,15 +57,26 @@ def infer(
         return infer(formula.operand, missing, known, wanted)
     if isinstance(formula, Sum):  # every term has the dimension of the whole
         holders = [term for term in formula.terms if missing[0] in term.symbols()]
-        return infer(holders[0], missing, known, wanted) if len(holders) == 1 else None
+        if len(holders) == 1:
+            return infer(holders[0], missing, known, wanted)
     others = {name: found for name in formula.symbols() if (found := known.get(name)) is not None}
     try:
         plain = dimension_of(formula, {**others, missing[0]: NONE})
         probe = dimension_of(formula, {**others, missing[0]: MASS})
     except DimensionError:
-        return None
+        return only_fitting(formula, missing[0], others, wanted)
     exponent = probe.mass - plain.mass
     return None if exponent == 0 else (wanted / plain) ** (1 / Fraction(exponent))
+
+
+def only_fitting(formula: Formula, letter: str, others: Mapping[str, Dimension], wanted: Dimension) -> Dimension | None:
+    """The only dimension of a quantity with which the terms of a formula go together: x in (x² − x c)/c is a length."""
+    fitting = set[Dimension]()
+    for dimension in {kind.dimension for kind in KINDS}:
+        with suppress(DimensionError):
+            if dimension_of(formula, {**others, letter: dimension}).matches(wanted):
+                fitting.add(dimension)
+    return fitting.pop() if len(fitting) == 1 else None
 
 
 DIGITS = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+−]?\d+)?"

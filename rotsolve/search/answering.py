@@ -15,7 +15,7 @@ from rotsolve.algebra.effort import Exhausted, Purse
 from rotsolve.algebra.exact.normal import is_zero, without_direction
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, Unsolvable
+from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, UNREACHED, Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
@@ -42,7 +42,7 @@ class Unanswered(Unsolvable):
         first, *others = refused.values()
         self.refused = refused
         fault = first.fault
-        explained = fault.kind == CONTRADICTORY  # then what is not known comes of that
+        explained = fault.kind in (CONTRADICTORY, UNREACHED)  # then what is not known comes of that
         super().__init__(
             fault.message,
             span=fault.span,

@@ -170,12 +170,13 @@ def period_of_turning(laws: SpaceLaws, path: Path) -> Meaning:
     """2π/|ω| of a body that turns steadily about a fixed axis; of a free one the time in which ω comes round in its own axes."""
     own, name, held = laws.moment.attitude(path.owner), path.owner, laws.moment.held
     dimension = QUANTITIES["period"].dimension
-    steady = all(map(held.vanishes, own.alpha)) or (turns_freely(laws, name) and along_momentum(laws, name))
+    free = turns_freely(laws, name)
     if all(map(held.vanishes, own.omega)):
         raise NotYet(f"`{name}` does not turn at {laws.moment.spoken_of()}: it has no `period`", path.span)
-    if steady:
-        return Meaning(2 * PI / length_of(own.omega), dimension, label="period, T = 2π/ω")
-    if not turns_freely(laws, name):
+    if all(map(held.vanishes, own.alpha)) or (free and along_momentum(laws, name)):
+        label = "period of the turn, since ω stays in the own axes, T = 2π/ω" if free else "period, T = 2π/ω"
+        return Meaning(2 * PI / length_of(own.omega), dimension, label=label)
+    if not free:
         if laws.moment.nods(name) and not laws.moment.state.steady:
             from rotsolve.space.nutation import nutation_period
 

@@ -43,6 +43,7 @@ MOMENT = "#moment"  # λ, as no scene calls it
 FACTORED = (
     300  # nodes of a tensor, whose cubic is taken into factors: beyond it takes seconds, and longer ones have had none
 )
+IN_PLANE = 100  # nodes of the three entries in a plane that are spelled out under a root
 PRODUCTS = {"x": ("xy", "zx"), "y": ("xy", "yz"), "z": ("zx", "yz")}
 
 
@@ -81,6 +82,8 @@ def all_alike(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> boo
 def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
     """The two moments across a principal axis, the smaller one first; the axis of λ is along (I_ab, λ − I_a) in that plane."""
     one, other, product = (tensor.entry(word) for word in BESIDE[axis])
+    if sum(length(spelled(part)) for part in (one, other, product)) > IN_PLANE:
+        spelled = itself  # what the entries stand for would fill pages
     middle, half = spelled((one + other) / 2), spelled((one - other) / 2)
     root = spelled(sqrt(add(square(half), square(spelled(product)))))
     found: list[Found] = []
@@ -91,6 +94,11 @@ def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
         first, second = (WAYS[word[0]] for word in BESIDE[axis][:2])
         found.append((moment, tidied(vector_sum(scaled_by(a, first), scaled_by(b, second)))))
     return found
+
+
+def itself(value: Formula) -> Formula:
+    """A formula in the letters of the moments and products of inertia."""
+    return value
 
 
 def by_factors(tensor: InertiaTensor, spelled: Spelled) -> list[Found]:

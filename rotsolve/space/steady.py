@@ -19,6 +19,7 @@ from rotsolve.algebra.formula import PI, Formula, Symbol, add, call
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key, key_of
+from rotsolve.language.limited import letters_of_places
 from rotsolve.language.problem import EXTREMES
 from rotsolve.solver.steps import PickedRoot
 
@@ -46,7 +47,7 @@ class Sought(Struct, frozen=True):
     word: str
     tilts: tuple[Formula, ...]
     steady: bool
-    size: bool  # whether it is a mass, a length or their like, which are positive
+    size: bool  # whether it is taken as positive: a mass, a length or their like, and a place of which no extreme is asked
     help: str
 
 
@@ -71,7 +72,8 @@ def steady_letter(name: str, scene: SceneEquations) -> Sought | None:
     words = {find.modifier for find in finds}
     word = words.pop() if len(words) == 1 else ""
     rate = given.dimension is None or any(given.dimension.matches(kind) for kind in (ANGLE, ANGULAR_VELOCITY))
-    return Sought(name, word, tilts, steady, not rate, OF_LETTER.format(name=name))
+    by_value = rate or (word in EXTREMES and name in letters_of_places(problem))
+    return Sought(name, word, tilts, steady, not by_value, OF_LETTER.format(name=name))
 
 
 def tilts_with(name: str, scene: SceneEquations) -> tuple[Formula, ...]:

@@ -313,7 +313,9 @@ class VectorReader:
         both, word = " and ".join(f"`{owner}`" for owner in owners), path.quantity
         said = f"along the line through {both} only the sum of their {word}s is told"
         message = f"`{path_text(path)}` is statically indeterminate: {said}"
-        raise NotYet(message, path.span, "ask for a component across that line, `in body axes` where it turns")
+        help = "ask for a component across that line, `in body axes` where it turns"
+        whole = f", or for all forces together, `{self.body_of(path)}.force.net`" if path.quantity == "force" else ""
+        raise NotYet(message, path.span, help + whole)
 
     def refuse_along_to_touching(self, path: Path, term: Term, laws: SpaceLaws) -> None:
         """Refuse the part of a force along the line from a ball on the ground to where its body rolls: the laws tell only the sum."""

@@ -130,10 +130,8 @@ def driving(laws: SpaceLaws) -> frozenset[str]:
 
 
 def turns_undriven(joint: Joint) -> bool:
-    """Whether a joint is a hinge on which its body turns as it is pushed."""
-    return bool(joint.turning) and not (
-        joint.powered or joint.sliding or joint.aligned or joint.bearings or joint.pitch
-    )
+    """Whether a joint is a hinge on which its body turns as it is pushed; two bearings push through the axis, and give no power."""
+    return bool(joint.turning) and not (joint.powered or joint.sliding or joint.aligned or joint.pitch)
 
 
 def led_evenly(laws: SpaceLaws, carrier: str) -> bool:

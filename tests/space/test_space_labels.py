@@ -198,3 +198,14 @@ def test_functions_stand_behind_letters_and_sines_in_front_of_cosines(find: str)
 def test_a_number_that_is_put_in_alone_is_not_repeated() -> None:
     page = solve(EARTH.format(find="s: earth.spin, s_2: -s")).to("text")
     assert "s₂ = −s = 2 rad/s" in page
+
+
+def test_the_period_of_a_body_that_turns_about_a_principal_axis_says_what_it_is() -> None:
+    text = """up: z
+gravity: none
+given: {A: 2 kg m^2, B: 3 kg m^2, w: 2 rad/s}
+bodies: {one: {inertia: {principal: [1 kg m^2, A, B]}}}
+states: {now: {one.angular_velocity: [w, 0, 0]}}
+find: {T: one.period at now}
+"""
+    assert "period of the turn, since ω stays in the own axes, T = 2π/ω" in solve(text).to("text")

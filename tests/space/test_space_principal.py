@@ -136,3 +136,20 @@ def test_two_equal_moments_have_no_axes_of_their_own(number: int) -> None:
     with pytest.raises(Unsolvable, match="two principal moments are equal, and all lines in a plane are axes"):
         solve(scene)
     assert solve(scene.replace(f"axis.{number}", "axis.3")).answers["e"].components["z"].float == 1
+
+
+def test_the_moments_of_a_sheared_plate_with_corners_in_numbers() -> None:
+    """By hand: a parallelogram along u and v has ∫ r rᵀ dm = M (u uᵀ + v vᵀ)/12, here I_xx = 4/3, I_yy = 10/3 and I_xy = −2/3 kg m²."""
+    from math import sqrt
+
+    from rotsolve import solve
+
+    text = """up: z
+given: {M: 4 kg}
+bodies: {plate: {shape: polygon, mass: M, corners: [[0 m, 0 m], [3 m, 0 m], [4 m, 2 m], [1 m, 2 m]]}}
+find: {Ip: plate.principal_moments}
+"""
+    (answer,) = solve(text).derivation.answers
+    numbers = [part.value.float for part in answer.components if part.value is not None]
+    middle, half = 7 / 3, sqrt(13) / 3
+    assert all(abs(a - b) < 1e-9 for a, b in zip(numbers, (middle - half, middle + half, 14 / 3), strict=True))

@@ -92,7 +92,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
         return None if as_good(hearing, find, own) else True
     if not steady_somewhere(hearing):
         untold = find.modifier in EXTREMES and not followed_nowhere(hearing.problem)
-        if untold and not farthest_rate(hearing, find, own, roots):
+        if untold and not none_farther(hearing, find, own, roots):
             return None
         return None if another_root_fits(hearing, find, own, roots) else True
     if len(hearing.places) != 1:
@@ -100,7 +100,7 @@ def fits_as_asked(hearing: Hearing, find: Find, own: float, roots: tuple[Formula
     place = hearing.places[0]
     least = 1.0 if hearing.is_angle(place) else 0.0
     found = [own, *(root for root in others(hearing, own) if abs(root - own) > SAME * max(abs(own), abs(root), least))]
-    if not rate_or_angle(hearing, place) and own > 0:
+    if not (rate_or_angle(hearing, place) or by_value(hearing, find, place)) and own > 0:
         found = [root for root in found if root > 0]
     tilts = [tilt_with(hearing, place, root) for root in found]
     standing = [k for k, tilt in enumerate(tilts) if tilt is None or -UPRIGHT < tilt < math.pi + UPRIGHT]
@@ -139,7 +139,9 @@ def against_as_well(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     """What is said of an angle that no motion tells, with which to the other side all equations hold too, and of a size or a place with a
     value of the other sign; else ''."""
     letter = hearing.letter(find)
-    if letter is None or steady_somewhere(hearing) or find.modifier in EXTREMES:
+    if letter is None or find.modifier == "largest" or by_value(hearing, find, letter):
+        return ""
+    if steady_somewhere(hearing) and letter not in letters_of_places(hearing.problem):
         return ""
     given = next(given for given in hearing.problem.givens if given.name == letter)
     sought = SoughtLetter(find, given, hearing.known, own, find.group)
@@ -152,7 +154,7 @@ def against_as_well(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
         values = other_values(hearing, letter, own, roots) if may_be_against(hearing, letter, own) else ()
         found = next((value for value in values if value < 0.0), None)
         return "" if found is None else sought.equal_to(found)
-    if not followed_nowhere(hearing.problem) or abs(math.sin(own)) <= UPRIGHT:
+    if find.modifier in EXTREMES or not followed_nowhere(hearing.problem) or abs(math.sin(own)) <= UPRIGHT:
         return ""
     return sought.equal_to(-own) if leaves_nothing(hearing, letter, -own) else ""
 
@@ -164,13 +166,20 @@ def may_be_against(hearing: Hearing, letter: str, own: float) -> bool:
 
 
 def steady_somewhere(hearing: Hearing) -> bool:
-    """Whether a state is steady, which is the same motion seen from behind where all rates have other signs."""
-    return any(state.steady for state in hearing.problem.states)
+    """Whether a state is a steady motion, which is the same seen from behind where all rates have other signs; of balance, in which nothing
+    moves, an angle alone is looked at as there."""
+    angle = len(hearing.places) == 1 and hearing.is_angle(hearing.places[0])
+    return any(state.steady and (angle or not state.balance) for state in hearing.problem.states)
 
 
 def is_rate(given: Given) -> bool:
     """Whether a letter is an angular velocity: of a swing either sense is a motion of its own."""
     return given.dimension is not None and given.dimension.matches(ANGULAR_VELOCITY)
+
+
+def by_value(hearing: Hearing, find: Find, place: tuple[str, str, str] | str) -> bool:
+    """Whether the largest or the smallest of a place is asked, which may be negative."""
+    return find.modifier in EXTREMES and place in letters_of_places(hearing.problem)
 
 
 def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
@@ -180,12 +189,22 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
     if more or not isinstance(place, str):
         return False
     rate = is_rate(givens[place])
-    asked_by_value = find.modifier in EXTREMES and place in letters_of_places(hearing.problem)
-    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=rate or asked_by_value)
+    signed = rate or by_value(hearing, find, place)
+    sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=signed)
     named = chain(sought.other_roots(), (-own,) if rate else ())
     if any(leaves_nothing(hearing, place, value) for value in filter(sought.may_be, named)):
         return True
     return followed_nowhere(hearing.problem) and any(map(sought.may_be, others(hearing, own)))
+
+
+def none_farther(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:
+    """Whether of a letter on which a motion hangs none is larger, or smaller, as is asked: of a time, and of a rate."""
+    from rotsolve.confirm.space.first_times import farthest_time, tells_time
+
+    (letter, *more) = hearing.places
+    if more or not isinstance(letter, str) or not tells_time(hearing, letter):
+        return farthest_rate(hearing, find, own, roots)
+    return farthest_time(hearing, find, letter, own, roots)
 
 
 def farthest_rate(hearing: Hearing, find: Find, own: float, roots: tuple[Formula, ...]) -> bool:

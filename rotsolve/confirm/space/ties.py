@@ -143,12 +143,12 @@ class Ties:
                 later = back < 2 and "angular_acceleration" in drive  # which is told besides, of a rate at one moment
                 yield Tie(((1.0, key),), value[1 - back] if back < 2 else None, None if later else value[2 - back])
         owners = (joint.body.owner, joint.owner)
-        if not {"angle", "angular_velocity"} & drive.keys():
-            words = ("spin", "angular_velocity") if joint.aligned else ("angular_velocity",)
-            speeds = [self.lines.told(owner, word) for owner in owners for word in words]
-            for speed in speeds if any(speed is not None for speed in speeds) else [self.standing(joint)]:
-                if speed is not None:
-                    yield Tie(((1.0, key),), speed, None)
+        words = ("spin", "angular_velocity") if joint.aligned else ("angular_velocity",)
+        speeds = [self.lines.told(owner, word) for owner in owners for word in words]
+        led = {"angle", "angular_velocity"} & drive.keys() or any(speed is not None for speed in speeds)
+        for speed in speeds if led else [self.standing(joint)]:
+            if speed is not None:
+                yield Tie(((1.0, key),), speed, None)
         for gain in (self.lines.told(owner, "angular_acceleration") for owner in owners):
             if gain is not None:
                 yield Tie(((1.0, key),), None, gain)

@@ -17,12 +17,12 @@ from rotsolve.core.writing import and_joined
 from rotsolve.grading.mistakes.in_space import Turns, turned_bodies, with_turns
 from rotsolve.grading.mistakes.mistake import MOST, Change, Made, bodies_and_parts, each
 from rotsolve.language.keys import Element
+from rotsolve.language.limited import WAYS
 from rotsolve.language.problem import Body, Condition, Problem, Term
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
 
-WAYS = ("direction", "axis in space")
 MINUTE = Number(UNITS["min"].scale)
 Turn = Callable[[Formula], Formula]
 
