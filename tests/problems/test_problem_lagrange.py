@@ -20,20 +20,23 @@ GOLDEN = Path(__file__).resolve().parent / "lagrange"
 RAW = re.compile(r"[a-z_]\|[a-z_]|…")  # the key of a quantity of the laws, which no reader should see
 SAID = FAMILIES[LAGRANGE].words
 
-BLOWS = """bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
+BLOWS = """ball-with-backspin-bounces dumbbell-hits-a-wall super-ball-under-a-table hinged-plates-that-are-struck meteorite-that-stays-in-a-probe
+bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
 bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
 blow-on-a-plate-at-a-corner disc-struck-at-its-rim cube-caught-at-an-edge plate-struck-where-its-hinges-feel-nothing"""
-INERTIA_CHANGES = """bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
+INERTIA_CHANGES = """ball-bounces-twice
+bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
 sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in
 satellite-with-a-reaction-wheel"""
-REACTIONS = """triangle-on-hinge ladder-inside plank-on-trestles plank-tips released-rod-inside whirled-rod incline-pulley-rest
+REACTIONS = """wheel-with-rolling-resistance bar-on-two-skew-rods disc-on-an-axle-that-sways coin-that-trembles gyrocompass-that-swings hookes-joint rod-on-two-cords
+ladder-inside plank-on-trestles plank-tips whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
 rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed
 fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance two-plane-balancing masses-that-balance-a-rotor
 sign-held-by-two-cables"""
-FRICTION = """ball-with-back-spin spinning-cylinder-set-down
-spinning-wheel-set-down spool-largest-pull hawser-round-a-bollard"""
-NO_LAW = """disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
+FRICTION = """spinning-wheel-set-down spool-largest-pull hawser-round-a-bollard"""
+NO_LAW = """coin-on-a-turntable top-that-creeps-to-the-vertical
+disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
 which-pair-of-angles stone-from-a-tower shell-fired-east"""
 NO_COORDINATES = """force-off-the-centre spherical-top plate-that-wobbles-in-time pole-of-the-earth-in-time
