@@ -45,12 +45,12 @@ states: {before: {rod.angle: -90 deg, at rest: rod, ball.velocity: u}, after: {}
 events: {hit: {collides: [ball, rod.end], restitution: 0.8, from: before, to: after}}
 find: {w: rod.angular_velocity at after, k: rod.mass}
 """
-COIL = """title: A load let go on a spring
+COIL = """title: A load let go on a stretched spring
 given: {m: 2 kg, k: 150 N/m}
 bodies: {load: {mass: m, moves: down}}
 connections: {coil: {spring: [ceiling, load], stiffness: k}}
-states: {start: {coil.elongation: 0, at rest: all}, low: {load.velocity: 0}}
-find: {a: load.acceleration at low, q: load.mass}
+states: {now: {coil.elongation: 2 cm, at rest: all}}
+find: {a: load.acceleration at now, q: load.mass}
 """
 
 
@@ -139,7 +139,7 @@ def test_it_is_left_out_on_request() -> None:
     plain, full = solve(WINCH, confirm=False), solve(WINCH)
     assert plain.derivation.confirmed == ()
     assert "solved with numbers" not in str(plain)
-    assert "all bodies' equations, solved with numbers, give the same a, T" in " ".join(str(full).split())
+    assert "confirmed with numbers" in " ".join(str(full).split())
     assert "another sum over the masses gives the same k" in str(full)
 
 

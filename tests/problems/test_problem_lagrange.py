@@ -20,7 +20,8 @@ GOLDEN = Path(__file__).resolve().parent / "lagrange"
 RAW = re.compile(r"[a-z_]\|[a-z_]|…")  # the key of a quantity of the laws, which no reader should see
 SAID = FAMILIES[LAGRANGE].words
 
-BLOWS = """ball-with-backspin-bounces dumbbell-hits-a-wall super-ball-under-a-table hinged-plates-that-are-struck meteorite-that-stays-in-a-probe
+BLOWS = """ball-with-backspin-bounces dumbbell-hits-a-wall super-ball-under-a-table
+hinged-plates-that-are-struck meteorite-that-stays-in-a-probe
 bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
 bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
 blow-on-a-plate-at-a-corner disc-struck-at-its-rim cube-caught-at-an-edge plate-struck-where-its-hinges-feel-nothing"""
@@ -28,7 +29,8 @@ INERTIA_CHANGES = """ball-bounces-twice
 bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
 sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in
 satellite-with-a-reaction-wheel"""
-REACTIONS = """wheel-with-rolling-resistance bar-on-two-skew-rods disc-on-an-axle-that-sways coin-that-trembles gyrocompass-that-swings hookes-joint rod-on-two-cords
+REACTIONS = """wheel-with-rolling-resistance bar-on-two-skew-rods disc-on-an-axle-that-sways coin-that-trembles gyrocompass-that-swings
+hookes-joint rod-on-two-cords
 ladder-inside plank-on-trestles plank-tips whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
 rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed

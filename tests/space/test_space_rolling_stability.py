@@ -25,7 +25,7 @@ states: {now: {coin.tilt: theta, coin.spin: s, coin.precession: W, steady: true}
 find: {s: s, L: coin.stability at now}
 """
 SPUN = SCENE.replace("70 deg, W: 20 rad/s, s: unknown", "90 deg, W: unknown, s: 0 rad/s").split("find")[0]
-SAME = "all bodies' equations, solved with numbers, give the same"
+SAME = "confirmed with numbers"
 
 
 def grows(shape: str, tilt: float, round_: float) -> tuple[float, float]:
@@ -54,7 +54,7 @@ def test_a_wheel_that_rolls_round_a_circle(shape: str, tilt: int, round_: float)
     solution = rotsolve.solve(text)
     assert solution.answers["s"].float == pytest.approx(spin, rel=1e-9)
     assert solution.answers["L"].float == pytest.approx(square, rel=1e-6)
-    assert f"{SAME} s, L" in " ".join(str(solution).split())
+    assert SAME in " ".join(str(solution).split())
 
 
 @pytest.mark.parametrize("shape", ACROSS)
