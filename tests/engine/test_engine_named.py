@@ -90,6 +90,68 @@ states:
   now: {one.angle: p, two.angle: q, one.angular_velocity: w, two.angular_velocity: w, two.end.velocity.x: -1 m/s TOLD}
 find: {v: one.end.velocity.y}
 """
+DOUBLE = LINKS + "connections: {nail: {hinge: a.start}, pin: {hinge: [a.end, b.start]}}\n"
+MODE = "find: {x: period of mode 1}\n"
+IN_A_ROW = (
+    "surfaces: {floor: level}\nbodies: {one: {mass: M, moves: right}, two: {mass: m, moves: right}, three: {mass: M, moves: right}%s}\n"
+    "connections: {base1: {contact: [one, floor]}, base2: {contact: [two, floor]}, base3: {contact: [three, floor]}, "
+    "coil1: {spring: [ground, one], stiffness: 3 N/cm}, coil2: {spring: [one, two], stiffness: 2 N/cm}, "
+    "coil3: {spring: [two, three], stiffness: 5 N/cm}%s}\n" + MODE
+)
+FOURTH = (
+    ", four: {mass: m, moves: right}",
+    ", base4: {contact: [four, floor]}, coil4: {spring: [three, four], stiffness: 7 N/cm}",
+)
+LIFT = (
+    "bodies: {lift: {mass: 100 kg, acceleration: [0, RISE]}, rod: {shape: rod, mass: m, length: L}}\n"
+    "connections: {hook: {hinge: [lift, rod.start]}}\n" + SWING
+)
+GOES_ROUND = (
+    "states: {start: {top.tilt: 50 deg, top.axial_rate: 900 rad/s, top.precession: smallest, steady: true}, "
+    "later: {top.precession_angle: 400 deg%s}}\n"
+)
+BAR = (
+    "up: z\ngravity: none\nbodies: {bar: {shape: rod, mass: 0, length: sqrt(2*R^2 + L^2)}}\n"
+    "connections: {one: {collar: [[0, R, L], bar.start], along: y}, two: {collar: [[R, 0, 0], bar.end], along: x}}\n"
+    "states: {now: {bar.start.velocity: [0, 0.2 m/s, 0]}}\n"
+)
+CUBE = "up: z\nbodies: {cube: {shape: cuboid, mass: M, sides: [L, L, L], points: {P: [L/2, 0, 0]}}}\n"
+STRUCK = (
+    "events: {one: {impulse: 1 N s, on: cube.P, direction: z, from: before, to: %s}, "
+    "two: {impulse: 2 N s, on: cube.P, direction: y, from: %s, to: after}}\nfind: {x: cube.angular_velocity at after}\n"
+)
+LIES = (
+    "plane: horizontal\nsurfaces: {table: level}\nbodies: {disc: {shape: disc, mass: m, radius: R}}\n"
+    "connections: {pin: {axle: disc}, face: {contact: [disc, table], friction: 0.3}}\n"
+    "states: {now: {disc.angular_velocity: w}}\nfind: {x: face.torque at now}\n"
+)
+POST = (
+    "surfaces: {beam: post}\nbodies: {one: {mass: m, moves: up}, two: {mass: M, moves: down}}\n"
+    "connections: {rope: {string: [one, beam, two], friction: 0.1, wrap: 180 deg}}\n"
+    "states: {now: {at rest: all}, after: {}}\nfind: {x: two.acceleration at now}\n"
+)
+BANDED = (
+    "plane: horizontal\nbodies: {drum: {shape: disc, mass: m, radius: R}}\nconnections: {stud: {axle: drum}}\n"
+    "actions: {brake: {band: F, on: drum.rim, friction: 0.25, wrap: 200 deg, direction: clockwise}}\n"
+    "states: {now: {drum.angular_velocity: w}}\n"
+)
+DROPPED = (
+    "surfaces: {floor: level, hill: {dome: R}}\nbodies: {rod: {shape: rod, mass: m, length: L}}\n"
+    "states: {before: {rod.angle: 0 deg, rod.velocity: [0 m/s, -3 m/s], rod.angular_velocity: 0 rad/s}, after: {}}\n"
+    "events: {hit: {collides: [rod.end, floor], restitution: 0.5, from: before, to: after}}\n"
+    "find: {x: rod.angular_velocity at after}\n"
+)
+MET = (
+    "bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: right}}\nconnections: {pin: {hinge: rod.start}}\n"
+    "states: {before: {rod.angle: -90 deg, at rest: rod, ball.velocity: 3 m/s}, after: {}}\n"
+    "events: {hit: {collides: [ball, rod.end], restitution: 0.5, from: before, to: after}}\n"
+    "find: {x: rod.angular_velocity at after}\n"
+)
+CAUGHT = (
+    "bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m}}\n"
+    "states: {before: {rod.angle: 90 deg, at rest: rod, ball.velocity: [3 m/s, 0 m/s]}, after: {}, end: {time: 1 s}}\n"
+    "events: {hit: {joins: [ball, rod.end], from: before, to: after}}\n"
+)
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
     "damped fall": (
         ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
@@ -252,6 +314,75 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "find: {v: rod.P.velocity at later}\n",
         "",
     ),
+    "modes in oil": (DOUBLE + OIL.replace("rod", "a") + MODE, DOUBLE + MODE),
+    "swings by the way gone": (
+        SLED.replace(", friction: 0.3", "")
+        + "actions: {push: {force: -F*sled.displacement/L, on: sled, direction: right}}\n"
+        + SWING,
+        SLED.replace(", friction: 0.3", "") + SWING,
+    ),
+    "swings in several ways": (
+        DOUBLE
+        + "states: {now: {a.angle: -60 deg, b.angle: -80 deg, at rest: all}}\nfind: {x: period of swings from now}\n",
+        DOUBLE + MODE,
+    ),
+    "four ways to swing": (IN_A_ROW % FOURTH, IN_A_ROW % ("", "")),
+    "swings on what is led in time": (LIFT.replace("RISE", "time*(2 m/s^3)"), LIFT.replace("RISE", "2 m/s^2")),
+    "angle of precession without a time": (
+        TOP + GOES_ROUND % "" + "find: {x: top.precession at later}\n",
+        TOP.replace("2 s", "unknown") + GOES_ROUND % ", time: T" + "find: {x: T}\n",
+    ),
+    "linkage in time": (BAR + "find: {x: bar.end.velocity at any time}\n", BAR + "find: {x: bar.end.velocity}\n"),
+    "two joints": (
+        CUBE + "connections: {one: {ball: cube}, two: {clamp: cube.P}}\nfind: {x: cube.kinetic_energy}\n",
+        CUBE
+        + "connections: {one: {hinge: cube, along: z, bearings: [-L, L]}}\nstates: {now: {cube.angular_velocity: w}}\n"
+        + "find: {x: cube.kinetic_energy}\n",
+    ),
+    "bar about its line": (
+        BAR + "find: {x: bar.angular_velocity in bar axes}\n",
+        BAR + "find: {x: bar.angular_velocity in space axes}\n",
+    ),
+    "length of a bar": (
+        BAR.replace(", length: sqrt(2*R^2 + L^2)", "") + "find: {x: bar.end.velocity}\n",
+        BAR + "find: {x: bar.end.velocity}\n",
+    ),
+    "two blows at once": (
+        CUBE + "states: {before: {at rest: all}, after: {}}\n" + STRUCK % ("after", "before"),
+        CUBE + "states: {before: {at rest: all}, between: {}, after: {}}\n" + STRUCK % ("between", "between"),
+    ),
+    "travels over a table": (
+        LIES.replace("radius: R", "radius: R, moves: right").replace("pin: {axle: disc}, ", ""),
+        LIES,
+    ),
+    "disc about its rim": (
+        LIES.replace("axle: disc", "hinge: disc.rim"),
+        LIES.replace("axle: disc", "hinge: disc.end")
+        .replace("shape: disc", "shape: rod")
+        .replace("radius: R", "length: L"),
+    ),
+    "face of what has no shape": (LIES.replace("shape: disc", "inertia: m*R^2"), LIES),
+    "static friction over a face": (LIES.replace("0.3", "{static: 0.4, kinetic: 0.3}"), LIES),
+    "two ends without a post": (POST.replace("one, beam, two", "one, two"), POST.replace(", after: {}", "")),
+    "blow with a post": (
+        POST + "events: {hit: {impulse: 1 N s, on: two, direction: down, from: now, to: after}}\n",
+        POST.replace(", after: {}", ""),
+    ),
+    "axle under a band": (BANDED + "find: {x: stud.force at now}\n", BANDED + "find: {x: brake.torque at now}\n"),
+    "axle over a face": (
+        LIES.replace("disc.angular_velocity: w", "at rest: all").replace("face.torque", "pin.force"),
+        LIES.replace("disc.angular_velocity: w", "at rest: all"),
+    ),
+    "rough blow that turns": (
+        DROPPED.replace("restitution: 0.5", "restitution: 0.5, friction: 0.2"),
+        DROPPED,
+    ),
+    "blow off a dome": (DROPPED.replace("rod.end, floor", "rod.end, hill"), DROPPED),
+    "rough blow of two bodies": (MET.replace("restitution: 0.5", "restitution: 0.5, friction: 0.2"), MET),
+    "way of what is caught": (
+        CAUGHT + "find: {x: ball.cm.displacement.x from before to end}\n",
+        CAUGHT + "find: {x: rod.end.displacement.x from after to end}\n",
+    ),
 }
 
 
@@ -281,7 +412,8 @@ def refused(text: str) -> str:
 
 
 def fits(row: str, message: str) -> bool:
-    return re.fullmatch(re.escape(row).replace("…", ".+"), message.replace("`", "")) is not None
+    pattern = re.escape(row.replace("`", "")).replace("…", ".+")
+    return re.fullmatch(pattern, message.replace("`", "")) is not None
 
 
 @pytest.mark.parametrize("case", CASES)
