@@ -108,7 +108,7 @@ LIFT = (
 )
 GOES_ROUND = (
     "states: {start: {top.tilt: 50 deg, top.axial_rate: 900 rad/s, top.precession: smallest, steady: true}, "
-    "later: {top.precession_angle: 400 deg%s}}\n"
+    "later: {top.precession_angle: 40 deg%s}}\n"
 )
 BAR = (
     "up: z\ngravity: none\nbodies: {bar: {shape: rod, mass: 0, length: sqrt(2*R^2 + L^2)}}\n"
