@@ -85,6 +85,9 @@ def verge_meant(find: Find, search: Search) -> Verge:
             f"with what value `{contact}` is on the point of slipping is not solved yet: it is solved of what presses on a surface",
             help=f"ask for `{contact}.torque`, which says up to what it sticks",
         )
+    if not verges and item is not None and item.static() is None and not limiting(search.scene, contact, state):
+        message = f"how much friction `{contact}` can give, nothing tells: it has no point of slipping"
+        raise NotYet(message, help="tell its coefficient: `friction: mu`")
     if not verges:
         alone = not configuration.timeline.state(state).balance and len(rubs(configuration)) > 1
         raise NotYet(
