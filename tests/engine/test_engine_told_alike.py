@@ -141,3 +141,18 @@ def test_inertias_that_are_given_are_summed_where_they_stand() -> None:
     assert "I w = (I + 3 I) v" in told
     assert "K = ½ (I + 3 I) v²" in told
     assert "I_total" not in told
+
+
+def test_a_string_over_several_pegs_of_which_no_place_is_told() -> None:
+    """Two pegs of the ground are no body with a point."""
+    scene = """
+bodies: {block: {mass: 2 kg, moves: down}}
+surfaces: {ramp: {slope: 20 deg, down: right}}
+connections: {base: {contact: [block, ramp], friction: none}, rope: {string: [block, ground, ground, ground]}}
+states: {now: {at rest: all}}
+find: {a: block.acceleration}
+"""
+    try:
+        assert rotsolve.solve(scene).answers["a"].float == 0
+    except rotsolve.core.faults.Unsolvable as error:
+        assert "`rope`" in str(error)

@@ -43,6 +43,10 @@ def gap_between(first: PointRef, second: PointRef, instant: Moment) -> tuple[For
     """How far a point is to the right of another, and above it."""
     if first.place or second.place:
         places = [where(ref, instant) for ref in (first, second)]
+    elif (
+        first.owner == second.owner and first.owner not in instant.configuration.bodies
+    ):  # two pegs: nothing tells where they are
+        return None
     elif instant.host(first.owner) == instant.host(second.owner):  # what rides and what carries it
         places = [instant.point(ref) for ref in (first, second)]
     else:
