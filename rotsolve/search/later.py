@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.language.problem import State
+from rotsolve.search.planning import OF_ONE_MOMENT
 
 if TYPE_CHECKING:
     from rotsolve.core.equation import Equation
@@ -31,7 +32,21 @@ def later_on(meaning: Formula, configuration: Configuration, pool: Sequence[Equa
     last = max([last, *own]) if own and min(own) >= 0 else len(timeline.states)
     while last < len(timeline.intervals) and timeline.intervals[last].event is not None:
         last += 1  # a blow from there on belongs to it
-    return {index for index, law in enumerate(pool) if number_of_state(law.section, timeline) > last}
+    begun = (
+        {phase.name for phase in timeline.intervals if timeline.order[phase.start] == last}
+        if momentary(meaning)
+        else set()
+    )
+    return {
+        index
+        for index, law in enumerate(pool)
+        if number_of_state(law.section, timeline) > last and law.section not in begun
+    }
+
+
+def momentary(meaning: Formula) -> bool:
+    """Whether a formula speaks of accelerations or forces, which the laws of the phase that begins there tell as well."""
+    return any(key_of(name).kind in OF_ONE_MOMENT for name in meaning.symbols() if is_key(name))
 
 
 def tells(state: State) -> bool:

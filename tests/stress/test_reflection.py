@@ -17,6 +17,7 @@ FILES = [
     file for file in ALL if "\nup: z" not in file.read_text(encoding="utf-8")
 ]  # of the plane, where left is mirrored to right
 ALWAYS = ("chimney-tip-outruns-gravity", "axle-on-a-swinging-rod", "gear-on-a-carrier", "contact-ladder", "rod-falls")
+UPRIGHT = ("work-of-weight",)  # which has neither left nor right
 SAMPLE = [file for file in FILES if file.stem in ALWAYS] + random.Random(1).sample(FILES, 40)
 
 
@@ -25,7 +26,7 @@ SAMPLE = [file for file in FILES if file.stem in ALWAYS] + random.Random(1).samp
 def test_answers_are_mirrored(file: Path) -> None:
     scene = read(file.read_text(encoding="utf-8"))
     other = reflected(scene)
-    if other is not None:
+    if other is not None and file.stem not in UPRIGHT:
         assert written(other) != written(scene)
         assert not list(not_mirrored(outcome(written(scene), 7), outcome(written(other), 7), scene))
 
