@@ -35,6 +35,7 @@ ALIKE, NOTHING = 1e-9, 1e-12  # by the number, and of what is zero or a float's 
 OTHERS: dict[
     str, tuple[dict[str, float], ...]
 ] = {  # where numbers near those of the file make another question, or no body
+    "gyrocompass-that-swings": ({"A": 0.03}, {"A": 0.025}),  # what is thinner than a disc is no body
     "between-both-cases": (
         {"I1": 5, "I2": 7, "I3": 10},
         {"I1": 10, "I2": 13, "I3": 18},
