@@ -110,8 +110,11 @@ def stepwise(machine: Machine, made: System, runs: int) -> tuple[float, float]:
         answer_all(search, search.scene.configuration.problem.finds)
 
     spent = best(work, len(searches), before=forget)
-    value = searches[0].answered[0].found.formula
-    return spent, float(RealBalls(made.values)(value))
+    found = searches[0].answered[0].found
+    if found.formula is None:  # too long to be printed: a number alone
+        assert found.number is not None
+        return spent, float(found.number.float)
+    return spent, float(RealBalls(made.values)(found.formula))
 
 
 def in_sympy(made: System) -> tuple[list[Any], list[Any], dict[Any, float]]:
