@@ -15,6 +15,7 @@ from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import POSITION, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters, listed
+from rotsolve.derivation.ranges import in_proportion
 from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
 from rotsolve.language.problem import TimeValue
@@ -99,7 +100,8 @@ def as_mass_spreads(answered: Answered, name: str, search: Search) -> Iterator[C
 def spreads(given: Given, search: Search) -> bool:
     """Whether a letter is the pure number of a moment of inertia, which tells how far out the mass lies."""
     inertias = [body.inertia for body in search.scene.configuration.problem.bodies if body.inertia is not None]
-    return given.dimension == NONE and any(given.name in inertia.symbols() for inertia in inertias)
+    held = [inertia for inertia in inertias if given.name in inertia.symbols()]
+    return given.dimension == NONE and bool(held) and all(in_proportion(inertia, given.name) for inertia in held)
 
 
 def limit(formula: Formula, name: str, search: Search) -> Formula | None:

@@ -56,14 +56,19 @@ def told_at(put: LettersAt, answers: Sequence[Answer], space: LetterSpace) -> It
 def uniform_shapes(space: LetterSpace) -> Iterator[LettersAt]:
     """The pure numbers of moments of inertia that the shapes of bodies would have if they were uniform: β = ⅓ of a rod of length 2 r."""
     for body in space.problem.bodies:
-        if body.inertia is None or body.shape is None or body.mass is None:
+        if body.inertia is None or body.shape is None or body.mass is None or body.parts or body.holes:
             continue
         own = body.shape.moment(body.mass)
         for name in sorted(body.inertia.symbols() & space.letters.keys()):
-            if space.letters[name].dimension == NONE and is_zero(body.inertia.substitute({name: ZERO})):
+            if space.letters[name].dimension == NONE and in_proportion(body.inertia, name):
                 value = simplify(own / body.inertia.substitute({name: ONE}), positive=space.positive)
                 if isinstance(value, Number) and value != ZERO:
                     yield LettersAt({name: value}, (Symbol(name), " = ", value, f" (uniform {body.shape.word})"))
+
+
+def in_proportion(inertia: Formula, name: str) -> bool:
+    """Whether a moment of inertia is a letter times what does not hold it: β m R², and neither β² m R² nor m R²/β."""
+    return is_zero(inertia - Symbol(name) * inertia.substitute({name: ONE}))
 
 
 def ranges(space: LetterSpace) -> Iterator[tuple[str, str]]:

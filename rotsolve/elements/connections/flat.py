@@ -92,8 +92,20 @@ class Laid(Connection, frozen=True):
         if self.friction.static != self.friction.kinetic:
             message = f"static and kinetic friction that differ over a face, as those of `{self.name}`, are not solved"
             raise Unsolvable(message, span=ref.span, help="give one coefficient: what turns rubs with the kinetic one")
+        self.check_loads(scene)
         if self.spins:
             self.check_spins(body, scene)
+
+    def check_loads(self, scene: Surroundings) -> None:
+        """What is welded on presses by its own weight as well: it lies on the table too, or nothing tells where it does."""
+        ref = self.contact[0]
+        for state in scene.throughout(self.name):
+            laid = {item.contact[0].owner for item in scene.connections(state) if isinstance(item, Laid)}
+            host = scene.host(ref.owner, state)
+            for name, other in scene.bodies.items():
+                if name not in laid and scene.host(name, state) == host and other.mass != ZERO:
+                    message = f"`{name}` is borne by `{ref.owner}`: where its weight presses on `{self.contact[1].owner}` nothing tells"
+                    raise Unsolvable(message, span=ref.span, help=f"give `{name}` a contact of its own, or `mass: 0`")
 
     def check_spins(self, body: Body, scene: Surroundings) -> None:
         """What spins in place is pushed by nothing but couples, and its centre of mass is at rest."""
