@@ -224,3 +224,42 @@ def test_what_is_not_solved_is_refused_by_name(message: str) -> None:
     with pytest.raises((rotsolve.Unsolvable, rotsolve.SceneError)) as refusal:
         rotsolve.solve(scene)
     assert message in str(refusal.value)
+
+
+BORNE = """
+plane: horizontal
+given: {M: 2 kg, m: 1 kg, R: 30 cm, mu: 0.25, w: 10 rad/s}
+surfaces: {table: level}
+bodies: {disc: {shape: disc, mass: M, radius: R}, ring: {shape: ring, mass: m, radius: R}}
+connections: {pin: {axle: disc}, j: {weld: [disc.center, ring.center]}, face: {contact: [disc, table], friction: mu}}
+states: {start: {disc.angular_velocity: w}, end: {disc.angular_velocity: 0}}
+find: {t: time from start to end}
+"""
+LOADED_COIN = """
+plane: horizontal
+given: {m: 20 g, n: 30 g, r: 10 cm, mu: 0.3, w: 2 rad/s}
+bodies: {table: {inertia: 1 kg m^2}, coin: {mass: m, radius: r}, lump: {mass: n}}
+connections: {axle: {axle: table}, lies: {contact: [coin, table], friction: mu}, other: OTHER}
+ACTS
+states: {now: {table.angular_velocity: w, table.angular_acceleration: 0}}
+find: {f: lies.friction_force}
+"""
+
+
+def test_what_a_body_on_a_table_bears_presses_too() -> None:
+    """It needs a contact of its own: I ω/(⅔ μ M g R + μ m g R)."""
+    with pytest.raises(rotsolve.core.faults.Unsolvable, match="`ring` is borne by `disc`"):
+        rotsolve.solve(BORNE)
+    found = (
+        rotsolve.solve(BORNE.replace("face:", "rim: {contact: [ring, table], friction: mu}, face:")).answers["t"].float
+    )
+    assert found == pytest.approx((1 + 1) * 0.09 * 10 / (0.25 * 9.8 * 0.3 * (4 / 3 + 1)), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("other", "acts"),
+    [("{weld: [coin, lump]}", ""), ("{axle: lump}", "actions: {push: {force: 0.1 N, on: coin, direction: right}}")],
+)
+def test_friction_alone_holds_a_coin(other: str, acts: str) -> None:
+    with pytest.raises(rotsolve.core.faults.Unsolvable, match="friction alone holds what lies on a turning table"):
+        rotsolve.solve(LOADED_COIN.replace("OTHER", other).replace("ACTS", acts))

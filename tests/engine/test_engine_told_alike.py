@@ -156,3 +156,10 @@ find: {a: block.acceleration}
         assert rotsolve.solve(scene).answers["a"].float == 0
     except rotsolve.core.faults.Unsolvable as error:
         assert "`rope`" in str(error)
+
+
+@pytest.mark.parametrize("inertia", ["b^2*m*r^2", "m*r^2/b", "m*r^2*(1 + b)"])
+def test_what_is_uniform_is_told_of_a_letter_in_proportion_alone(inertia: str) -> None:
+    told = page(PROPPED.replace("b*m*r^2", inertia))
+    assert "uniform" not in told
+    assert "all mass" not in told

@@ -435,6 +435,8 @@ class Rides(Connection, frozen=True):
         if untold is not None:
             help = f"give `{rider.owner}.radius`, if only as a letter that is sought, `given: {{r: unknown}}`"
             raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{untold[0]}`", span=untold[1], help=help)
+        if self.lies():
+            self.check_alone(scene)
         if self.ride().free and scene.problem.events:
             raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
         self.check_on_axis(scene)
@@ -450,6 +452,20 @@ class Rides(Connection, frozen=True):
             if far is None:
                 continue
             yield Limit(simplify(far - place), f"`{rider.owner}` is beyond the end of `{carrier.owner}`")
+
+    def check_alone(self, scene: Surroundings) -> None:
+        """What friction alone holds bears nothing, and nothing else pulls it."""
+        rider, states = self.rides[0], scene.throughout(self.name)
+        others = [item for state in states for item in scene.connections(state) if item.name != self.name]
+        pulls = [
+            item for item in (*others, *scene.problem.actions) if rider.owner in {ref.owner for ref in item.touches()}
+        ]
+        if pulls:
+            message = (
+                f"friction alone holds what lies on a turning table, and `{pulls[0].name}` acts on `{rider.owner}`"
+            )
+            help = f"leave `{pulls[0].name}` out; what lies on `{rider.owner}` is part of its mass"
+            raise Unsolvable(message, span=rider.span, help=help)
 
     def check_on_axis(self, scene: Surroundings) -> None:
         """On a rod that begins at its axis the rider stays where it is at rest on that."""
