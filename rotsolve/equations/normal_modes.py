@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from msgspec import Struct
@@ -140,40 +140,42 @@ class Mode(Swing, frozen=True, dict=True):
         led = [places[name].name for name in carried.given]
         if any(not is_zero(differentiate(push, name)) for push in pushes for name in led):
             raise NotYet(f"what pushes the bodies that are carried along depends on how far they have gone: {ONLY}")
-        pushes = [push.substitute(displaced) for push in pushes]
-        inertia = inertias(facts.bodies, resting)
-
-        speeds = self.speeds()
-        going = {
-            speeds[name].name: told.substitute({one: speeds[one] for one in found.rates})
-            for name, told in resting.virtual.items()
-            if name in speeds
-        }
-        pushes = [push.substitute(going) for push in pushes]
-        at_rest |= {speed.name: ZERO for speed in speeds.values()}
+        pushes = [push.substitute(displaced).substitute(self.real_rates(resting)) for push in pushes]
+        at_rest |= {speed.name: ZERO for speed in self.speeds().values()}
 
         def there(value: Formula) -> Formula:
             return tidy(value.substitute(at_rest))
 
-        damping = tuple(
-            tuple(there(-differentiate(push, speeds[name].name)) for name in found.rates if name in speeds)
-            for push in pushes
-        )
-        if any(not_proportional(push, speeds[name].name) for push in pushes for name in found.rates if name in speeds):
-            raise NotYet(
-                f"what damps {', '.join(f'`{name}`' for name in sorted(self.group))} is not proportional to how fast they go"
-            )
         return Rows(
             coordinates,
             tuple(Symbol(carried.letters[name]) for name in found.rates),
-            tuple(tuple(map(there, row)) for row in inertia),
+            tuple(tuple(map(there, row)) for row in inertias(facts.bodies, resting)),
             tuple(tuple(there(-differentiate(push, place.name)) for place in coordinates) for push in pushes),
             tuple(map(there, pushes)),
             displaced,
-            damping,
+            self.damping(pushes, found.rates, there),
             tuple(motion.drive.body for motion in facts.given if motion.drive.body in self.group),
             tuple(map(tidy, pushes)),
         )
+
+    def real_rates(self, ways: FreeWays) -> dict[str, Formula]:
+        """What acts by rates in terms of those of the coordinates, for the bodies of which something acts by them."""
+        speeds = self.speeds()
+        return {
+            speeds[name].name: told.substitute({one: speeds[one] for one in ways.rates})
+            for name, told in ways.virtual.items()
+            if name in speeds
+        }
+
+    def damping(
+        self, pushes: Sequence[Formula], rates: Sequence[str], there: Callable[[Formula], Formula]
+    ) -> tuple[tuple[Formula, ...], ...]:
+        """How the forces grow against the rates; NotYet where they are not in proportion."""
+        going = [self.speeds()[name].name for name in rates if name in self.speeds()]
+        if any(not_proportional(push, speed) for push in pushes for speed in going):
+            names = ", ".join(f"`{name}`" for name in sorted(self.group))
+            raise NotYet(f"what damps {names} is not proportional to how fast they go")
+        return tuple(tuple(there(-differentiate(push, speed)) for speed in going) for push in pushes)
 
     def equations(self) -> Iterator[Equation]:
         """None: the rows are written once it is known where all stands."""

@@ -233,29 +233,24 @@ def rows_in_words(mode: Mode, spectrum: Spectrum, search: Stepping) -> Words:
         lines[:0] = carried_in_words(mode, rows)
     if spectrum.held:
         lines.insert(0, (*spectrum.held, "."))
-    omega = mode.common
-    condition = search.solver.simplify(without_factors(spectrum.condition).substitute({SQUARE: omega**2}))
-    lines.append(
-        (
-            "In a mode all swing with one ",
-            omega,
-            ", so that each acceleration is −",
-            omega**2,
-            " times its displacement; det(K − ",
-            omega**2,
-            " M) = 0:",
-        )
-    )
-    lines.append((condition, " = 0"))
-    if spectrum.free:
-        lines.append(
-            (
-                "The root ",
-                omega,
-                " = 0 is no swing: nothing drives the bodies back as they all move on together.",
-            )
-        )
+    lines += condition_in_words(mode, spectrum, search)
     return (*tuple(part for line in lines for part in (NEXT, *line))[1:], *stable)
+
+
+def condition_in_words(mode: Mode, spectrum: Spectrum, search: Stepping) -> Iterator[Words]:
+    """det(K − ω² M) = 0, why that is so, and of its root 0."""
+    omega = mode.common
+    why = (
+        "In a mode all swing with one ",
+        omega,
+        ", so that each acceleration is −",
+        omega**2,
+        " times its displacement",
+    )
+    yield (*why, "; det(K − ", omega**2, " M) = 0:")
+    yield search.solver.simplify(without_factors(spectrum.condition).substitute({SQUARE: omega**2})), " = 0"
+    if spectrum.free:
+        yield "The root ", omega, " = 0 is no swing: nothing drives the bodies back as they all move on together."
 
 
 def without_factors(condition: Formula) -> Formula:
