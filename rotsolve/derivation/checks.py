@@ -15,7 +15,7 @@ from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import POSITION, has_quantities
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters, listed
-from rotsolve.derivation.ranges import spreads_mass
+from rotsolve.derivation.ranges import in_proportion
 from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
 from rotsolve.language.problem import TimeValue
@@ -101,7 +101,7 @@ def spreads(given: Given, search: Search) -> bool:
     """Whether a letter is the pure number of a moment of inertia, which tells how far out the mass lies."""
     inertias = [body.inertia for body in search.scene.configuration.problem.bodies if body.inertia is not None]
     held = [inertia for inertia in inertias if given.name in inertia.symbols()]
-    return given.dimension == NONE and bool(held) and all(spreads_mass(inertia, given.name) for inertia in held)
+    return given.dimension == NONE and bool(held) and all(in_proportion(inertia, given.name) for inertia in held)
 
 
 def limit(formula: Formula, name: str, search: Search) -> Formula | None:

@@ -60,13 +60,13 @@ def uniform_shapes(space: LetterSpace) -> Iterator[LettersAt]:
             continue
         own = body.shape.moment(body.mass)
         for name in sorted(body.inertia.symbols() & space.letters.keys()):
-            if space.letters[name].dimension == NONE and spreads_mass(body.inertia, name):
+            if space.letters[name].dimension == NONE and in_proportion(body.inertia, name):
                 value = simplify(own / body.inertia.substitute({name: ONE}), positive=space.positive)
                 if isinstance(value, Number) and value != ZERO:
                     yield LettersAt({name: value}, (Symbol(name), " = ", value, f" (uniform {body.shape.word})"))
 
 
-def spreads_mass(inertia: Formula, name: str) -> bool:
+def in_proportion(inertia: Formula, name: str) -> bool:
     """Whether a moment of inertia is a letter times what does not hold it: β m R², and neither β² m R² nor m R²/β."""
     return is_zero(inertia - Symbol(name) * inertia.substitute({name: ONE}))
 

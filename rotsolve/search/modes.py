@@ -233,11 +233,11 @@ def rows_in_words(mode: Mode, spectrum: Spectrum, search: Stepping) -> Words:
         lines[:0] = carried_in_words(mode, rows)
     if spectrum.held:
         lines.insert(0, (*spectrum.held, "."))
-    lines += condition_in_words(mode, spectrum, search)
+    lines += determinant_in_words(mode, spectrum, search)
     return (*tuple(part for line in lines for part in (NEXT, *line))[1:], *stable)
 
 
-def condition_in_words(mode: Mode, spectrum: Spectrum, search: Stepping) -> Iterator[Words]:
+def determinant_in_words(mode: Mode, spectrum: Spectrum, search: Stepping) -> Iterator[Words]:
     """det(K − ω² M) = 0, why that is so, and of its root 0."""
     omega = mode.common
     why = (
