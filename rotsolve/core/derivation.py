@@ -99,7 +99,8 @@ class Move(Struct, frozen=True):
     """One step of algebra: `sources` ("(3) and (4) in (2)"), the chain of equalities that it gives, its number if used later.
 
     `reason` says why where a choice is made ("the rod turns clockwise: ω < 0"). What is `put` into which equation stands there letter by
-    letter; nothing for what is no step of that kind. Of an equation solved before, `another` root is meant.
+    letter; nothing for what is no step of that kind. Of an equation solved before, `another` root is meant. `divisor` is the equation by
+    which it was divided.
     """
 
     sources: str
@@ -109,6 +110,7 @@ class Move(Struct, frozen=True):
     put: tuple[Cited, ...] = ()
     into: str = ""
     another: bool = False
+    divisor: str = ""
 
 
 class Section(Struct, frozen=True):

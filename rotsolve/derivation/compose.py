@@ -295,9 +295,11 @@ class DerivationComposer:
             letters = self.letters.printed(Symbol(step.result)).symbols()
             solved = tuple(line for line in chain if not letters & line.right.symbols())
             return Move(f"another root of {into}", solved, number, reason, into=into, another=True)
-        others = (ref for ref in step.sources if into and ref != step.target and self._mark(ref) not in ("", into))
+        own = (step.target, step.divisor)
+        others = (ref for ref in step.sources if into and ref not in own and self._mark(ref) not in ("", into))
         put = dict.fromkeys(self._cited(ref, step) for ref in others)
-        return Move(sources, chain, number, reason, tuple(put), into)
+        divisor = self._mark(step.divisor) if step.divisor else ""
+        return Move(sources, chain, number, reason, tuple(put), into, divisor=divisor)
 
     def _written(self, ref: Ref) -> Equality | None:
         """An equation as it stands among the laws."""

@@ -13,11 +13,11 @@ from rotsolve.algebra.certified.ball import Certified, multiple_of
 from rotsolve.algebra.certified.sign import sign_within
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Product, Sum, Symbol, negate
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Negative, Number, Product, Sum, Symbol, negate
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import ABOUT_CONTACT, RATE, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.equation import ABOUT_CONTACT, FAMILIES, RATE, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import system_told
@@ -54,6 +54,7 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from opposite_energies(told, search)
     yield from beside_a_ring(told, search)
     yield from list(by_point_of_contact(told, search)) or about_contacts(told, search)
+    yield from by_another_law(told, search)
     yield from by_friction_alone(alone, told, search)
 
 
@@ -323,6 +324,49 @@ def by_point_of_contact(told: Sequence[Answered], search: Search) -> Iterator[Wo
                 )
                 yield ("a second way: about the point of contact ", *told_at_once)
                 return
+
+
+def by_another_law(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """The same force by a law that its plan did not use, where one relation of what moves is all that it takes besides."""
+    for item in told:
+        laws = list(behind(item, search))
+        sections, letter = {law.section for law in laws if law.family}, item.asked.letter
+        moved = {name for law in laws for name in law.symbols() if is_key(name)}
+        if (
+            item.asked.dimension != FORCE
+            or len(sections) > 1
+            or all(law.law == SECOND_LAW for law in laws if law.family)
+        ):
+            continue
+        for law in search.planner.pool:
+            if law.law != SECOND_LAW or law in laws or law.section not in sections or letter not in law.symbols():
+                continue
+            more = [name for name in law.symbols() - moved - {letter} if is_key(name)]
+            tied = relation_of(more[0], moved, law.section, search) if len(more) == 1 else None
+            if tied is None:
+                continue
+            name, value = tied
+            left, right = (side.substitute({name: value}) for side in (law.left, law.right))
+            if is_zero(search.solver.with_found(left - right)):
+                if isinstance(right, Negative):
+                    left, right = search.solver.simplify(negate(left)), right.operand
+                yield ("a second way: ", law.label, ", ", left, " = ", right, ", gives the same ", called(item))
+                return
+
+
+def relation_of(name: str, known: set[str], section: str, search: Search) -> tuple[str, Formula] | None:
+    """What a relation of the motion tells an acceleration to be, in what the page speaks of already."""
+    if not of_kinds([name], ACCELERATIONS):
+        return None
+    for law in search.planner.pool:
+        if (
+            law.section == section
+            and law.family not in FAMILIES
+            and law.left == Symbol(name)
+            and {one for one in law.right.symbols() if is_key(one)} <= known
+        ):
+            return name, law.right
+    return None
 
 
 def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:

@@ -15,6 +15,9 @@ def said_of_step(move: Move) -> Phrase:
         return (move.sources,) if move.sources else ()
     if move.another:
         return (f"Another root of {move.into}",)
+    if move.divisor:
+        told = (", with ", *enumerated(cited_phrases(move.put))) if move.put else ()
+        return (f"Divide {move.into} by {move.divisor}", *told)
     if not move.put:
         return (f"From {move.into}",)
     return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}")

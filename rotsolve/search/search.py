@@ -147,6 +147,7 @@ class Search(Struct, dict=True):
             choose=self.choose_root,
             refs=self.refs,
             running=self.running,
+            lone=len(self.scene.configuration.problem.finds) == 1,
         )
 
     def another(self, families: tuple[str, ...], *, spare: bool = False, confirming: bool = False) -> Search:

@@ -16,7 +16,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ELLIPTIC, ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
-from rotsolve.core.symbols import ACCELERATIONS, key_of
+from rotsolve.core.symbols import ACCELERATIONS, key_of, of_kinds
 from rotsolve.matching import Plan
 from rotsolve.solver.isolation import LONGEST, TOO_LONG, Isolation
 from rotsolve.solver.steps import (
@@ -30,6 +30,7 @@ from rotsolve.solver.steps import (
     Step,
     Unprintable,
     elimination_kind,
+    factored,
     inner,
     isolated,
     line_in_letters,
@@ -43,6 +44,8 @@ from rotsolve.solver.textbook import part_of_whole, quarters_turned, seen_throug
 
 FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
 SHORT_SHARE = 60  # nodes of a share of an energy, with both energies put in, that is a line of its own
+MOTION = (*ACCELERATIONS, "velocity", "angular_velocity")
+PAIR = 2  # equations of which the one may be divided by the other
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
 NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
 SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
@@ -61,6 +64,7 @@ class Solver(Isolation, kw_only=True):
     pool: list[Equation]
     refs: dict[int, Ref] = field(default_factory=dict)
     running: frozenset[str] = frozenset(("time",))  # letters that run during a phase
+    lone: bool = False  # whether one thing alone is asked, so that nobody needs what is divided out on the way
     steps: list[Step] = field(default_factory=list)
     derived: list[tuple[Equation, Ref]] = field(default_factory=list)
     told: dict[str, Formula] = field(default_factory=dict)  # what was eliminated on the way to the answers
@@ -152,6 +156,8 @@ class Solver(Isolation, kw_only=True):
             self._divide(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
+            if len(items) == PAIR and self._divide_one_by_other(items, unknowns, plan.asked):
+                break
             found = self._next(items, unknowns, plan.asked) or self._within_function(items, unknowns, plan.asked)
             item, name = found[:2] if found else self._eliminate_square(items, unknowns, plan.asked)
             items.remove(item)
@@ -176,6 +182,26 @@ class Solver(Isolation, kw_only=True):
         }
         if used:
             self._substitute(item, used, [("known", name) for name in used])
+
+    def _divide_one_by_other(self, items: list[Item], unknowns: set[str], asked: str) -> bool:
+        """Of two laws that hold one more unknown as a factor, F d = I α and m g d = (I + m d²) α, the one is divided by the other."""
+        whole = [item for item in items if asked in item.unknowns(unknowns)]
+        if not self.lone or len(whole) != 1 or any(self.pool[item.index].family in ("", KINEMATICS) for item in items):
+            return False
+        (one,), other = whole, next(item for item in items if item is not whole[0])
+        shared = other.unknowns(unknowns)
+        if len(shared) != 1 or not of_kinds(shared, MOTION) or isolated(other, name := next(iter(shared))) is not None:
+            return False
+        above, below = factored(one, name), factored(other, name)
+        if above is None or below is None or self.signs.sign(below[0]) not in (-1, 1):
+            return False
+        self.told[name] = self.simplify(below[0] / below[1])
+        one.left, one.right = above[0] / below[0], above[1] / below[1]
+        one.sources += [ref for ref in (other.ref, *other.sources) if ref not in one.sources]
+        one.divisor = other.ref
+        items.remove(other)
+        unknowns.discard(name)
+        return True
 
     def _divide(self, item: Item) -> None:
         """Both sides divided by what they have in common, in a step of its own."""
@@ -319,7 +345,7 @@ class Solver(Isolation, kw_only=True):
         again = (step for step in self.steps if (step.target, step.sources, step.chain) == refs)
         if (written := next(again, None)) is not None:
             return written
-        step = Step(len(self.steps) + 1, *refs, name, item.section, reason)
+        step = Step(len(self.steps) + 1, *refs, name, item.section, reason, item.divisor)
         self.steps.append(step)
         return step
 

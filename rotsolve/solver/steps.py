@@ -101,6 +101,7 @@ class Step(Struct, frozen=True):
     result: str
     section: str
     reason: Words = ()
+    divisor: Ref | None = None  # the equation by which the target was divided
 
 
 class Found(Struct, frozen=True):
@@ -121,6 +122,7 @@ class Item(Struct):
     right: Formula
     section: str
     sources: list[Ref] = field(default_factory=list)
+    divisor: Ref | None = None
 
     def unknowns(self, names: Collection[str]) -> set[str]:
         return set((self.left.symbols() | self.right.symbols()) & set(names))
@@ -169,6 +171,16 @@ def cofactor(base: Formula, name: str) -> Formula | None:
         held = [factor for factor in base.factors if name in factor.symbols()]
         inner = cofactor(held[0], name) if len(held) == 1 else None
         return None if inner is None else reduce(mul, others, inner)
+    return None
+
+
+def factored(item: Item, name: str) -> tuple[Formula, Formula] | None:
+    """One side of an equation, and what the unknown is multiplied with that is the other: F d and I of F d = I α."""
+    for side, other in ((item.right, item.left), (item.left, item.right)):
+        if name not in other.symbols() and not isinstance(side, Negative) and monomial(other):
+            factor = cofactor(side, name)
+            if factor is not None:
+                return other, factor
     return None
 
 

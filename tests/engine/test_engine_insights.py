@@ -122,3 +122,40 @@ def test_remarks_hold(problem: Path) -> None:
                 if isinstance(part, Symbol) and formula.symbols() <= values.keys():
                     slope = evaluate(differentiate(formula, part.name), values, digits=6).float
                     assert slope * (1 if place < fall else -1) > 0, (problem.stem, part)
+
+
+BENCH = """title: t
+given: {m: 3 kg, r: 0.4 m, d: 0.1 m}
+surfaces: {bench: level}
+bodies: {rod: {shape: rod, mass: m, length: 2*r, turns: clockwise}}
+connections: {left: {contact: [rod.at(r - d), bench]}, right: {contact: [rod.at(r + d), bench]}}
+states: {before: {rod.angle: 0, balance: true}, after: {}}
+events: {removal: {removes: right, from: before, to: after}}
+find: {F: left.normal_force at after}
+"""
+
+
+def test_a_second_law_gives_the_same_force() -> None:
+    """F = m g r²/(r² + 3 d²), of two laws for rotation; m g − F = m d α by Newton's second law is another way."""
+    assert any(
+        line == "a second way: Newton's second law, rod, vertically, m g − F = m d α, gives the same F"
+        for line in said(BENCH)
+    )
+
+
+def test_two_laws_with_one_unknown_as_a_factor_are_divided() -> None:
+    """F d = I α by m g d = (I + m d²) α, where nobody asks for α; with α asked for, that is found first."""
+    one = rotsolve.solve(BENCH)
+    both = rotsolve.solve(
+        BENCH.replace(
+            "{F: left.normal_force at after}", "{F: left.normal_force at after, al: rod.angular_acceleration at after}"
+        )
+    )
+    assert divided(one) == [("(1)", "(2)")]
+    assert divided(both) == []
+    for solution in (one, both):
+        assert solution.answers["F"].float == pytest.approx(3 * 9.8 * 0.4**2 / (0.4**2 + 3 * 0.1**2), rel=1e-12)
+
+
+def divided(solution: rotsolve.Solution) -> list[tuple[str, str]]:
+    return [(move.into, move.divisor) for section in solution.steps for move in section.moves if move.divisor]
