@@ -158,7 +158,7 @@ TURNING_FRAME = Law(
 )
 POWER = Law("power", "power and kinetic energy", ENERGY, 12)
 DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
-WORK = Law("work", "work of {owner}", cost=3)
+WORK = Law("work", "work of {owner}", cost=3, explained=True)
 WAY_OF_SLIP = Law("way of an even slip", "way by which {owner} slides", cost=1, steady="slip")
 
 # momentum and angular momentum

@@ -303,8 +303,13 @@ class Diagrams(Struct, frozen=True):
         central = [force for force in acting if body.torque_of(force) == ZERO]
         if not central or len(central) == len(acting):
             return ()
-        names, verb = nouns(central), "have" if len(nouns(central)) > 1 else "has"
-        return ((f"{joined_names(names)} {verb} no torque about the centre of mass",),)
+        there = nouns([force for force in central if not force.arm.parts])
+        past = nouns([force for force in central if force.arm.parts])
+        told = [f"{joined_names(there)} {'act' if len(there) > 1 else 'acts'} at the centre of mass"] if there else []
+        line, goes = ("lines", "pass") if len(past) > 1 else ("line", "passes")
+        through = "it" if there else "the centre of mass"
+        told += [f"the {line} of {joined_names(past)} {goes} through {through}"] if past else []
+        return ((f"{' and '.join(told)}: no torque about it",),)
 
     def _pushed(self, body: BodyFacts, draft: Draft) -> bool:
         """Whether a law of a section is Newton's second for a body."""

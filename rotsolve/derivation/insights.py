@@ -288,7 +288,7 @@ def opposite_energies(told: Sequence[Answered], search: Search) -> Iterator[Word
     ]
     if told_before:
         item, given = told_before[0]
-        yield (called(item), " = −", Symbol(given.name))
+        yield (called(item), " = −", Symbol(given.name), ": the two agree")
         return
     for (one, first), (other, second) in combinations(energies, 2):
         if is_zero(first + second):
@@ -312,17 +312,13 @@ def by_point_of_contact(told: Sequence[Answered], search: Search) -> Iterator[Wo
                 continue
             alone = len(of_kinds(law.symbols(), (*ACCELERATIONS, *FORCES))) == 1
             if alone and is_zero(search.solver.with_found(law.left - law.right)):
-                told_at_once = (
-                    law.left,
-                    " = ",
-                    law.right,
-                    " gives the same ",
-                    called(item),
-                    " at once (",
-                    *law.remark,
-                    ")",
+                inertias = of_kinds(law.right.symbols(), ("inertia",))
+                summed = search.solver.simplify(
+                    law.right.substitute({name: found_for(name, search) for name in inertias})
                 )
-                yield ("a second way: about the point of contact ", *told_at_once)
+                short = (" = ", summed) if inertias and not isinstance(summed, Sum) else ()
+                told_at_once = (law.left, " = ", law.right, *short, " gives the same ", called(item), " at once")
+                yield ("a second way: about the point of contact ", *told_at_once, " (", *law.remark, ")")
                 return
 
 
@@ -345,13 +341,38 @@ def by_another_law(told: Sequence[Answered], search: Search) -> Iterator[Words]:
             tied = relation_of(more[0], moved, law.section, search) if len(more) == 1 else None
             if tied is None:
                 continue
-            name, value = tied
-            left, right = (side.substitute({name: value}) for side in (law.left, law.right))
+            left, right = (side.substitute({tied[0]: tied[1]}) for side in (law.left, law.right))
             if is_zero(search.solver.with_found(left - right)):
                 if isinstance(right, Negative):
                     left, right = search.solver.simplify(negate(left)), right.operand
-                yield ("a second way: ", law.label, ", ", left, " = ", right, ", gives the same ", called(item))
+                yield (
+                    "a second way: ",
+                    law.label,
+                    ", ",
+                    left,
+                    " = ",
+                    right,
+                    *told_with(right, search),
+                    ", gives the same ",
+                    called(item),
+                )
                 return
+
+
+def told_with(side: Formula, search: Search) -> Words:
+    """ ", with α = 3 g/(2 l)", of the accelerations in a formula that a line can hold."""
+    values = [(name, found_for(name, search)) for name in of_kinds(side.symbols(), ACCELERATIONS)]
+    told = [
+        (", with ", Symbol(name), " = ", value)
+        for name, value in values
+        if Symbol(name) != value and length(value) <= SHORT
+    ]
+    return told[0] if len(told) == 1 else ()
+
+
+def found_for(name: str, search: Search) -> Formula:
+    """What has been found for a letter, in givens; itself where nothing has."""
+    return search.solver.simplify(search.solver.with_found(Symbol(name)))
 
 
 def relation_of(name: str, known: set[str], section: str, search: Search) -> tuple[str, Formula] | None:
@@ -416,6 +437,6 @@ def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
                 whole,
                 ", which the same mass all at the distance ",
                 distance,
-                " would have",
+                " would have: what lies nearer to the axis counts less",
             )
             return

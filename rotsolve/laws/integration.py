@@ -153,7 +153,7 @@ def integral_of(
     factor: Words = ("(", second, ")") if isinstance(second, Sum) else (second,)
     each: Words = (f"In {words[entry]} each adds ", *factor, " dm.")
     if second in plain:
-        each = ("Each is at the distance ", plain[second], " from the axis, and adds ", second, " dm.")
+        each = ("All of each is at the same distance ", plain[second], " from the axis: dI = ", second, " dm.")
     return integral, label, (*elements(spread, cut, sigma, piece.shape.spread), NEXT, *each)
 
 
@@ -164,5 +164,5 @@ def elements(spread: Spread, cut: Slicing, sigma: Formula, over: str = LINE) -> 
     if sigma != ONE and cut.weight != ONE and over != LINE and cut.weight not in cut.element:
         size = (f", each of {DENSITY[over][1]} ", spread.tidy(cut.weight), *width)
         if cut.weight in {2 * PI * item.variable for item in cut.ranges}:
-            size = (*size, " (its circumference times its width)")
+            size = (*size, " (unrolled, a strip as long as its circumference)")
     return ("Cut into ", *cut.element, *size, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width, ".")

@@ -44,8 +44,19 @@ def works_spelled(over: OverPhase) -> Iterator[Equation]:
             yield WORK.equation(work.amount, apart.force * way, *where, words, owner=owner)
         else:
             wrong = apart.force * apart.along
-            along = ("along the way ", work.slide, " by which the touching point slides; ", wrong)
-            words = (*along, " would be wrong, since the body rolls a part of that way")
+            counts = (
+                f"What counts for the work of {owner} is the way ",
+                work.slide,
+                " by which the touching point slides, ",
+            )
+            words = (
+                *counts,
+                "not the way ",
+                apart.along,
+                " of the centre: the body turns meanwhile, and ",
+                wrong,
+                " is wrong.",
+            )
             yield WORK.equation(work.amount, apart.force * work.slide, *where, words, owner=owner)
             yield WAY_OF_SLIP.equation(work.slide, slid[0], *where, slid[1], owner="the touching point")
 
@@ -68,7 +79,7 @@ def by_way_of_its_point(work: Formula) -> ByItsPoint | None:
 def gone(apart: ByItsPoint) -> tuple[Formula, Words]:
     """s + r θ, by which the point goes."""
     turns, way = "back" if is_negative(apart.turned) else "on", apart.way
-    return way, (f"the rim on which it acts turns {turns} meanwhile: its point goes ", way, ", not ", apart.along)
+    return way, (f"The rim on which it acts turns {turns} meanwhile: its point goes ", way, ", not ", apart.along, ".")
 
 
 def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | None:
@@ -83,8 +94,12 @@ def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | N
     after = slip_of_point(apart, {name: pair[1] for name, pair in rates.items()}, (*passage.end.rules, *over.held))
     if (before == ZERO) == (after == ZERO):
         return None
-    change = ("falls evenly from ", before, " to 0") if after == ZERO else ("grows evenly from 0 to ", after)
-    return HALF * (before + after) * passage.duration, ("its slip ", *change, ", since accelerations are constant")
+    change = ("falls from ", before, " to 0") if after == ZERO else ("grows from 0 to ", after)
+    return HALF * (before + after) * passage.duration, (
+        "its speed, that of the centre less that of turning, ",
+        *change,
+        " at a constant rate",
+    )
 
 
 def slip_of_point(apart: ByItsPoint, rates: Mapping[str, Formula], rules: Sequence[Rule]) -> Formula:
