@@ -120,7 +120,7 @@ def confirmed(derivation: Derivation, problem: Problem) -> Derivation:
     whole = all(item.holds for item in verdicts) and len(verdicts) == len(letters)
     for words, static in ((SUMMED, True), (ASSEMBLED, False)):
         good = [letters[item.name] for item in verdicts if item.holds and (item.name in of_mass) is static]
-        checks += [Check((words, *in_a_row(good)), bare=whole and not static)] if good else []
+        checks += [Check((words, *in_a_row(good)), bare=whole)] if good else []
     checks += [Check((letters[one.name], one.also), None, AGAINST) for one in verdicts if one.holds and one.also]
     checks += [
         Check((letters[one.name], f" is {one.also}"), None, NEARLY)

@@ -11,6 +11,7 @@ from itertools import combinations
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Certified, multiple_of
 from rotsolve.algebra.certified.sign import sign_within
+from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Negative, Number, Product, Sum, Symbol, negate
@@ -24,6 +25,7 @@ from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -70,7 +72,13 @@ def by_friction_alone(
         said.add(body.name)
         keeps = f"{spoken(body.name)} would keep its angular velocity"
         size = None if force.size.symbols() & printed else friction_needed(body, force, search)
-        if size is None:
+        least = coefficient_needed(body, force, search)
+        if size is None and least is not None:
+            yield (
+                f"without friction {keeps}; not to slip it takes a coefficient of static friction of at least ",
+                least,
+            )
+        elif size is None:
             yield (f"without friction {keeps}: no other force has a torque on it",)
         else:
             yield (
@@ -78,6 +86,27 @@ def by_friction_alone(
                 size,
                 f", alone turns {spoken(body.name)} about its centre of mass: without it {keeps}",
             )
+
+
+def coefficient_needed(body: BodyFacts, force: Force, search: Search) -> Formula | None:
+    """f/N of a contact of which the scene only says that it is rough enough, in givens; None where the pool does not tell N by itself."""
+    touches = [one for one in search.scene.configuration.problem.connections if one.name == force.owner]
+    rough = [one for one in touches if isinstance(one, Touch) and one.grip().kind == "any"]
+    normal = [
+        one.size for one in body.forces if one.owner == force.owner and one.role.presses and one.part == force.part
+    ]
+    if not rough or len(normal) != 1 or not isinstance(normal[0], Symbol):
+        return None
+    for law in search.planner.pool:
+        keys = {name for name in law.symbols() if is_key(name)}
+        if law.law == SECOND_LAW and keys == {normal[0].name} and body.name in law.bodies:
+            press = solve_linear(
+                law.left - law.right, normal[0].name, order=search.solver.order, positive=search.solver.positive
+            )
+            ratio = None if press is None else search.solver.simplify(search.solver.with_found(force.size) / press)
+            known = ratio is not None and not has_quantities(ratio) and length(ratio) <= SHORT
+            return ratio if known and ratio is not None and search.signs.sign(ratio) == 1 else None
+    return None
 
 
 def friction_needed(body: BodyFacts, force: Force, search: Search) -> Formula | None:

@@ -153,7 +153,10 @@ def integral_of(
     factor: Words = ("(", second, ")") if isinstance(second, Sum) else (second,)
     each: Words = (f"In {words[entry]} each adds ", *factor, " dm.")
     if second in plain:
-        each = ("All of each is at the same distance ", plain[second], " from the axis: dI = ", second, " dm.")
+        width: Words = tuple(part for item in cut.ranges for part in (" d", item.variable))
+        adds = spread.tidy(multiply(multiply(sigma, cut.weight), second))
+        away = ("All of each is at the same distance ", plain[second], " from the axis")
+        each = (*away, ": dI = ", second, " dm = ", adds, *width, ".")
     return integral, label, (*elements(spread, cut, sigma, piece.shape.spread), NEXT, *each)
 
 

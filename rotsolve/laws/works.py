@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import HALF, ZERO, Formula, Integral, Sum, Symbol, total
+from rotsolve.algebra.formula import HALF, ZERO, Formula, Integral, Sum, Symbol, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import WAY_OF_SLIP, WORK, Equation
 from rotsolve.core.facts import Rule
@@ -95,10 +95,14 @@ def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | N
     if (before == ZERO) == (after == ZERO):
         return None
     change = ("falls from ", before, " to 0") if after == ZERO else ("grows from 0 to ", after)
+    keys = [name for name in apart.turned.symbols() if is_key(name)]
+    radius = simplify(apart.turned / Symbol(keys[0])) if len(keys) == 1 else ZERO
+    sign, arm = ("less", simplify(negate(radius))) if is_negative(apart.turned) else ("and", radius)
+    speed = ("its speed, that of the centre ", sign, " ", arm, " times the angular velocity, ")
     return HALF * (before + after) * passage.duration, (
-        "its speed, that of the centre less that of turning, ",
+        *speed,
         *change,
-        " at a constant rate",
+        " at a constant rate, since friction is constant",
     )
 
 

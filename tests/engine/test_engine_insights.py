@@ -138,7 +138,8 @@ find: {F: left.normal_force at after}
 def test_a_second_law_gives_the_same_force() -> None:
     """F = m g r²/(r² + 3 d²), of two laws for rotation; m g − F = m d α by Newton's second law is another way."""
     assert any(
-        line == "a second way: Newton's second law, rod, vertically, m g − F = m d α, gives the same F"
+        line
+        == "a second way: Newton's second law, rod, vertically, m g − F = m d α, with α = 3 g d/(r² + 3 d²), gives the same F"
         for line in said(BENCH)
     )
 
@@ -159,3 +160,18 @@ def test_two_laws_with_one_unknown_as_a_factor_are_divided() -> None:
 
 def divided(solution: rotsolve.Solution) -> list[tuple[str, str]]:
     return [(move.into, move.divisor) for section in solution.steps for move in section.moves if move.divisor]
+
+
+@pytest.mark.parametrize(("shape", "least"), [("disc", "⅓ tan β"), ("sphere", "2 tan β/7"), ("ring", "½ tan β")])
+def test_what_friction_rolling_down_a_slope_takes(shape: str, least: str) -> None:
+    """μ ≥ tan β/(1 + m R²/I): a third for a disc, 2/7 for a ball, a half for a ring."""
+    text = f"""title: t
+given: {{m: 3 kg, R: 0.4 m, beta: 0.3 rad}}
+surfaces: {{slide: {{slope: beta}}}}
+bodies: {{wheel: {{shape: {shape}, mass: m, radius: R, moves: down}}}}
+connections: {{touch: {{rolls: [wheel, slide]}}}}
+find: {{a: wheel.acceleration}}
+"""
+    assert any(line.endswith(f"a coefficient of static friction of at least {least}") for line in said(text)), said(
+        text
+    )

@@ -398,9 +398,9 @@ def verdict_of(
         return AnswerConfirmation(
             name, False, f"it is {near or 'not nothing'} without the approximation that the scene asks for"
         )
-    also = f"{near} without it, by an assembly of all bodies' equations" if near else ""
+    also = f"{near} without it" if near else ""
     return AnswerConfirmation(
-        name, None, ROUGHLY, answered, own, also=also + (f", with {letters}, say" if also and letters else "")
+        name, None, ROUGHLY, answered, own, also=also + (f" (with {letters}, say)" if also and letters else "")
     )
 
 
