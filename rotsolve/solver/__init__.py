@@ -81,6 +81,8 @@ class Solver(Isolation, kw_only=True):
 
     def _in_letters_or_together(self, plan: Plan) -> Found:
         """In letters as far as a page can hold them; else all equations at once, with numbers."""
+        if self._rather_a_number(plan):
+            return self._by_numbers(plan, written=False)
         kept, told = len(self.steps), dict(self.told)
         told_by = frozenset((self.pool[index].left, self.pool[index].right) for index in plan.equations)
         try:
@@ -94,8 +96,16 @@ class Solver(Isolation, kw_only=True):
         self.told = told
         return self._by_numbers(plan)
 
-    def _by_numbers(self, plan: Plan) -> Found:
-        """All unknowns of a plan with the numbers of the scene, each to be asked for afterwards."""
+    def _rather_a_number(self, plan: Plan) -> bool:
+        """Whether a law tells the asked letter that is told by a number, and all others in the plan have one."""
+        laws = [self.pool[index] for index in plan.equations]
+        if not any(law.law.numbered and law.left == Symbol(plan.asked) for law in laws):
+            return False
+        letters = {name for law in laws for name in law.symbols()} - set(plan.unknowns)
+        return letters <= {*self.signs.values, *self.solved}
+
+    def _by_numbers(self, plan: Plan, written: bool = True) -> Found:
+        """All unknowns of a plan with the numbers of the scene, each to be asked for afterwards; with a step where that is `written`."""
         from rotsolve.solver.together import Together, lacking, staged
 
         stages = staged({index: self.pool[index] for index in plan.equations}, plan.unknowns)
@@ -109,12 +119,12 @@ class Solver(Isolation, kw_only=True):
             raise NumbersWanted(f"{TOO_LONG} at any time: ask for it at a state that tells its time")
         numbers = Together(stages, {**self.signs.values, **closed}, known).numbers()
         found = {name: Found(name, None, number) for name, number in numbers.items()}
-        refs = [self.refs.get(index, ("law", index)) for index in plan.equations]
-        last = self.pool[plan.equations[-1]]
-        item = Item(refs[-1], plan.equations[-1], last.left, last.right, last.section, list(refs[:-1]))
-        self._keep(
-            item, [Equality(item.left, item.right)], plan.asked, (f"{TOO_LONG}: solved together with the numbers",)
-        )
+        if written:
+            refs = [self.refs.get(index, ("law", index)) for index in plan.equations]
+            last = self.pool[plan.equations[-1]]
+            item = Item(refs[-1], plan.equations[-1], last.left, last.right, last.section, list(refs[:-1]))
+            reason = (f"{TOO_LONG}: solved together with the numbers",)
+            self._keep(item, [Equality(item.left, item.right)], plan.asked, reason)
         self.solved.update(found)
         return found[plan.asked]
 

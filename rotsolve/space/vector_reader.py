@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -31,6 +32,9 @@ from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.struck import Shock, shocks_of_joint
 from rotsolve.space.two_balls import letter_along
+
+if TYPE_CHECKING:
+    from rotsolve.space.principal import Told
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
 
@@ -261,16 +265,19 @@ class VectorReader:
         """The principal moment that a question numbers, else the one that stands alone, and its axis."""
         from rotsolve.space.principal import lone_axis, numbered_axis
 
-        tensor, spelled, nothing = self.tensor_about(path, term), self.dynamics.tensors.spelled, self.held.vanishes
-        number = (path.component or "").split(" ")[0]
+        told, number = self.of_roots(path, term), (path.component or "").split(" ")[0]
         if not number.isdecimal():
-            return lone_axis(tensor, spelled, path, nothing)
-        path = replace(path, component=number)
-        found = numbered_axis(tensor, spelled, int(number), path, nothing, self.side)
-        if found is None:
-            message = f"`{path_text(path)}`: no principal axis shows in closed form"
-            raise NotYet(message, path.span, "ask for `principal_moments`, or for `inertia_tensor`")
-        return found
+            return lone_axis(told, path)
+        return numbered_axis(told, int(number), replace(path, component=number))
+
+    def of_roots(self, path: Path, term: Term) -> Told:
+        """The tensor about the point that is asked, with what tells its principal moments and axes."""
+        from rotsolve.space.principal import Told
+
+        spot = (term.about.point if term.about else "") or ""
+        return Told(
+            self.tensor_about(path, term), self.dynamics.tensors, self.moment.signs, self.held, path.owner, spot
+        )
 
     def side(self, gap: Formula) -> int | None:
         """The sign of a difference, by its numbers or whatever its letters are."""
