@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
+from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, remembered
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import (
@@ -111,6 +111,7 @@ class InsertedNumbers:
     def worth(self, one: Equality) -> tuple[Amount, ...]:
         """The number of a sum in givens, with its unit; nothing where letters have none."""
         try:
+            self.learn_dimensions(one.right)
             dimension = printed_dimension(one.right, self.dimensions)
             number, note = certified_digits(self.coherent.number(self.number(one.right), dimension), self.digits)
         except (NotShown, Undefined, DimensionError):
@@ -261,7 +262,7 @@ class InsertedNumbers:
                 raise NotShown
             self.sought.add(name)
             try:
-                self.roots[name] = self.number(told)
+                self.roots[name] = remembered(self.number(told))
             finally:
                 self.sought.discard(name)
         return self.roots[name]

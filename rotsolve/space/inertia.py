@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.ball import Certified, evaluate, remembered
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
@@ -134,7 +134,8 @@ class Tensors(Struct):
         roots: dict[str, Certified] = {}
         for name in sorted(told.keys() & value.symbols()):
             if name not in self.numbers:
-                self.numbers[name] = self.number(told[name], signs)
+                found = self.number(told[name], signs)
+                self.numbers[name] = None if found is None else remembered(found)
             number = self.numbers[name]
             if number is None:
                 return None
@@ -167,7 +168,7 @@ class Tensors(Struct):
 
     def work_out_first(self, tensor: InertiaTensor) -> None:
         """Let the entries of a long tensor be worked out by themselves, before what they are part of: as numbers, where there are such."""
-        own = {tensor.entry(word) for word in ENTRIES}
+        own = {step.left for word in ENTRIES for step in self.behind(tensor.entry(word))}
         law, cost = LONG_ENTRY, LONG_ENTRY.cost
         self.steps = {replace(step, law=law, cost=cost) if step.left in own else step: None for step in self.steps}
 
