@@ -31,6 +31,7 @@ from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.struck import Shock, shocks_of_joint
+from rotsolve.space.supports import HELD
 from rotsolve.space.two_balls import letter_along
 
 if TYPE_CHECKING:
@@ -232,7 +233,16 @@ class VectorReader:
         if which == "net":
             acceleration, axes = self.acceleration(replace(path, point=None), term)
             return scaled_by(self.held.mass(path.owner), acceleration), axes
+        if which == HELD:
+            return self.force_of_supports(path, term), axes
         return self.forces_of(path.owner, which), axes
+
+    def force_of_supports(self, path: Path, term: Term) -> Triple:
+        """M a less all that acts on a body but the joints that hold it."""
+        whole, along = self.force(replace(path, component="net"), term)
+        axes, joints = self.moment.axes(path.owner), {joint.owner for joint in self.held.of_body(path.owner)}
+        others = [push.along(axes) for push in self.dynamics.pushes.on(path.owner) if push.owner not in joints]
+        return vector_sum(along.to(axes, whole), *map(minus, others))
 
     def own_axis(self, path: Path, term: Term) -> Seen:
         """The direction of one of a body's own axes, along these."""
