@@ -331,7 +331,7 @@ class VectorReader:
         said = f"along the line through {both} only the sum of their {word}s is told"
         message = f"`{path_text(path)}` is statically indeterminate: {said}"
         help = "ask for a component across that line, `in body axes` where it turns"
-        whole = f", or for all forces together, `{self.body_of(path)}.force.net`" if path.quantity == "force" else ""
+        whole = f", or for their sum, `{' + '.join(f'{owner}.force' for owner in owners)}`" if word == "force" else ""
         raise NotYet(message, path.span, help + whole)
 
     def refuse_along_to_touching(self, path: Path, term: Term, laws: SpaceLaws) -> None:
