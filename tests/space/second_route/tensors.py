@@ -58,14 +58,6 @@ def plate_about_a_corner(n: Numbers) -> Answers:
     return {"I": whole, "I_p": list(np.linalg.eigvalsh(whole))}
 
 
-def sheared_plate(n: Numbers) -> Answers:
-    """Along its sides u and v a parallelogram has ∫ r rᵀ dm = M (u uᵀ + v vᵀ)/12 about its centre."""
-    sides = 3 * X, X + 2 * Y
-    second = n.M / 12 * sum(np.outer(side, side) for side in sides)
-    moments, axes = np.linalg.eigh(np.trace(second) * np.eye(3) - second)
-    return {"I_p": list(moments), "e": axes[:, 0] * np.sign(axes[0, 0])}
-
-
 def three_masses_tensor(n: Numbers) -> Answers:
     whole = tensor(points((n.m, n.a * X), (n.m, n.a * (Y + 2 * Z)), (n.m, n.a * (2 * Y + Z))))
     return {"I": whole, "I_p": list(np.linalg.eigvalsh(whole))}
@@ -122,7 +114,6 @@ CALCULATIONS: dict[str, Calculation] = {
     "particle-off-the-plane": particle_off_the_plane,
     "plate-about-a-corner": plate_about_a_corner,
     "rigid-rotator": rigid_rotator,
-    "sheared-plate": sheared_plate,
     "tensor-box": of_one(lambda n: cuboid(n.m, n.w, n.h, n.d)),
     "tensor-cube": of_one(lambda n: cuboid(n.M, n.a, n.a, n.a)),
     "tensor-cylinder": of_one(lambda n: cylinder(n.m, n.r, n.h)),
