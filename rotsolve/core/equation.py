@@ -65,6 +65,7 @@ class Law(Struct, frozen=True):
     shifts: bool = False  # takes a moment of inertia to another axis, by M d² as its last term
     kinetic: bool = False  # says what a kinetic energy is
     apart: bool = False  # tells a letter that is worked out by itself, before what it is part of
+    numbered: bool = False  # of these, one that stays a letter with a number, if the scene has numbers: no page would hold its closed form
     explained: bool = False  # its remark is a sentence of its own, ahead of the laws
 
     def equation(
@@ -218,6 +219,9 @@ INTEGRATED = Law("inertia by integration", cost=1, explained=True)  # the same a
 FACE_FRICTION = Law("friction over a face", cost=1, explained=True)  # a torque as an integral over elements
 PARALLEL_AXES = Law("parallel axes", cost=1, shifts=True)
 PART_OF_ROOTS = Law("part of the roots of a cubic", "{words}", cost=1, apart=True)
+LONG_ENTRY = Law(
+    "entry of a long tensor", "{words}", cost=0, apart=True, numbered=True
+)  # rather than what else tells it
 
 # small swings
 

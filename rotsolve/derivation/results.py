@@ -371,9 +371,9 @@ def above_and_below(formula: Formula) -> tuple[Counter[Formula], Counter[Formula
 
 def hard_to_read(formula: Formula, lettered: int) -> bool:
     """Whether a formula is rather left in letters found before, in which it has so many nodes: arguments of elliptic functions can not
-    be seen through."""
+    be seen through, nor those of an angle that is told by two lengths."""
     longest = MANY if lettered * SHORTER < length(formula) else LONG
-    return length(formula) > (FEW if formula.holds(*ELLIPTIC) else longest) and lettered <= LONG
+    return length(formula) > (FEW if formula.holds(*ELLIPTIC, "atan2") else longest) and lettered <= LONG
 
 
 def usual_unit(asked: Asked, problem: Problem) -> Unit | None:

@@ -45,7 +45,7 @@ def by_lagrange(scene: SceneEquations) -> Iterator[Equation]:
     for state in configuration.timeline.states:
         yield from at_moment(known[state.name], scene.instant(state.name), scene.section(state.name))
     for interval in configuration.timeline.intervals:
-        if interval.name not in scene.passages:
+        if interval.name not in scene.passages or configuration.timeline.at_rest(interval):
             continue
         if configuration.mentions.runs or scene.varies(interval):
             yield from at_moment(known[interval.start], scene.instant(interval.start, generic=True), interval.name)

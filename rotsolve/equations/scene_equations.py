@@ -256,6 +256,8 @@ class SceneEquations(Struct, dict=True):
         for state in self.configuration.timeline.states:
             yield from self._moment(state)
         for interval in self.configuration.timeline.intervals:
+            if self.configuration.timeline.at_rest(interval):
+                continue
             if interval.name in self.passages:
                 yield from self._during(interval)
             elif interval.name in self.encounters:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.faults import Span as Span
 from rotsolve.core.letters import Given as Given
 from rotsolve.language.bodies import Body as Body
@@ -78,6 +78,14 @@ class State(Struct, frozen=True):
         """The `time` that it tells: so long after the state before; at the first one what the clock shows."""
         lines = (line for line in self.conditions if line.path is not None and line.path.quantity == "time")
         return next((line.value for line in lines if line.value is not None), None)
+
+    @property
+    def stands(self) -> bool:
+        """Whether all stands still at it and goes on so: in balance, or steady with rates that are told to be nothing."""
+        rates = [
+            line.value for line in self.conditions if line.path is not None and line.path.quantity == "angular_velocity"
+        ]
+        return self.balance or (self.steady and bool(rates) and all(rate == ZERO for rate in rates))
 
 
 class Phase(Struct, frozen=True):

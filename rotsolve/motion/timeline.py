@@ -62,6 +62,10 @@ class Timeline(Struct, frozen=True, dict=True):
     def interval(self, name: str) -> Interval | None:
         return next((interval for interval in self.intervals if interval.name == name), None)
 
+    def at_rest(self, interval: Interval) -> bool:
+        """Whether no motion leads from one state to the next, since all stands still at both: each is a case of its own."""
+        return interval.event is None and all(self.state(name).stands for name in (interval.start, interval.end))
+
     def since(self, state: str) -> tuple[Interval, ...]:
         """The intervals that lead to a state from the one before that the scene speaks of."""
         index = last = self.order[state]

@@ -43,6 +43,10 @@ if TYPE_CHECKING:
     from rotsolve.page.abbreviations import Abbreviation
 
 PLAN = "Plan"
+LONGEST, DOTS = (
+    220,
+    "…",
+)  # nodes of what tells a letter, beyond which dots stand for it, where its number stands behind them
 
 
 class DerivationPage(Page, frozen=True):
@@ -230,10 +234,14 @@ def section_level(section: Section) -> int:
 def law_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[PageBlock]:
     """The laws of a section, with why what is conserved is; and what those come to that are told with their `numbers`."""
     if section.remarks or section.laws:
-        rows = []
+        rows, told = [], {move.chain[-1].left for move in section.moves}  # by steps, which say what that comes to
         for law in section.laws:
-            values = () if numbers is None else numbers.valued(law.name, law.equation)
-            rows.append(FormulaRow((law.law,), (law.equation,), law.number, law.remark, True, values=values))
+            again = numbers is None or law.equation.left in told
+            values = () if numbers is None or again else numbers.valued(law.name, law.equation)
+            told_alone = bool(values) and length(law.equation.right) > LONGEST
+            equation = replace(law.equation, right=Symbol(DOTS)) if told_alone else law.equation
+            remark = () if told_alone else law.remark
+            rows.append(FormulaRow((law.law,), (equation,), law.number, remark, True, values=values))
         yield Formulas("Laws", section_level(section), section.remarks, tuple(rows))
 
 

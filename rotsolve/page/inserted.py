@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
+from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, remembered
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import (
@@ -32,7 +32,7 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.derivation import Answer, Derivation, Equality, Move
-from rotsolve.core.equation import KINETIC_ENERGY_AT
+from rotsolve.core.equation import KINETIC_ENERGY_AT, LONG_ENTRY, PART_OF_ROOTS
 from rotsolve.core.letters import Given, system_told
 from rotsolve.page.blocks import WITH, Amount, Math, Phrase
 from rotsolve.page.values import certified_digits, machine_number
@@ -44,7 +44,11 @@ EXACT = 6  # digits of a given that is written as it is
 SEEN_THROUGH = frozenset(("sqrt", "abs", "asin", "acos", "atan", "atan2"))  # functions whose arguments are shown
 
 
-VALUED = {KINETIC_ENERGY_AT.name: "J"}  # laws whose letters are told with their numbers, though nobody asks for them
+VALUED = {  # laws whose letters are told with their numbers, though nobody asks for them, and their units where they have a name
+    KINETIC_ENERGY_AT.name: "J",
+    PART_OF_ROOTS.name: "",
+    LONG_ENTRY.name: "",
+}
 
 
 if TYPE_CHECKING:
@@ -101,16 +105,26 @@ class InsertedNumbers:
     def valued(self, law: str, one: Equality) -> tuple[Amount, ...]:
         """The number of a letter that a law tells, where that is worth telling."""
         unit = VALUED.get(law)
-        return () if unit is None else tuple(replace(amount, unit=parse_unit(unit)) for amount in self.worth(one))
+        worth = () if unit is None else self.worth(one)
+        return tuple(replace(amount, unit=parse_unit(unit)) for amount in worth) if unit else worth
 
     def worth(self, one: Equality) -> tuple[Amount, ...]:
         """The number of a sum in givens, with its unit; nothing where letters have none."""
         try:
+            self.learn_dimensions(one.right)
             dimension = printed_dimension(one.right, self.dimensions)
             number, note = certified_digits(self.coherent.number(self.number(one.right), dimension), self.digits)
         except (NotShown, Undefined, DimensionError):
             return ()
         return (Amount(number, self.coherent.unit(dimension)),) if number and not note else ()
+
+    def learn_dimensions(self, formula: Formula) -> None:
+        """Learn the dimensions of letters that laws tell by others."""
+        for name in sorted(formula.symbols() - self.dimensions.keys()):
+            law = self.laws.get(name)
+            if law is not None and name not in law.equation.right.symbols():
+                self.learn_dimensions(law.equation.right)
+                self.dimensions[name] = printed_dimension(law.equation.right, self.dimensions)
 
     def comes_to(self, formula: Formula, answer: Answer) -> bool:
         """Whether a formula has a number by now, which is that of the answer: not where a letter has another meaning."""
@@ -248,7 +262,7 @@ class InsertedNumbers:
                 raise NotShown
             self.sought.add(name)
             try:
-                self.roots[name] = self.number(told)
+                self.roots[name] = remembered(self.number(told))
             finally:
                 self.sought.discard(name)
         return self.roots[name]

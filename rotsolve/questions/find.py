@@ -15,7 +15,7 @@ from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, 
 from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, KINETIC_ENERGY, Equation, Law
-from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.quantity import OSCILLATING, QUANTITIES
 from rotsolve.core.symbols import asked_symbol, component_symbol, has_quantities, is_key, is_quantity
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.vectors.tensor import AXES, ENTRIES
@@ -248,7 +248,7 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
 
         refuse_products(find)
         refuse_mixed_axes(find, scene)
-    meanings = [meaning_of(term, scene, beside) for term in find.terms]
+    meanings = meanings_of(find, scene, beside)
     if any(term.path.quantity == "kinetic_energy" for term in find.terms):
         from rotsolve.questions.energies import with_named_energies
 
@@ -292,6 +292,22 @@ def refuse_modified_whole(find: Find, scene: SceneEquations) -> None:
             raise NotYet(f"`{find.modifier}` of a function of time is not solved as such", find.span, help)
         message = f"`{find.modifier}` in `{find.text.strip()}` is solved of a single quantity, or of an earlier answer over its open letter"
         raise NotYet(message, find.span)
+
+
+def meanings_of(find: Find, scene: SceneEquations, beside: Beside | None) -> list[tuple[Meaning, str]]:
+    """The meanings of all terms; of forces of which the laws tell their sum alone, where it is that sum that is asked, the first as all."""
+    try:
+        return [meaning_of(term, scene, beside) for term in find.terms]
+    except NotYet:
+        if not scene.configuration.problem.space or len(find.terms) < 2:
+            raise
+        from rotsolve.space.supports import with_supports_together
+
+        terms = with_supports_together(find, scene)
+        if terms is None:
+            raise
+    nothing = Meaning(ZERO, QUANTITIES["force"].dimension), ""
+    return [nothing if term is None else meaning_of(term, scene, beside) for term in terms]
 
 
 def find_formula(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> Formula:

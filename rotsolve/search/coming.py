@@ -34,8 +34,9 @@ def not_come_to(search: Search) -> Iterator[Unsolvable]:
     for state in problem.states:
         if state.steady:
             yield from without_rates(state.name, STEADY, search, asked)
-    for interval in search.scene.configuration.timeline.intervals:
-        if interval.event is None and interval.end in dynamics_of(search):
+    timeline = search.scene.configuration.timeline
+    for interval in timeline.intervals:
+        if interval.event is None and interval.end in dynamics_of(search) and not timeline.at_rest(interval):
             yield from without_rates(interval.end, COMING, search)
             yield from below_summit(interval, search)
             yield from in_equilibrium(interval, search)

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import field
 
+from rotsolve.algebra.certified.ball import Certified, decided_by_size, evaluate, remembered
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import REMEMBERED, is_zero
 from rotsolve.algebra.exact.order import length
@@ -85,6 +86,9 @@ class Solver(Isolation, kw_only=True):
 
     def _in_letters_or_together(self, plan: Plan) -> Found:
         """In letters as far as a page can hold them; else all equations at once, with numbers."""
+        if self._rather_a_number(plan):
+            self.solved.update(self._told_in_numbers(plan))
+            return self.solved[plan.asked]
         kept, told = len(self.steps), dict(self.told)
         told_by = frozenset((self.pool[index].left, self.pool[index].right) for index in plan.equations)
         try:
@@ -97,6 +101,36 @@ class Solver(Isolation, kw_only=True):
         del self.steps[kept:]
         self.told = told
         return self._by_numbers(plan)
+
+    def _rather_a_number(self, plan: Plan) -> bool:
+        """Whether a law tells the asked letter that is told by a number, each equation of its plan one by others, all with numbers."""
+        laws = [self.pool[index] for index in plan.equations]
+        if not any(law.law.numbered and law.left == Symbol(plan.asked) for law in laws):
+            return False
+        if {law.left for law in laws} != set(map(Symbol, plan.unknowns)):
+            return False
+        letters = {name for law in laws for name in law.symbols()} - set(plan.unknowns)
+        known = {name: self.with_answers(Symbol(name)).symbols() for name in letters}
+        numbered = {name for name, found in self.solved.items() if found.number is not None}
+        return all(one <= {*self.signs.values, *numbered} for one in known.values())
+
+    def _told_in_numbers(self, plan: Plan) -> dict[str, Found]:
+        """The unknowns of a plan in which each equation tells one by others, as numbers."""
+        told = {
+            law.left.name: law.right for law in (self.pool[k] for k in plan.equations) if isinstance(law.left, Symbol)
+        }
+        closed = {name: found.formula for name, found in self.solved.items() if found.formula is not None}
+        numbers = {name: found.number for name, found in self.solved.items() if found.number is not None}
+
+        def number(name: str) -> Certified:
+            if name not in numbers:
+                value = self.with_answers(told[name]) if closed.keys() & told[name].symbols() else told[name]
+                roots = {other: number(other) for other in sorted(value.symbols() & (told.keys() | numbers.keys()))}
+                numbers[name] = remembered(evaluate(value, self.signs.values, roots=roots))
+            return numbers[name]
+
+        decided_by_size()
+        return {name: Found(name, None, number(name)) for name in plan.unknowns}
 
     def _by_numbers(self, plan: Plan) -> Found:
         """All unknowns of a plan with the numbers of the scene, each to be asked for afterwards."""

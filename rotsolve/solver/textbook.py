@@ -48,10 +48,10 @@ def is_long_root(value: Formula) -> bool:
 
 
 def seen_through_no_more(value: Formula) -> bool:
-    """Whether a formula holds elliptic functions, or exponentials, of so much that it stays in the letters found before: no form would
-    shorten it."""
+    """Whether a formula holds elliptic functions, exponentials, or angles, of so much that it stays in the letters found before: no form
+    would shorten it."""
     longest = SEEN_THROUGH if value.holds(*ELLIPTIC) else 3 * SEEN_THROUGH
-    return length(value) > longest and value.holds(*ELLIPTIC, "exp")
+    return length(value) > longest and value.holds(*ELLIPTIC, "exp", "acos", "atan2")
 
 
 def is_size(value: Formula) -> bool:

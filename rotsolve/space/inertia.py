@@ -10,10 +10,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from msgspec import Struct, field
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import Certified, evaluate, remembered
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, multiply, negate
 from rotsolve.algebra.units.dimension import INERTIA as KG_M2
-from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.equation import INERTIA, LONG_ENTRY, PARALLEL_AXES, PART_OF_ROOTS, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.symbols import ACROSS_AXIS
@@ -53,6 +57,7 @@ class Tensors(Struct):
     said: set[Formula] = field(
         default_factory=set
     )  # moments of which it is said about which other axes they are the same
+    numbers: dict[str, Certified | None] = field(default_factory=dict)  # of letters
 
     def about(self, name: str, point: Triple, spot: str) -> InertiaTensor:
         """The tensor about a point of a body, in its own axes; `spot` is the point's name."""
@@ -113,23 +118,44 @@ class Tensors(Struct):
         )
 
     def spelled(self, value: Formula) -> Formula:
-        """A formula with what the letters of moments of inertia stand for."""
+        """A formula with what the letters of moments of inertia stand for, in textbook form."""
+        return simplify(self.put_in(value), positive=self.positive)
+
+    def put_in(self, value: Formula) -> Formula:
+        """A formula with what the letters of moments of inertia stand for, as it is."""
         told = {step.left.name: step.right for step in self.steps if isinstance(step.left, Symbol)}
         while told.keys() & value.symbols():
             value = value.substitute(told)
-        return simplify(value, positive=self.positive)
+        return value
+
+    def number(self, value: Formula, signs: SignOracle) -> Certified | None:
+        """The number of a formula by those of its letters, in the case that is looked at; None where one has none."""
+        told = {step.left.name: step.right for step in self.steps if isinstance(step.left, Symbol)}
+        roots: dict[str, Certified] = {}
+        for name in sorted(told.keys() & value.symbols()):
+            if name not in self.numbers:
+                found = self.number(told[name], signs)
+                self.numbers[name] = None if found is None else remembered(found)
+            number = self.numbers[name]
+            if number is None:
+                return None
+            roots[name] = number
+        try:
+            return evaluate(value, {**signs.values, **signs.trials}, digits=8, roots=roots)
+        except (Undefined, ValueError, ZeroDivisionError):
+            return None
 
     def behind(self, value: Formula) -> tuple[Equation, ...]:
         """The steps that define the letters of a formula, and those of what they stand for."""
         told = {step.left.name: step for step in self.steps if isinstance(step.left, Symbol)}
-        found: dict[Equation, None] = {}
+        found: set[Equation] = set()
         pending = sorted(told.keys() & value.symbols())
         while pending:
             step = told[pending.pop()]
             if step not in found:
-                found[step] = None
+                found.add(step)
                 pending += sorted(told.keys() & step.right.symbols())
-        return tuple(found)
+        return tuple(step for step in self.steps if step in found)
 
     def letter(self, name: str, word: str, spot: str, formula: Formula, label: str, shifts: bool = False) -> Formula:
         """A letter for an entry, with what it stands for."""
@@ -138,6 +164,23 @@ class Tensors(Struct):
         law = PARALLEL_AXES if shifts else INERTIA
         symbol = self.registry.ask(quantity)
         self.keep([law.equation(symbol, formula, self.section, (name,), words=label)])
+        return symbol
+
+    def work_out_first(self, tensor: InertiaTensor) -> None:
+        """Let the entries of a long tensor be worked out by themselves, before what they are part of: as numbers, where there are such."""
+        own = {step.left for word in ENTRIES for step in self.behind(tensor.entry(word))}
+        law, cost = LONG_ENTRY, LONG_ENTRY.cost
+        self.steps = {replace(step, law=law, cost=cost) if step.left in own else step: None for step in self.steps}
+
+    def part(
+        self, name: str, spot: str, words: str, letter: str, index: str, value: Formula, dimension: Dimension
+    ) -> Formula:
+        """A letter for a part of the principal moments and axes of a body about a point, with what it stands for."""
+        component = "_".join(filter(None, (index, spot)))
+        symbol = self.registry.ask(SceneQuantity(words, name, "", component, letter, dimension))
+        long = any(step.law == LONG_ENTRY and step.left in value.walk(Symbol) for step in self.steps)
+        law = LONG_ENTRY if long else PART_OF_ROOTS
+        self.keep([law.equation(symbol, value, self.section, (name,), words=words)])
         return symbol
 
     def _spread(self, name: str, point: Triple, spot: str) -> Spread:

@@ -44,7 +44,7 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
     weighs = pushes.gravity is not None and swings_about(name, moment)
     if weighs and not all(map(moment.held.vanishes, cross_product(going, Z))):
         message = f"the weight of `{name}` keeps its direction while that goes round: `{moment.when}` is not steady"
-        help = "leave `steady: true` out; where it stays at rest is found by `balance: true`"
+        help = "where it stays at rest write `balance: true` in place of `steady: true`"
         raise Unsolvable(message, span=moment.state.span, help=help)
 
 

@@ -2,20 +2,27 @@
 which the moment is a root without roots of det (I − λ 1) = 0, as symmetry makes one.
 
 An axis on which no product of inertia stands is a principal one, and leaves a quadratic for the others:
-λ = (I_a + I_b)/2 ± √(((I_a − I_b)/2)² + I_ab²). Else the cubic is taken into factors; where it has none, see `principal_cubic`.
+λ = (I_a + I_b)/2 ± √(((I_a − I_b)/2)² + I_ab²). Else the cubic is taken into factors. Where it has none, and where a closed form would be
+longer than a line, moments and axes go by letters that are worked out one by one: see `principal_letters`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import cached_property
 from itertools import combinations
+from typing import TYPE_CHECKING
 
-from rotsolve.algebra.certified.ball import evaluate
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Certified, decided_by_size, evaluate
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import Fractions, coefficients, degree, is_zero, simplify
-from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.exact.order import LINE, length
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, negate, sqrt
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.facts import square
-from rotsolve.core.vectors.tensor import InertiaTensor
+from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor
 from rotsolve.core.vectors.triple import (
     Triple,
     X,
@@ -32,9 +39,11 @@ from rotsolve.core.vectors.triple import (
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet, path_text
 
+if TYPE_CHECKING:
+    from rotsolve.space.arrangement import JointedBodies
+    from rotsolve.space.inertia import Tensors
+
 Spelled = Callable[[Formula], Formula]
-Nothing = Callable[[Formula], bool]  # whether a formula is nothing, by its letters or their numbers
-Side = Callable[[Formula], "int | None"]
 Found = tuple[Formula, Triple | None]  # a principal moment, with its axis where that is told
 BESIDE = {"x": ("yy", "zz", "yz"), "y": ("zz", "xx", "zx"), "z": ("xx", "yy", "xy")}
 WAYS = {"x": X, "y": Y, "z": Z}
@@ -43,50 +52,128 @@ MOMENT = "#moment"  # λ, as no scene calls it
 FACTORED = (
     300  # nodes of a tensor, whose cubic is taken into factors: beyond it takes seconds, and longer ones have had none
 )
+PUT_IN = 1000  # nodes of entries with all put in, which no simpler form makes short
 IN_PLANE = 100  # nodes of the three entries in a plane that are spelled out under a root
 PRODUCTS = {"x": ("xy", "zx"), "y": ("xy", "yz"), "z": ("zx", "yz")}
 
 
-def principal(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> list[Found]:
-    """The three moments with their axes, of a tensor whose letters are spelled out to see what vanishes or is alike; none where no axis
-    shows."""
-    free = bare_axes(tensor, spelled, vanishes)
+class Told(Struct, dict=True):
+    """The tensor of a body about a point, of which principal moments and axes are told, in letters that `tensors` define."""
+
+    tensor: InertiaTensor
+    tensors: Tensors
+    signs: SignOracle
+    held: JointedBodies
+    name: str
+    spot: str
+
+    def spelled(self, value: Formula) -> Formula:
+        """A formula with what its letters stand for."""
+        return self.tensors.spelled(value)
+
+    def number(self, value: Formula) -> Certified | None:
+        """The number of a formula in these letters; None where one has none."""
+        return self.tensors.number(value, self.signs)
+
+    def vanishes(self, value: Formula) -> bool:
+        """Whether a formula is nothing, by its letters or their numbers."""
+        number = self.number(value)  # which costs less than to spell a long one out
+        return value == ZERO or (not (number is not None and number.sign) and self.held.vanishes(self.spelled(value)))
+
+    def side(self, gap: Formula) -> int | None:
+        """The sign of a difference, of a long tensor by its numbers alone."""
+        number = self.number(gap) if self.long else None
+        if number is not None and number.sign:
+            decided_by_size()
+            return number.sign
+        value = self.spelled(gap)
+        sign = self.signs.decide(value)
+        return self.signs.whatever_way(value) if sign is None else sign
+
+    def size(self, *words: str) -> int:
+        """How long its entries are, or some of them."""
+        entries = [self.tensor.entry(word) for word in words or ENTRIES]
+        whole = sum(length(self.tensors.put_in(entry)) for entry in entries)
+        return whole if whole > PUT_IN else sum(length(self.spelled(entry)) for entry in entries)
+
+    @cached_property
+    def long(self) -> bool:
+        """Whether the entries are so long that they are worked out by themselves: what they stand for would fill pages."""
+        return self.size() > IN_PLANE
+
+    def part(self, words: str, letter: str, index: str, value: Formula, dimension: Dimension) -> Formula:
+        """A letter for a part of the roots, with what it stands for; of a long tensor its entries are worked out first."""
+        if self.long:
+            self.tensors.work_out_first(self.tensor)
+        return self.tensors.part(self.name, self.spot, words, letter, index, value, dimension)
+
+
+class Roots(Struct):
+    """The three moments with their axes; `rising` where they are those of a cubic, from the smallest on, each with an axis of its own."""
+
+    found: list[Found]
+    rising: bool = False
+
+
+def principal(told: Told, path: Path) -> Roots:
+    """The three moments with their axes, of a tensor whose letters are spelled out to see what vanishes or is alike."""
+    tensor = told.tensor
+    free = bare_axes(told)
     if len(free) == 3:
-        return [(tensor.entry(axis * 2), WAYS[axis]) for axis in "xyz"]
+        return Roots([(tensor.entry(axis * 2), WAYS[axis]) for axis in "xyz"])
     if free:
-        return [(tensor.entry(free[0] * 2), WAYS[free[0]]), *in_plane(tensor, free[0], spelled)]
-    if all_alike(tensor, spelled, vanishes):
+        return Roots([(tensor.entry(free[0] * 2), WAYS[free[0]]), *in_plane(told, free[0])])
+    if all_alike(told):
         third = ONE / sqrt(3 * ONE)
         lone = simplify(add(tensor.xx, 2 * tensor.xy))
         other = simplify(add(tensor.xx, negate(tensor.xy)))
-        return [(lone, (third, third, third)), (other, None), (other, None)]
-    return by_factors(tensor, spelled)
+        return Roots([(lone, (third, third, third)), (other, None), (other, None)])
+    found = by_factors(told)
+    if found:
+        return Roots(found)
+    from rotsolve.space.principal_letters import by_cubic
+
+    return Roots(by_cubic(told, path), rising=True)
 
 
-def bare_axes(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> list[str]:
+def bare_axes(told: Told) -> list[str]:
     """The axes on which no product of inertia stands."""
-
-    def none(word: str) -> bool:
-        entry = tensor.entry(word)
-        return entry == ZERO or vanishes(spelled(entry))
-
-    return [axis for axis in "xyz" if all(map(none, PRODUCTS[axis]))]
+    return [axis for axis in "xyz" if all(told.vanishes(told.tensor.entry(word)) for word in PRODUCTS[axis])]
 
 
-def all_alike(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> bool:
+def all_alike(told: Told) -> bool:
     """Whether all three moments are the same, and all three products."""
+    tensor = told.tensor
     gaps = (tensor.xx - tensor.yy, tensor.yy - tensor.zz, tensor.xy - tensor.yz, tensor.yz - tensor.zx)
-    return all(gap == ZERO or vanishes(spelled(gap)) for gap in gaps)
+    return all(map(told.vanishes, gaps))
 
 
-def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
-    """The two moments across a principal axis, the smaller one first; the axis of λ is along (I_ab, λ − I_a) in that plane."""
-    one, other, product = (tensor.entry(word) for word in BESIDE[axis])
-    if sum(length(spelled(part)) for part in (one, other, product)) > IN_PLANE:
-        spelled = itself  # what the entries stand for would fill pages
+def in_plane(told: Told, axis: str) -> list[Found]:
+    """The two moments across a principal axis, the smaller one first, with their axes: in closed form where that is at most a line."""
+    from rotsolve.space.principal_letters import angle_in_plane, circle_in_plane
+
+    closed = closed_in_plane(told, axis) if told.size(*BESIDE[axis]) <= IN_PLANE else []
+    moments: Sequence[Formula] = [moment for moment, _ in closed]
+    ways: Sequence[Triple] = [way for _, way in closed]
+    if not within_line(moments):
+        moments = circle_in_plane(told, axis)
+    if not all(map(within_line, ways)) or not ways:
+        ways = angle_in_plane(told, axis)
+    return list(zip(moments, ways, strict=True))
+
+
+def within_line(parts: Sequence[Formula]) -> bool:
+    """Whether there are formulas, and none is longer than a line."""
+    return bool(parts) and max(map(length, parts)) <= LINE
+
+
+def closed_in_plane(told: Told, axis: str) -> list[tuple[Formula, Triple]]:
+    """In closed form: the axis of λ is along (I_ab, λ − I_a) in the plane across a principal axis."""
+    spelled = told.spelled
+    one, other, product = (told.tensor.entry(word) for word in BESIDE[axis])
     middle, half = spelled((one + other) / 2), spelled((one - other) / 2)
     root = spelled(sqrt(add(square(half), square(spelled(product)))))
-    found: list[Found] = []
+    found = []
     for moment in (spelled(middle - root), spelled(middle + root)):
         a, b = spelled(product), spelled(moment - one)
         whole = spelled(sqrt(add(square(a), square(b))))
@@ -96,25 +183,33 @@ def in_plane(tensor: InertiaTensor, axis: str, spelled: Spelled) -> list[Found]:
     return found
 
 
-def itself(value: Formula) -> Formula:
-    """A formula in the letters of the moments and products of inertia."""
-    return value
-
-
-def by_factors(tensor: InertiaTensor, spelled: Spelled) -> list[Found]:
+def by_factors(told: Told) -> list[Found]:
     """The three moments by the factors of det (I − λ 1), a linear one first, with its axis where it is alone; none where there is none."""
-    rows = [triple([spelled(tensor.entry(word)) for word in words]) for words in ROWS]
     found: list[Found] = []
+    rows = told_rows(told)
     for part, e in cubic_factors(rows):
-        roots = rising_roots(part, spelled)
+        roots = rising_roots(part, told.spelled)
         alone = e == 1 and (len(roots) == 2 or not found)
-        found += [(root, lone_way(rows, root, spelled) if alone else None) for root in roots] * e
+        axes = [
+            lone_way(told, rows, root, number) if alone else None for number, root in enumerate(roots, len(found) + 1)
+        ]
+        found += list(zip(roots, axes, strict=True)) * e
     return found if len(found) == 3 else []
+
+
+def told_rows(told: Told) -> list[Triple]:
+    """The rows of a tensor, spelled out; none of one that is far too long for that."""
+    spelled = told.spelled
+    return (
+        [triple([spelled(told.tensor.entry(word)) for word in words]) for words in ROWS]
+        if told.size() <= PUT_IN
+        else []
+    )
 
 
 def cubic_factors(rows: list[Triple]) -> list[tuple[Formula, int]]:
     """The factors of det (I − λ 1) with how often each stands, those of the lowest degree first; none of a long tensor."""
-    if sum(length(part) for row in rows for part in row) > FACTORED:
+    if not rows or sum(length(part) for row in rows for part in row) > FACTORED:
         return []
     moment = Symbol(MOMENT)
     shifted = [triple([part - moment if i == j else part for j, part in enumerate(row)]) for i, row in enumerate(rows)]
@@ -139,36 +234,47 @@ def rising_roots(part: Formula, spelled: Spelled) -> list[Formula]:
     return [spelled(middle - root), spelled(middle + root)]
 
 
-def lone_way(rows: list[Triple], moment: Formula, spelled: Spelled) -> Triple | None:
+def lone_way(told: Told, rows: list[Triple], moment: Formula, number: int) -> Triple | None:
     """The axis of a moment that is alone: square to two rows of I − λ 1."""
-    shifted = [
-        triple([spelled(part - moment) if i == j else part for j, part in enumerate(row)]) for i, row in enumerate(rows)
-    ]
-    for one, other in combinations(shifted, 2):
+    from rotsolve.space.principal_letters import square_to_rows
+
+    spelled = told.spelled
+    if length(moment) > LINE:
+        return square_to_rows(told, moment, number)
+    for one, other in combinations(less_moment(rows, moment, spelled), 2):
         normal = triple([spelled(part) for part in cross_product(one, other)])
         if any(part != ZERO for part in normal):
             size = spelled(length_of(normal))
-            return triple([spelled(part / size) for part in normal])
+            way = triple([spelled(part / size) for part in normal])
+            return way if within_line(way) else square_to_rows(told, moment, number)
     return None
 
 
-def principal_moment(
-    tensor: InertiaTensor, spelled: Spelled, number: int, path: Path, vanishes: Nothing, side: Side
-) -> Formula | None:
-    """The first, second or third of them, from the smallest on, None where no axis shows; `side` tells the sign of a difference."""
-    found = principal(tensor, spelled, vanishes)
-    return found[rising_order(found, spelled, path, side)[number - 1]][0] if found else None
+def less_moment(rows: Sequence[Triple], moment: Formula, spelled: Spelled) -> list[Triple]:
+    """The rows of I − λ 1."""
+    return [
+        triple([spelled(part - moment) if i == j else part for j, part in enumerate(row)]) for i, row in enumerate(rows)
+    ]
 
 
-def rising_order(found: list[Found], spelled: Spelled, path: Path, side: Side) -> list[int]:
+def principal_moment(told: Told, number: int, path: Path) -> Formula:
+    """The first, second or third of them, from the smallest on."""
+    roots = principal(told, path)
+    return roots.found[rising_order(told, roots, path)[number - 1]][0]
+
+
+def rising_order(told: Told, roots: Roots, path: Path) -> list[int]:
     """The places of principal moments from the smallest on; refused where that hangs on letters."""
-    moments = [moment for moment, _ in found]
+    if roots.rising:
+        return [0, 1, 2]
+    moments = [moment for moment, _ in roots.found]
     ordered: list[int] = []
     for one in range(len(moments)):
         place = 0
         while place < len(ordered):
-            sign = told_by_kind(found, one, ordered[place], spelled)
-            sign = side(spelled(moments[one] - moments[ordered[place]])) if sign is None else sign
+            sign = None if told.long else told_by_kind(roots.found, one, ordered[place], told.spelled)
+            sign = told.side(moments[one] - moments[ordered[place]]) if sign is None else sign
+            sign = told_by_kind(roots.found, one, ordered[place], told.spelled) if sign is None and told.long else sign
             if sign is None:
                 help = "give numbers to the letters, or ask for `inertia_tensor`"
                 raise NotYet(
@@ -197,34 +303,34 @@ def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> 
     return 1 if evaluate(ratio - ONE, {}).float > 0 else -1
 
 
-def numbered_axis(
-    tensor: InertiaTensor, spelled: Spelled, number: int, path: Path, vanishes: Nothing, side: Side
-) -> tuple[Formula, Triple] | None:
-    """The first, second or third moment from the smallest on, with its axis; None where no axis shows.
+def numbered_axis(told: Told, number: int, path: Path) -> tuple[Formula, Triple]:
+    """The first, second or third moment from the smallest on, with its axis.
 
     Refused where another moment equals it: any line across the third axis is one then.
     """
-    found = principal(tensor, spelled, vanishes)
-    if not found:
-        return None
-    one = rising_order(found, spelled, path, side)[number - 1]
-    moment, way = found[one]
-    alike = any(vanishes(spelled(moment - other)) for place, (other, _) in enumerate(found) if place != one)
-    if alike or way is None:
+    roots = principal(told, path)
+    one = rising_order(told, roots, path)[number - 1]
+    moment, way = roots.found[one]
+    if roots.rising:
+        from rotsolve.space.principal_letters import square_to_rows
+
+        return moment, square_to_rows(told, moment, number)
+    others = [other for place, (other, _) in enumerate(roots.found) if place != one]
+    if way is None or any(told.vanishes(moment - other) for other in others):
         message = f"`{path_text(path)}`: two principal moments are equal, and all lines in a plane are axes of theirs"
         raise NotYet(message, path.span, f"ask for the axis of the third: `{path.owner}.principal_axis`")
     return moment, way
 
 
-def lone_axis(tensor: InertiaTensor, spelled: Spelled, path: Path, vanishes: Nothing) -> tuple[Formula, Triple]:
+def lone_axis(told: Told, path: Path) -> tuple[Formula, Triple]:
     """The one moment that no other equals, and its axis."""
+    roots = principal(told, path)
 
     def nothing(value: Formula) -> bool:
-        return vanishes(spelled(value))
+        return not roots.rising and told.vanishes(value)
 
-    found = principal(tensor, spelled, vanishes)
-    for number, (moment, way) in enumerate(found):
-        others = [item for place, (item, _) in enumerate(found) if place != number]
+    for number, (moment, way) in enumerate(roots.found):
+        others = [item for place, (item, _) in enumerate(roots.found) if place != number]
         alone = way is not None and not any(nothing(moment - other) for other in others)
         if way is not None and alone and nothing(others[0] - others[1]):
             return moment, way

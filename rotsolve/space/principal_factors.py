@@ -8,44 +8,44 @@ from rotsolve.algebra.formula import Formula, Symbol, add, multiply, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.facts import square
 from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor
-from rotsolve.core.vectors.triple import triple
 from rotsolve.core.writing import with_powers
 from rotsolve.space.principal import (
     BESIDE,
     MOMENT,
-    ROWS,
-    Nothing,
-    Spelled,
+    Told,
     all_alike,
     bare_axes,
     cubic_factors,
+    told_rows,
 )
 
 ROOT = Symbol("lambda")
 MOMENTS, PRODUCTS_OF = ENTRIES[:3], ENTRIES[3:]
 
 
-def in_factors(tensor: InertiaTensor, spelled: Spelled, vanishes: Nothing) -> Words:
+def in_factors(told: Told) -> Words:
     """det(I − λ 1) = 0 in factors, with what makes it so; nothing where the tensor is diagonal as it stands, where its cubic has no
     factors, or where the scene has a λ of its own."""
-    entries = [tensor.entry(word) for word in ENTRIES]
-    free = bare_axes(tensor, spelled, vanishes)
-    if len(free) == len(MOMENTS) or any(ROOT.name in spelled(entry).symbols() for entry in entries):
+    tensor, free = told.tensor, bare_axes(told)
+    if len(free) == len(MOMENTS) or any(
+        ROOT.name in told.tensors.put_in(tensor.entry(word)).symbols() for word in ENTRIES
+    ):
         return ()
     if free:
-        return across_axis(tensor, free[0], spelled), " = 0"
-    if all_alike(tensor, spelled, vanishes):
+        return across_axis(told, free[0]), " = 0"
+    if all_alike(told):
         return of_alike(tensor)
-    factors = cubic_factors([triple([spelled(tensor.entry(word)) for word in words]) for words in ROWS])
+    factors = cubic_factors(told_rows(told))
     each = [part.substitute({MOMENT: ROOT}) for part, e in factors for _ in range(e)]
     return (with_powers(reduce(multiply, each)), " = 0") if len(each) > 1 else ()
 
 
-def across_axis(tensor: InertiaTensor, axis: str, spelled: Spelled) -> Formula:
-    """(I_c − λ) ((I_a − λ) (I_b − λ) − I_ab²)."""
-    one, other, product = (spelled(tensor.entry(word)) for word in BESIDE[axis])
+def across_axis(told: Told, axis: str) -> Formula:
+    """(I_c − λ) ((I_a − λ) (I_b − λ) − I_ab²); of long entries in their letters."""
+    entries = [told.tensor.entry(word) for word in BESIDE[axis]]
+    one, other, product = entries if told.long else map(told.spelled, entries)
     pair = add(with_powers(multiply(less_root(one), less_root(other))), negate(square(product)))
-    return multiply(less_root(tensor.entry(axis * 2)), pair)
+    return multiply(less_root(told.tensor.entry(axis * 2)), pair)
 
 
 def of_alike(tensor: InertiaTensor) -> Words:

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, add, call, multiply, negate, sqrt, total
-from rotsolve.algebra.units.dimension import ANGLE, Dimension
+from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import KINETIC_ENERGY, PART_OF_ROOTS, VANISHING, Equation
+from rotsolve.core.equation import KINETIC_ENERGY, VANISHING
 from rotsolve.core.quantity import DIRECTED, EITHER_WAY, QUANTITIES
-from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.triple import (
     AXES,
@@ -38,7 +36,6 @@ from rotsolve.space.understood import refuse_dropped
 from rotsolve.space.untold import ANGLE_HELP, law_whatever_the_angle, untold_in, whatever_the_angle
 from rotsolve.space.vector_reader import VectorReader, tidied_part
 
-PRINCIPAL = "principal moment of inertia, a root λ of det(I − λ 1) = 0"
 PRINCIPAL_AXIS = ", (I − λ 1) e = 0, |e| = 1"
 INERTIAL_NAMES = {
     "centrifugal": "centrifugal force on {body}, −m Ω × (Ω × r)",
@@ -336,44 +333,18 @@ class SpaceReader(VectorReader):
 
     def principal_moments(self, path: Path, term: Term) -> Meaning:
         from rotsolve.space.principal import principal_moment
-        from rotsolve.space.principal_cubic import nearly_alike, principal_by_cubic
         from rotsolve.space.principal_factors import in_factors
+        from rotsolve.space.principal_letters import PRINCIPAL
 
-        tensor, number = self.tensor_about(path, term), int((path.component or "1").split()[-1])
-        spelled, signs = self.dynamics.tensors.spelled, self.moment.signs
-        found, parts = principal_moment(tensor, spelled, number, path, self.held.vanishes, self.side), list[Equation]()
-        if found is None:
-            if nearly_alike(
-                tensor, lambda value: None if (size := signs.number(spelled(value))) is None else size.float
-            ):
-                message = f"two principal moments of `{path.owner}` are equal, and no axis shows by its letters"
-                raise NotYet(message, path.span, "ask for `inertia_tensor`, or draw it along its axes")
-            found = principal_by_cubic(tensor, number, partial(self.part_of_cubic, path.owner, term, parts))
-        steps = (*self.dynamics.tensors.steps, *parts)
-        ground = () if parts else in_factors(tensor, spelled, self.held.vanishes)
-        return Meaning(found, QUANTITIES["inertia"].dimension, label=PRINCIPAL, laws=steps, said=ground)
+        told, number = self.of_roots(path, term), int((path.component or "1").split()[-1])
+        found = principal_moment(told, number, path)
+        return Meaning(found, QUANTITIES["inertia"].dimension, label=PRINCIPAL, said=in_factors(told))
 
     def axis_ground(self, path: Path, term: Term) -> Words:
         """Of which principal moment the axis is asked."""
         moment, _ = self.principal_pair(path, term)
         numbered = (path.component or "").split(" ")[0].isdecimal()
         return "λ = ", moment, "" if numbered else ", which stands alone"
-
-    def part_of_cubic(
-        self,
-        name: str,
-        term: Term,
-        parts: list[Equation],
-        words: str,
-        letter: str,
-        value: Formula,
-        dimension: Dimension,
-    ) -> Formula:
-        """A letter for a part of the roots of a cubic, about a point."""
-        where = "" if term.about is None else f"{term.about.owner}.{term.about.point}"
-        symbol = self.moment.registry.ask(SceneQuantity(words, name, "", where, letter, dimension))
-        parts.append(PART_OF_ROOTS.equation(symbol, value, self.moment.when, (name,), words=words))
-        return symbol
 
     def rotation_angle(self, path: Path, term: Term) -> Meaning:
         """cos = (trace R − 1)/2."""

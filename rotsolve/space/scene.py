@@ -522,7 +522,7 @@ class SpaceEquations(SceneEquations, dict=True):
             if dynamics.moment.onward is not None:
                 yield from dynamics.moment.onward.equations()
         for interval in self.configuration.timeline.intervals:
-            if interval.end == OPEN:
+            if interval.end == OPEN or self.configuration.timeline.at_rest(interval):
                 continue
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
             if interval.event is None and ends[0].moment.state.steady:

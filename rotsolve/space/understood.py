@@ -13,6 +13,7 @@ from rotsolve.core.vectors.tensor import ENTRIES
 from rotsolve.core.vectors.triple import AXES
 from rotsolve.language.problem import Condition, Path, Term
 from rotsolve.paths.meaning import NotYet, path_text
+from rotsolve.space.supports import HELD
 
 ABOUT = frozenset(  # what may be asked about a point
     ("torque", "angular_momentum", "inertia", "inertia_tensor", "principal_moments", "principal_axis", "gyration", "cm")
@@ -31,7 +32,7 @@ WORDS = {  # of scalars: what may stand behind their names
     "freedoms": frozenset(("translations", "rotations")),
 }
 EXERTED = ("force", "torque", "power")  # what an action or a joint exerts has a question of its own
-OF_VECTORS = frozenset((*AXES, "net", "gravity", "1", "2", "3", *INERTIAL))  # the same of vectors
+OF_VECTORS = frozenset((*AXES, "net", "gravity", HELD, "1", "2", "3", *INERTIAL))  # the same of vectors
 
 
 def refuse_dropped(path: Path, term: Term) -> None:

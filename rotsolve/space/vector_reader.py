@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -30,7 +31,11 @@ from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.struck import Shock, shocks_of_joint
+from rotsolve.space.supports import HELD
 from rotsolve.space.two_balls import letter_along
+
+if TYPE_CHECKING:
+    from rotsolve.space.principal import Told
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
 
@@ -228,7 +233,16 @@ class VectorReader:
         if which == "net":
             acceleration, axes = self.acceleration(replace(path, point=None), term)
             return scaled_by(self.held.mass(path.owner), acceleration), axes
+        if which == HELD:
+            return self.force_of_supports(path, term), axes
         return self.forces_of(path.owner, which), axes
+
+    def force_of_supports(self, path: Path, term: Term) -> Triple:
+        """M a less all that acts on a body but the joints that hold it."""
+        whole, along = self.force(replace(path, component="net"), term)
+        axes, joints = self.moment.axes(path.owner), {joint.owner for joint in self.held.of_body(path.owner)}
+        others = [push.along(axes) for push in self.dynamics.pushes.on(path.owner) if push.owner not in joints]
+        return vector_sum(along.to(axes, whole), *map(minus, others))
 
     def own_axis(self, path: Path, term: Term) -> Seen:
         """The direction of one of a body's own axes, along these."""
@@ -261,16 +275,19 @@ class VectorReader:
         """The principal moment that a question numbers, else the one that stands alone, and its axis."""
         from rotsolve.space.principal import lone_axis, numbered_axis
 
-        tensor, spelled, nothing = self.tensor_about(path, term), self.dynamics.tensors.spelled, self.held.vanishes
-        number = (path.component or "").split(" ")[0]
+        told, number = self.of_roots(path, term), (path.component or "").split(" ")[0]
         if not number.isdecimal():
-            return lone_axis(tensor, spelled, path, nothing)
-        path = replace(path, component=number)
-        found = numbered_axis(tensor, spelled, int(number), path, nothing, self.side)
-        if found is None:
-            message = f"`{path_text(path)}`: no principal axis shows in closed form"
-            raise NotYet(message, path.span, "ask for `principal_moments`, or for `inertia_tensor`")
-        return found
+            return lone_axis(told, path)
+        return numbered_axis(told, int(number), replace(path, component=number))
+
+    def of_roots(self, path: Path, term: Term) -> Told:
+        """The tensor about the point that is asked, with what tells its principal moments and axes."""
+        from rotsolve.space.principal import Told
+
+        spot = (term.about.point if term.about else "") or ""
+        return Told(
+            self.tensor_about(path, term), self.dynamics.tensors, self.moment.signs, self.held, path.owner, spot
+        )
 
     def side(self, gap: Formula) -> int | None:
         """The sign of a difference, by its numbers or whatever its letters are."""
@@ -314,7 +331,7 @@ class VectorReader:
         said = f"along the line through {both} only the sum of their {word}s is told"
         message = f"`{path_text(path)}` is statically indeterminate: {said}"
         help = "ask for a component across that line, `in body axes` where it turns"
-        whole = f", or for all forces together, `{self.body_of(path)}.force.net`" if path.quantity == "force" else ""
+        whole = f", or for their sum, `{' + '.join(f'{owner}.force' for owner in owners)}`" if word == "force" else ""
         raise NotYet(message, path.span, help + whole)
 
     def refuse_along_to_touching(self, path: Path, term: Term, laws: SpaceLaws) -> None:

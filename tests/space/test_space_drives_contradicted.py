@@ -50,9 +50,9 @@ def test_each_question_is_refused_where_its_state_is_never_reached() -> None:
 given: {M: 2 kg, a: 0.4 m, b: 0.2 m}
 bodies: {pl: {shape: rectangle, mass: M, sides: [a, b], points: {A: [-a/2, 0, 0]}}}
 connections: {h: {hinge: pl.A, along: y}}
-states: {low: {pl.angle: 90 deg, balance: true}, high: {pl.angle: -90 deg, balance: true}}
-find: {l1: pl.stability at low, l2: pl.stability at high}
+states: {low: {pl.angle: 90 deg, balance: true}, high: {pl.angle: -90 deg, at rest: all}}
+find: {l1: pl.stability at low, F: h.force at high}
 """
     (refusal,) = solve(text).derivation.refused
-    assert refusal.name == "l2"
+    assert refusal.name == "F"
     assert refusal.fault.message == "`high` is never reached from `low`"

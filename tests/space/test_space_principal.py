@@ -153,3 +153,57 @@ find: {Ip: plate.principal_moments}
     numbers = [part.value.float for part in answer.components if part.value is not None]
     middle, half = 7 / 3, sqrt(13) / 3
     assert all(abs(a - b) < 1e-9 for a, b in zip(numbers, (middle - half, middle + half, 14 / 3), strict=True))
+
+
+QUADRILATERAL = ((-0.5, -1.2), (-2.1, -1.7), (-4.0, -2.6), (-1.5, -5.5))
+MAST, LUMP = ((0.15, 1.1, 0.0), (1.72, -0.79, -0.5)), (0.2, -0.3, 0.7)
+CORNERS = ", ".join(f"[{x} m, {y} m]" for x, y in QUADRILATERAL)
+DRAWN = {
+    "a plate": f"{{shape: polygon, mass: 2 kg, corners: [{CORNERS}], points: {{O: [0 m, 0 m, 0 m]}}}}",
+    "a composite": (
+        f"{{parts: {{s: {{shape: polygon, mass: 2 kg, corners: [{CORNERS}], at: [0, 0, 0]}}, "
+        "r: {shape: rod, mass: 3 kg, start: [0.15 m, 1.1 m, 0 m], end: [1.72 m, -0.79 m, -0.5 m]}, "
+        "p: {shape: particle, mass: 4 kg, at: [0.2 m, -0.3 m, 0.7 m]}}, points: {O: [0, 0, 0]}}"
+    ),
+}
+
+
+def second_moments(case: str, about_origin: bool) -> numpy.ndarray:
+    """∫ r rᵀ dm of a plate of triangles, a rod and a particle."""
+    whole, first, mass, area = numpy.zeros((3, 3)), numpy.zeros(3), 2.0, 0.0
+    for p, q in zip(QUADRILATERAL, (*QUADRILATERAL[1:], QUADRILATERAL[0]), strict=True):
+        one, two = numpy.array([*p, 0.0]), numpy.array([*q, 0.0])
+        part = (p[0] * q[1] - q[0] * p[1]) / 2
+        both = one + two
+        whole += part / 12 * (numpy.outer(one, one) + numpy.outer(two, two) + numpy.outer(both, both))
+        first, area = first + part * both / 3, area + part
+    whole, first = 2 / area * whole, 2 / area * first
+    if case == "a composite":
+        start, end, lump = numpy.array(MAST[0]), numpy.array(MAST[1]), numpy.array(LUMP)
+        middle, half = (start + end) / 2, (end - start) / 2
+        whole = whole + 3 * (numpy.outer(middle, middle) + numpy.outer(half, half) / 3) + 4 * numpy.outer(lump, lump)
+        first, mass = first + 3 * middle + 4 * lump, 9.0
+    return whole if about_origin else whole - numpy.outer(first, first) / mass
+
+
+@pytest.mark.parametrize("about", ["", " about b.O"])
+@pytest.mark.parametrize("case", DRAWN)
+def test_axes_of_what_is_drawn_by_numbers_on_a_page_of_one_leaf(case: str, about: str) -> None:
+    second = second_moments(case, bool(about))
+    moments, axes = numpy.linalg.eigh(numpy.trace(second) * numpy.eye(3) - second)
+    asked = ", ".join(f"e{k}: b.principal_axis.{k}{about}" for k in (1, 2, 3))
+    found = solve(f"up: z\nbodies: {{b: {DRAWN[case]}}}\nfind: {{P: b.principal_moments{about}, {asked}}}\n")
+    told = [part.float for part in found.answers["P"].components.values()]
+    assert told == pytest.approx(list(moments), rel=1e-12)
+    for k in (1, 2, 3):
+        own = numpy.array([part.float for part in found.answers[f"e{k}"].components.values()])
+        assert abs(own @ axes[:, k - 1]) == pytest.approx(1, abs=1e-12)
+    assert all(item.holds for item in found.derivation.confirmed)
+    assert len(str(found).splitlines()) < 150
+
+
+def test_axes_across_one_that_shows_go_by_tan_2_alpha() -> None:
+    found = solve(PLATE)
+    assert "tan 2α = 2 I_xy/(I_x − I_y)" in str(found)
+    answer = next(one for one in found.derivation.answers if one.name == "e")
+    assert all(part.formula is not None and not part.formula.holds("sqrt") for part in answer.components)

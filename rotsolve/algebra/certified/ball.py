@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import cache
 from math import floor
 from typing import Any
 
@@ -290,6 +291,11 @@ def evaluate(
         lambda more: _enclose(f, known, more, max_precision, found),
         lambda value: is_zero(with_values(f, known) - value),
     )
+
+
+def remembered(number: Certified) -> Certified:
+    """A certified number that works each accuracy out once: what many others are made of."""
+    return Certified(number.ball, cache(number.refine), number.equals)
 
 
 def multiple_of(number: Certified, factor: Formula) -> Certified:

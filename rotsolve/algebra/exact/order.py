@@ -34,6 +34,9 @@ from rotsolve.algebra.notation.letters import GLYPHS
 LENGTH = "length"  # under this name a formula keeps its length
 
 
+LINE = 45  # nodes of a formula that is about a line long
+
+
 def length(node: Formula) -> int:
     """How long a formula is to read: its number of nodes."""
     known: int | None = node.__dict__.get(LENGTH)

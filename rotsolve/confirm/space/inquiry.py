@@ -16,6 +16,7 @@ from rotsolve.confirm.space.arriving import gaps_at
 from rotsolve.confirm.space.arrows import arrow_length
 from rotsolve.confirm.space.freedoms import freedoms
 from rotsolve.confirm.space.motions import (
+    AGREE,
     CHANGE,
     HANGING,
     LOST,
@@ -28,11 +29,11 @@ from rotsolve.confirm.space.motions import (
     WaysOfMoving,
     told_by,
 )
-from rotsolve.confirm.space.readings import angle_from
+from rotsolve.confirm.space.readings import Reading, angle_from
 from rotsolve.confirm.space.rig import AXES, NOW, Lines, Rig
 from rotsolve.confirm.space.rigs import OPEN, time_after
 from rotsolve.confirm.space.stance import Stance
-from rotsolve.confirm.space.worlds import Moving, manners_of
+from rotsolve.confirm.space.worlds import Manner, Moving, manners_of
 from rotsolve.core.quantity import DIRECTED, OSCILLATING
 from rotsolve.core.symbols import TIME
 from rotsolve.language.grammar import ANGLE_OF
@@ -46,9 +47,12 @@ class Inquiry(WaysOfMoving):
         """What a question, or a part of it, is in each way; one number where all are the same."""
         if find.where is not None or find.choice is not None:
             raise NotConfirmed("a question with a condition")
-        terms = [self.of_term(for_part(term, part)) for term in find.terms]
-        whole = find.formula == Symbol("#0") and len(terms) == 1
-        found = terms[0] if whole else [self.combined(find, row) for row in way_by_way(terms)]
+        try:
+            terms = [self.of_term(for_part(term, part)) for term in find.terms]
+            whole = find.formula == Symbol("#0") and len(terms) == 1
+            found = terms[0] if whole else [self.combined(find, row) for row in way_by_way(terms)]
+        except LeftOpen:
+            found = self.in_all_worlds(find, part)
         if find.modifier in EXTREMES and not find.terms:
             raise NotConfirmed("an extreme over a letter")
         if find.modifier in EXTREMES:
@@ -56,6 +60,23 @@ class Inquiry(WaysOfMoving):
         if find.modifier not in ("", "size of"):
             raise NotConfirmed(f"`{find.modifier}` in space")
         return [abs(value) for value in found] if find.modifier == "size of" else found
+
+    def in_all_worlds(self, find: Find, part: str) -> list[float]:
+        """What a question is whose terms are left open at one state, where it is the same however they are; LeftOpen where it is not."""
+        terms = [for_part(term, part) for term in find.terms]
+        states = {(term.at, term.start, term.during, term.by) for term in terms}
+        if len(terms) < 2 or states != {(terms[0].at, None, None, None)} or terms[0].at == ANY_TIME:
+            raise LeftOpen(OPEN)
+        return [self.alike_in_worlds(find, terms, way) for way in self.ways(terms[0].at)]
+
+    def alike_in_worlds(self, find: Find, terms: Sequence[Term], way: Manner) -> float:
+        """What a question is in all worlds of a way, which differ in all that nothing tells; LeftOpen where they differ in it too."""
+        readings = [Reading(world) for world in way.worlds]
+        numbers = [self.combined(find, [reading.number(term) for term in terms]) for reading in readings]
+        size = max(reading.size(term) for reading in readings for term in terms)
+        if max(numbers) - min(numbers) > AGREE * size:
+            raise LeftOpen(OPEN)
+        return numbers[0]
 
     def tells(self, find: Find) -> bool:
         """Whether there is one number for a question, or one for each component of a vector."""
