@@ -157,4 +157,4 @@ find: {F: post.force at low}
 """
     with pytest.raises(Unsolvable) as refused:
         solve(scene)
-    assert refused.value.fault.help == "by all else that is told `gate.angle` would be 13.37° at `low`, not 90 deg"
+    assert refused.value.fault.help == "by all else that is told `gate.angle` would be 13.37° at `low`, not 90°"
