@@ -45,7 +45,7 @@ class StatedQuantity(Struct, frozen=True):
         assert path is not None
         return replace(path, component=None) if len(self.lines) > 1 else path
 
-    def with_lines(self, problem: Problem, lines: tuple[Condition, ...]) -> tuple[State, ...]:
+    def told_as(self, problem: Problem, lines: tuple[Condition, ...]) -> tuple[State, ...]:
         """The states of a problem with other lines in its place."""
         told = dict(zip(self.lines, lines, strict=True))
         own = replace(self.state, conditions=tuple(told.get(line, line) for line in self.state.conditions))
@@ -98,7 +98,7 @@ def what_else_makes(told: StatedQuantity, problem: Problem, solve: Solve) -> str
     lines = tuple(replace(line, value=Symbol(letter.name)) for line, letter in zip(told.lines, letters, strict=True))
     finds = tuple(Find(letter.name, Symbol(letter.name), (), unit=letter.unit) for letter in letters)
     givens = (*problem.givens, *letters)
-    trial = replace(problem, givens=givens, states=told.with_lines(problem, lines), finds=finds)
+    trial = replace(problem, givens=givens, states=told.told_as(problem, lines), finds=finds)
     answers = {answer.name: answer for answer in confirmed_answers(trial, solve)}
     for letter, line in zip(letters, told.lines, strict=True):
         own, answer = number_told(line, problem), answers.get(letter.name)

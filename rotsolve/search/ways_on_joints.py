@@ -45,7 +45,7 @@ BALANCED = "`{}` is at rest in balance, and stays so"
 
 def barred_ways(interval: Interval, search: Search) -> Iterator[NeverReached]:
     """The places of bodies on joints in space to which they do not come in a phase."""
-    for way in ways_in(interval, search):
+    for way in ways_of_phase(interval, search):
         yield from barred_way(way, interval, search)
 
 
@@ -70,7 +70,7 @@ def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | Non
     told = rate_told_by(name, search.scene, components=True)
     phases = search.scene.configuration.timeline.intervals if told is not None else ()
     for interval in (phase for phase in phases if told is not None and phase.end == key_of(told).when):
-        for way in ways_in(interval, search):
+        for way in ways_of_phase(interval, search):
             if way.last is None or name not in way.last.symbols() or name in way.end.symbols():
                 continue
             looked = [way_looked_at(replace(way, last=way.last.substitute({name: root})), search) for root in roots]
@@ -79,7 +79,7 @@ def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | Non
     return None
 
 
-def ways_in(interval: Interval, search: Search) -> Iterator[WayOnJoint]:
+def ways_of_phase(interval: Interval, search: Search) -> Iterator[WayOnJoint]:
     """The ways of bodies on joints in a phase; none in an event."""
     from rotsolve.space.ways import ways_on_joints
 
@@ -93,7 +93,7 @@ def sense_set_out(name: str, roots: Sequence[Formula], search: Search) -> int | 
     key = key_of(name) if is_key(name) else None
     phases = search.scene.configuration.timeline.intervals
     for interval in (phase for phase in phases if key is not None and phase.event is None and phase.start == key.when):
-        for way in ways_in(interval, search):
+        for way in ways_of_phase(interval, search):
             if name not in way.rate.symbols() or name in way.end.symbols():
                 continue
             looked = [way_looked_at(with_rate(way, {name: root}), search) for root in roots]

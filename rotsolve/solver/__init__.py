@@ -149,6 +149,7 @@ class Solver(Isolation, kw_only=True):
         items = [Item(self.refs.get(k, ("law", k)), k, law.left, law.right, law.section) for k, law in laws]
         for item in items:
             self._put_in_functions(item)
+            refuse_unprintable(item.left, item.right)
             self._divide(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
@@ -308,8 +309,7 @@ class Solver(Isolation, kw_only=True):
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         """Put values into an equation, and remember where they come from."""
         sides = [side.substitute(values) for side in (item.left, item.right)]
-        if sum(map(length, sides)) > LONGEST:
-            raise Unprintable(TOO_LONG)
+        refuse_unprintable(*sides)
         item.left, item.right = (self.tidied(self.unrooted(quarters_turned(side))) for side in sides)
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
@@ -338,6 +338,7 @@ class Solver(Isolation, kw_only=True):
         value = self.chosen(picked, candidates).transform(self.without_bars, "abs")
         self._check_nothing(item, value)
         final = self.with_answers(value)
+        refuse_unprintable(final)
         final = final if seen_through_no_more(final) else self.shortest(final)
         more = more or [
             *self.bounds_put_in(item, asked, final),
@@ -372,3 +373,9 @@ class Solver(Isolation, kw_only=True):
         drawn = self.drawn_together(value)
         together = [Equality(letter, drawn)] if drawn not in (None, value, final) else []
         return [*more, Equality(letter, value), *together]
+
+
+def refuse_unprintable(*sides: Formula) -> None:
+    """Refuse to write what no page can hold."""
+    if sum(map(length, sides)) > LONGEST:
+        raise Unprintable(TOO_LONG)

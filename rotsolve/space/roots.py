@@ -232,12 +232,12 @@ def refuse_either_sense(
     )  # a slide has its own rate
     way = "goes" if key.kind == "velocity" else "turns"
     message = f"in which sense `{owner}` {way} at `{key.when}` nothing tells"
-    help = help or f"tell `{owner}.{key.kind}` there, or what it hangs on{by_letter(owner, key, problem)}"
+    help = help or f"tell `{owner}.{key.kind}` there, or what it hangs on{by_sought_rate(owner, key, problem)}"
     span = scene.configuration.timeline.state(key.when).span
     raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
-def by_letter(owner: str, key: SymbolKey, problem: Problem) -> str:
+def by_sought_rate(owner: str, key: SymbolKey, problem: Problem) -> str:
     """How to ask for either sense of the rate of a body on a hinge: by a letter of the scene; '' of other rates."""
     letter = f"w_{owner}"
     taken = {given.name for given in problem.givens} | {find.name for find in problem.finds}
