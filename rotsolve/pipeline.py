@@ -24,6 +24,7 @@ from rotsolve.core.faults import (
     INCOMPLETE,
     UNREACHED,
     UNSOLVED,
+    Contradicted,
     Fault,
     NeverReached,
     SceneError,
@@ -131,6 +132,9 @@ def refused_with_others(error: Unsolvable, problem: Problem, law: str | None) ->
     )
     if [first, *others] == told:
         return error
+    if isinstance(error, Contradicted) and first.kind == error.fault.kind:
+        error.retold(first)
+        return error
     return unsolvable(problem, first.message, first.span, first.help, kind=first.kind, others=others)
 
 
@@ -170,7 +174,8 @@ def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str 
         with stage("confirm", whole=True):
             if found := unsolved(problem, names, law, whole=fault.kind != INCOMPLETE):
                 return found
-    return fault if fault.kind == INCOMPLETE else blamed_fairly(not_found(fault, problem), problem)
+    fault = not_found(fault, problem)
+    return blamed_fairly(fault, problem) if fault.broken else fault
 
 
 def blamed_fairly(fault: Fault, problem: Problem) -> Fault:

@@ -22,6 +22,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, call
 from rotsolve.core.faults import NeverReached
+from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import has_quantities, is_key, key_of
 from rotsolve.core.ways import PLACE, WayEnd, WayOnJoint
 from rotsolve.motion.timeline import Interval
@@ -54,13 +55,17 @@ def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[
     configuration = search.scene.configuration
     looked = way_looked_at(way, search)
     why = "" if looked is None else looked.objection()
-    if why and not (why == CREEPS and is_limit_sought(way, search)):
+    if why and not (why == CREEPS and is_limit_sought(way, interval, search)):
         yield never_reached(interval, configuration, why.format(way.body), sure=True)
 
 
-def is_limit_sought(way: WayOnJoint, search: Search) -> bool:
-    """Whether a state tells that a body comes to rest there, and a letter is sought: with the value that just gets it there."""
-    return way.last == ZERO and any(given.asked for given in search.scene.configuration.problem.givens)
+def is_limit_sought(way: WayOnJoint, interval: Interval, search: Search) -> bool:
+    """Whether a state tells that a body comes to rest there, and a letter is sought by which it set out: with the value that just gets it
+    there."""
+    problem, timeline = search.scene.configuration.problem, search.scene.configuration.timeline
+    states = timeline.states[: timeline.order[interval.start] + 1]
+    told = set(letters_of(tuple(state.conditions for state in states)))
+    return way.last == ZERO and open_(way.rate) and not problem.sought.isdisjoint(told)
 
 
 def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | None:
