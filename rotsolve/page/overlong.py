@@ -68,8 +68,10 @@ def with_dots(line: Equality) -> Equality:
 
 
 def short_answer(answer: Answer) -> Answer:
-    """An answer by its number alone where its closed form is too long."""
-    formula = None if is_overlong(answer.formula) and answer.value is not None else answer.formula
+    """An answer by its number alone where its closed form is too long; of letters with dots."""
     parts = (tuple(map(short_answer, answers)) for answers in (answer.components, answer.otherwise))
     components, otherwise = parts
-    return replace(answer, formula=formula, components=components, otherwise=otherwise)
+    own = replace(answer, components=components, otherwise=otherwise)
+    if not is_overlong(answer.formula):
+        return replace(own, remark=TOO_LONG) if any(part.formula is UNWRITTEN for part in components) else own
+    return replace(own, formula=None) if answer.value is not None else replace(own, formula=UNWRITTEN, remark=TOO_LONG)

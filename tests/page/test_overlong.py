@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rotsolve import Unsolvable, solve
+from rotsolve import solve
 from rotsolve.algebra.exact.order import length
 from rotsolve.page.overlong import LONGEST, formulas_of, within_a_page
 
@@ -90,7 +90,20 @@ def test_what_is_short_stays_as_it_is() -> None:
     assert within_a_page(derivation) is derivation
 
 
-def test_letters_without_numbers_are_asked_for() -> None:
-    text = TURNED_ON.replace("c: 5 rad/s", "c: rad/s").replace("FIND", "v: egg.Q.velocity at later")
-    with pytest.raises(Unsolvable, match="too long to print in letters"):
-        solve(text)
+OPEN = """up: z
+gravity: none
+given: {I1: 2 kg m^2, I3: 1 kg m^2, GIVEN}
+bodies: {e: {mass: 1 kg, inertia: {principal: [I1, I1, I3]}, axis: z, points: {Q: [0.1 m, 0.2 m, 0.3 m]}}}
+states: {now: {e.angular_velocity: [1 rad/s, 2 rad/s, 3 rad/s], e.velocity: [0, 0, 0]}, later: {time: T}}
+find: {v: e.Q.velocity AT}
+"""
+
+
+@pytest.mark.parametrize(("given", "at"), [("T: s", "at later"), ("T: 1.3 s", "at any time")])
+def test_what_is_open_keeps_its_closed_form_beside_the_page(given: str, at: str) -> None:
+    """Letters without a number, and functions of time, have no number to stand for them: Python has the form, and pages dots."""
+    found = solve(OPEN.replace("GIVEN", given).replace("AT", at))
+    assert all(part.formula is not None for part in found.answers["v"].components.values())
+    page = found.to("text")
+    assert "too long to print" in page
+    assert len(page.splitlines()) < MOST_LINES
