@@ -93,11 +93,11 @@ def ways_of_phase(interval: Interval, search: Search) -> Iterator[WayOnJoint]:
 
 
 def sense_set_out(name: str, roots: Sequence[Formula], search: Search) -> int | None:
-    """Which of several roots for a rate with which a phase begins is that with which alone the motion comes to where it ends, or ever
-    nearer to it; None of all else."""
-    key = key_of(name) if is_key(name) else None
-    phases = search.scene.configuration.timeline.intervals
-    for interval in (phase for phase in phases if key is not None and phase.event is None and phase.start == key.when):
+    """Which of several roots for a rate just after an event is that with which alone the motion comes to where the phase from there
+    ends, or ever nearer to it; None of all else."""
+    timeline, when = search.scene.configuration.timeline, key_of(name).when if is_key(name) else None
+    after = {interval.end for interval in timeline.intervals if interval.event is not None}
+    for interval in (phase for phase in timeline.intervals if phase.start == when and when in after):
         for way in ways_of_phase(interval, search):
             if name not in way.rate.symbols() or name in way.end.symbols():
                 continue
