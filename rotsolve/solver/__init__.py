@@ -16,7 +16,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ELLIPTIC, ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
-from rotsolve.core.symbols import ACCELERATIONS, is_key, key_of
+from rotsolve.core.symbols import ACCELERATIONS, key_of
 from rotsolve.matching import Plan
 from rotsolve.solver.isolation import LONGEST, TOO_LONG, Isolation
 from rotsolve.solver.steps import (
@@ -149,7 +149,6 @@ class Solver(Isolation, kw_only=True):
         items = [Item(self.refs.get(k, ("law", k)), k, law.left, law.right, law.section) for k, law in laws]
         for item in items:
             self._put_in_functions(item)
-            self._refuse_overlong(item.left, item.right)
             self._divide(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
@@ -162,13 +161,6 @@ class Solver(Isolation, kw_only=True):
         if items[0].unknowns(unknowns) - {plan.asked}:
             raise Redundant(items[0].index)  # an unknown was left over, so that two of the equations said the same
         return self._last(items[0], plan.asked)
-
-    def _refuse_overlong(self, *sides: Formula) -> None:
-        """Refuse what stands written and is too long to print, where numbers tell it as well: not of open letters, nor at any time."""
-        if sum(map(length, sides)) > LONGEST:
-            lacking = (name for side in sides for name in self.signs.lacking(side))
-            if all(map(is_key, lacking)):
-                raise Unprintable(TOO_LONG)
 
     def _put_in_functions(self, item: Item) -> None:
         """Answers that run during a phase are put in at once (a letter would hide what is integrated), and so are zeros; elliptic ones
@@ -346,7 +338,6 @@ class Solver(Isolation, kw_only=True):
         value = self.chosen(picked, candidates).transform(self.without_bars, "abs")
         self._check_nothing(item, value)
         final = self.with_answers(value)
-        self._refuse_overlong(final)
         final = final if seen_through_no_more(final) else self.shortest(final)
         more = more or [
             *self.bounds_put_in(item, asked, final),
