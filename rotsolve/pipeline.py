@@ -24,6 +24,7 @@ from rotsolve.core.faults import (
     INCOMPLETE,
     UNREACHED,
     UNSOLVED,
+    Contradicted,
     Fault,
     NeverReached,
     SceneError,
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
 DIGITS, MOST_DIGITS = 4, 1000
 FEW_LETTERS = 4  # that a message names
 STEPS = 20_000  # of work for a scene
+TRIAL_STEPS = STEPS // 10  # of work for one that is only tried, for a word of help
 
 
 def solve(
@@ -130,6 +132,9 @@ def refused_with_others(error: Unsolvable, problem: Problem, law: str | None) ->
     )
     if [first, *others] == told:
         return error
+    if isinstance(error, Contradicted) and first.kind == error.fault.kind:
+        error.retold(first)
+        return error
     return unsolvable(problem, first.message, first.span, first.help, kind=first.kind, others=others)
 
 
@@ -163,12 +168,26 @@ def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str 
     """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved."""
     if fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
         return fault
-    if problem.space and fault.kind == UNREACHED:  # its assembly looks at states, not at the way to them
-        return fault
-    from rotsolve.search.complete import unsolved
+    if not (problem.space and fault.kind == UNREACHED):  # its assembly looks at states, not at the way to them
+        from rotsolve.search.complete import unsolved
 
-    with stage("confirm", whole=True):
-        return unsolved(problem, names, law, whole=fault.kind != INCOMPLETE) or not_found(fault, problem)
+        with stage("confirm", whole=True):
+            if found := unsolved(problem, names, law, whole=fault.kind != INCOMPLETE):
+                return found
+    fault = not_found(fault, problem)
+    return blamed_fairly(fault, problem) if fault.broken else fault
+
+
+def blamed_fairly(fault: Fault, problem: Problem) -> Fault:
+    """A contradiction with what of the data does not go with the rest, and what would; as it is where no trial tells."""
+    from rotsolve.overtold import overtold
+    from rotsolve.undriven import undriven
+
+    def solve(trial: Problem) -> Solution:
+        with at_most(TRIAL_STEPS):
+            return solved_in_parts(trial, None, DIGITS, None)
+
+    return undriven(fault, problem, solve) or overtold(fault, problem, solve) or fault
 
 
 def not_found(fault: Fault, problem: Problem) -> Fault:

@@ -21,12 +21,16 @@ class Span(Struct, frozen=True):
 
 
 class Fault(Struct, frozen=True):
-    """One fault: what is wrong, where, and how to cure it. `kind` is a short word: 'yaml', 'limit', 'name', 'not yet', …"""
+    """One fault: what is wrong, where, and how to cure it. `kind` is a short word: 'yaml', 'limit', 'name', 'not yet', …
+
+    Of one that is `broken` no more is known than which law or line can not hold.
+    """
 
     message: str
     span: Span | None = None
     help: str = ""
     kind: str = "scene"
+    broken: bool = False
 
 
 class SceneError(Exception):
@@ -127,6 +131,11 @@ class Contradicted(Unsolvable):
     """A scene whose data contradict each other, so that no question about what they tell has an answer."""
 
     kind = CONTRADICTORY
+
+    def retold(self, fault: Fault) -> None:
+        """Tell it by another fault, which says more of why."""
+        self.fault = fault
+        self.args = (self.render(),)
 
 
 class Impossible(Unsolvable):

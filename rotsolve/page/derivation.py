@@ -34,6 +34,7 @@ from rotsolve.page.blocks import (
 )
 from rotsolve.page.depth import BRIEF, FEWEST_TERMS, FULL, LONG, NONE, NORMAL, STEPS
 from rotsolve.page.inserted import CoherentUnits, InsertedNumbers, coherent_units
+from rotsolve.page.overlong import within_a_page
 from rotsolve.page.plan import plan_of, planned_once
 from rotsolve.page.values import answer_rows, given_equation, only_letters, shown_givens
 from rotsolve.page.wording import said_of_step
@@ -66,7 +67,7 @@ class DerivationPage(Page, frozen=True):
         return False
 
     def blocks(self) -> Iterator[PageBlock]:
-        derivation, shorts = with_abbreviations(self.derivation)
+        derivation, shorts = with_abbreviations(within_a_page(self.derivation))
         numbers = InsertedNumbers(derivation, shorts, self.digits)
         if derivation.title:
             yield Title(1, (authored(derivation.title),))
@@ -88,6 +89,7 @@ class DerivationPage(Page, frozen=True):
             if laws_told(other) <= laws_told(derivation):
                 continue  # no other way
             yield Title(2, (f"The same by {law}",))
+            other = within_a_page(other)
             yield from self.section_blocks(other, InsertedNumbers(other, (), self.digits))
         if derivation.refused:
             yield Title(2, ("Not answered",))

@@ -150,11 +150,16 @@ def refused_alone(find: Find, search: Search) -> Refused:
 
 
 def needed_for(find: Find, problem: Problem) -> Iterator[tuple[Find, ...]]:
-    """What a question needs, the least first: those that it names, then those too that settle an unknown letter by a condition."""
+    """What a question needs: with questions for the largest or smallest of letters that states tell, which say which of two is meant; those
+    that it names alone; those too that settle an unknown letter by a condition."""
     settling = {
         item.name for item in problem.finds if item.where is not None and item.formula.symbols() & problem.sought
     }
+    told = set(letters_of(tuple(state.conditions for state in problem.states)))
+    choosing = {item.name for item in problem.finds if item.extreme_letter in told & problem.sought}
     alone = with_named({find.name}, problem)
+    if choosing - {item.name for item in alone}:
+        yield with_named({find.name, *choosing}, problem)
     yield alone
     if settling - {item.name for item in alone}:
         yield with_named({find.name, *settling}, problem)

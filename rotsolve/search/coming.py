@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING, cast
 
+from rotsolve.algebra.formula import Symbol
 from rotsolve.core.faults import NoSteadyMotion, Unsolvable
 from rotsolve.core.symbols import has_quantities
 from rotsolve.language.block import asked_parts, names_of_parts, speaks_of_all
@@ -77,15 +78,17 @@ def without_rates(
     state: str, kinds: tuple[str, ...], search: Search, asked: Collection[str] | None = None
 ) -> Iterator[Unsolvable]:
     """The rates at a state that have no real value, of the bodies on which it hangs what is asked."""
-    registry, aside = search.scene.registry, search.apart()
+    registry, aside, problem = search.scene.registry, search.apart(), search.scene.configuration.problem
     for name, item in list(registry.quantities.items()):
         if item.kind not in kinds or item.component or item.when != state:
             continue
         if asked is not None and item.owner not in asked:
             continue
-        if has_quantities(search.solver.with_found(registry.ask(item))):
+        rate = registry.ask(item)
+        letter = rate.name if isinstance(rate, Symbol) and rate.name in problem.sought else name
+        if letter != name or has_quantities(search.solver.with_found(rate)):
             try:
-                value = aside.value_of(name)
+                value = aside.value_of(letter)
                 if value is not None and is_unreal(value, aside):
                     yield never_comes(state, search)
             except NoSteadyMotion as error:

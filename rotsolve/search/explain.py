@@ -9,7 +9,16 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
-from rotsolve.core.faults import INCOMPLETE, UNSOLVED, Contradicted, NeverReached, Span, Unsolvable
+from rotsolve.core.faults import (
+    CONTRADICTORY,
+    INCOMPLETE,
+    UNREACHED,
+    UNSOLVED,
+    Contradicted,
+    NeverReached,
+    Span,
+    Unsolvable,
+)
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import ACROSS_AXIS, ASKED, MIXED, POSITION, key_of, phase_midst, real
@@ -28,6 +37,13 @@ from rotsolve.solver import ENTANGLED
 
 def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | None = None) -> Unsolvable:
     """Which law or line the data break; over a phase, that its end is never reached."""
+    error = what_breaks(equation, scene, fallback)
+    error.fault = replace(error.fault, broken=error.fault.kind in (CONTRADICTORY, UNREACHED))
+    return error
+
+
+def what_breaks(equation: Equation, scene: SceneEquations, fallback: Span | None) -> Unsolvable:
+    """The same as far as the equation tells."""
     problem, timeline = scene.configuration.problem, scene.configuration.timeline
     open_ = unreached(scene)
     if open_:  # what such a scene seems to contradict is only that no time passes

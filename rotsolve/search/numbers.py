@@ -17,11 +17,13 @@ FIGURES = (15, 60, 240)  # significant figures at which a number is looked at, o
 
 
 class Numbers(Struct, frozen=True):
-    """Numbers by the values of the givens; `with_answers` puts in what is found, `aside` finds a letter without a derivation."""
+    """Numbers by the values of the givens; `with_answers` puts in what is found, `aside` finds a letter without a derivation, and `unreal`
+    tells whether the root of a negative number stands in a formula, also by answers that are numbers alone."""
 
     signs: SignOracle
     with_answers: Callable[[Formula], Formula]
     aside: Callable[[str], Formula | None]
+    unreal: Callable[[Formula], bool]
 
     def of(self, value: Formula) -> float | None:
         """A rough value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""

@@ -299,12 +299,13 @@ def among(fitting: Sequence[int], picked: PickedRoot) -> PickedRoot:
 
 
 def by_motion(name: str, roots: Sequence[Formula], search: Search) -> PickedRoot | None:
-    """The rate at a later state of a scene in space with whose sense alone the motion comes there."""
+    """The rate in a scene in space with whose sense alone the motion comes to where a later state has it."""
     if len(roots) < 2 or not search.scene.configuration.problem.space:
         return None
-    from rotsolve.search.ways_on_joints import only_sense
+    from rotsolve.search.ways_on_joints import only_sense, sense_set_out
 
     alone = only_sense(name, roots, search)
+    alone = sense_set_out(name, roots, search) if alone is None else alone
     return None if alone is None else PickedRoot(alone, ("in the other sense it never comes there",))
 
 

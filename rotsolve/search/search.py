@@ -138,7 +138,9 @@ class Search(Struct, dict=True):
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}
         self.found_for: dict[str, int] = {}  # what was found for letters on the way, by its place in the pool
-        self.numbers = Numbers(self.signs, lambda value: self.solver.with_found(value), self.aside)
+        self.numbers = Numbers(
+            self.signs, lambda value: self.solver.with_found(value), self.aside, lambda value: is_unreal(value, self)
+        )
         self.forces_asked, self.running, self.known = ground.forces_asked, ground.running, set(ground.known)
         self.solver = Solver(
             pool=self.planner.pool,

@@ -22,7 +22,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, call
 from rotsolve.core.faults import NeverReached
-from rotsolve.core.symbols import has_quantities, key_of
+from rotsolve.core.letters import letters_of
+from rotsolve.core.symbols import has_quantities, is_key, key_of
 from rotsolve.core.ways import PLACE, WayEnd, WayOnJoint
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.endings import Endings, never_reached
@@ -45,9 +46,7 @@ BALANCED = "`{}` is at rest in balance, and stays so"
 
 def barred_ways(interval: Interval, search: Search) -> Iterator[NeverReached]:
     """The places of bodies on joints in space to which they do not come in a phase."""
-    from rotsolve.space.ways import ways_on_joints
-
-    for way in ways_on_joints(cast("SpaceEquations", search.scene), interval):
+    for way in ways_of_phase(interval, search):
         yield from barred_way(way, interval, search)
 
 
@@ -56,27 +55,62 @@ def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[
     configuration = search.scene.configuration
     looked = way_looked_at(way, search)
     why = "" if looked is None else looked.objection()
-    if why:
+    if why and not (why == CREEPS and is_limit_sought(way, interval, search)):
         yield never_reached(interval, configuration, why.format(way.body), sure=True)
+
+
+def is_limit_sought(way: WayOnJoint, interval: Interval, search: Search) -> bool:
+    """Whether a state tells that a body comes to rest there, and a letter is sought by which it set out: with the value that just gets it
+    there."""
+    problem, timeline = search.scene.configuration.problem, search.scene.configuration.timeline
+    states = timeline.states[: timeline.order[interval.start] + 1]
+    told = set(letters_of(tuple(state.conditions for state in states)))
+    return way.last == ZERO and open_(way.rate) and not problem.sought.isdisjoint(told)
 
 
 def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | None:
     """Which of several roots for a rate is that with which alone the motion comes to where a later state tells it; None of all else."""
     from rotsolve.space.roots import rate_told_by
-    from rotsolve.space.ways import ways_on_joints
 
     told = rate_told_by(name, search.scene, components=True)
     phases = search.scene.configuration.timeline.intervals if told is not None else ()
     for interval in (phase for phase in phases if told is not None and phase.end == key_of(told).when):
-        if interval.event is not None:
-            continue
-        for way in ways_on_joints(cast("SpaceEquations", search.scene), interval):
+        for way in ways_of_phase(interval, search):
             if way.last is None or name not in way.last.symbols() or name in way.end.symbols():
                 continue
             looked = [way_looked_at(replace(way, last=way.last.substitute({name: root})), search) for root in roots]
             coming = [k for k, one in enumerate(looked) if one is None or not one.objection()]
             return coming[0] if len(coming) == 1 else None
     return None
+
+
+def ways_of_phase(interval: Interval, search: Search) -> Iterator[WayOnJoint]:
+    """The ways of bodies on joints in a phase; none in an event."""
+    from rotsolve.space.ways import ways_on_joints
+
+    if interval.event is None:
+        yield from ways_on_joints(cast("SpaceEquations", search.scene), interval)
+
+
+def sense_set_out(name: str, roots: Sequence[Formula], search: Search) -> int | None:
+    """Which of several roots for a rate just after an event is that with which alone the motion comes to where the phase from there
+    ends, or ever nearer to it; None of all else."""
+    timeline, when = search.scene.configuration.timeline, key_of(name).when if is_key(name) else None
+    after = {interval.end for interval in timeline.intervals if interval.event is not None}
+    for interval in (phase for phase in timeline.intervals if phase.start == when and when in after):
+        for way in ways_of_phase(interval, search):
+            if name not in way.rate.symbols() or name in way.end.symbols():
+                continue
+            looked = [way_looked_at(with_rate(way, {name: root}), search) for root in roots]
+            coming = [k for k, one in enumerate(looked) if one is None or one.objection() in ("", CREEPS)]
+            return coming[0] if len(coming) == 1 else None
+    return None
+
+
+def with_rate(way: WayOnJoint, found: dict[str, Formula]) -> WayOnJoint:
+    """A way with a letter for its rate put in."""
+    rate, gap, effort = (value.substitute(found) for value in (way.rate, way.gap, way.effort))
+    return replace(way, rate=rate, gap=gap, effort=effort)
 
 
 def way_looked_at(way: WayOnJoint, search: Search) -> LookedAt | None:

@@ -223,8 +223,8 @@ def refuse_either_sense(
     """Refuse a rate that fits with either sign, as that with which a body leaves a blow of unknown size: what follows hangs on it."""
     sides = {numbers.side(root) for root in roots}
     opposite = any(is_zero(add(roots[0], root)) for root in roots[1:])
-    if not ({1, -1} <= sides or (opposite and numbers.signs.lacking(roots[0]))):
-        return
+    if not ({1, -1} <= sides or (opposite and numbers.signs.lacking(roots[0]))) or numbers.unreal(roots[0]):
+        return  # also where the motion does not come to that
     key, problem = key_of(name), scene.configuration.problem
     joints = scene.dynamics[key.when].moment.held.joints  # type: ignore[attr-defined]
     owner = next(
@@ -232,9 +232,19 @@ def refuse_either_sense(
     )  # a slide has its own rate
     way = "goes" if key.kind == "velocity" else "turns"
     message = f"in which sense `{owner}` {way} at `{key.when}` nothing tells"
-    help = help or f"tell `{owner}.{key.kind}` there, or what it hangs on"
+    help = help or f"tell `{owner}.{key.kind}` there, or what it hangs on{by_sought_rate(owner, key, problem)}"
     span = scene.configuration.timeline.state(key.when).span
     raise Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
+
+
+def by_sought_rate(owner: str, key: SymbolKey, problem: Problem) -> str:
+    """How to ask for either sense of the rate of a body on a hinge: by a letter of the scene; '' of other rates."""
+    letter = f"w_{owner}"
+    taken = {given.name for given in problem.givens} | {find.name for find in problem.finds}
+    if key.kind != "angular_velocity" or key.component or letter in taken:
+        return ""
+    line = f"`{owner}.{key.kind}: {letter}`, `{letter}: unknown` under `given`"
+    return f"; or write {line}, and `smallest {letter}` or `largest {letter}` under `find`"
 
 
 def rate_told_by(name: str, scene: SceneEquations, *, components: bool = False) -> str | None:

@@ -52,6 +52,7 @@ from rotsolve.space.pushes import Pushes
 from rotsolve.space.reader import SpaceReader
 from rotsolve.space.stability import limit_of, steady_limit
 from rotsolve.space.struck import through
+from rotsolve.space.told_once import refuse_told_twice
 from rotsolve.space.understood import refuse_dropped_told
 from rotsolve.space.untold import ANGLE_HELP, law_whatever_the_angle, untold_in
 
@@ -514,6 +515,8 @@ class SpaceEquations(SceneEquations, dict=True):
         refuse_dropped_told(lines, lambda name: (joint := self.held.main(name)) is not None and bool(joint.turning))
         for body in self.held.bodies.values():
             self.held.refuse_drawn_otherwise(body)
+        for dynamics in self.dynamics.values():
+            refuse_told_twice(dynamics.moment)
         for dynamics in (*self.dynamics.values(), *self.running.values()):
             yield from (self.put_in_order(one) for one in dynamics.equations())
             yield from axial_rules(dynamics)

@@ -38,6 +38,8 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("solving",),
     ("seeking",),
     ("apart",),
+    ("overtold",),
+    ("undriven",),
     ("pipeline",),
     ("run",),
     ("drawing",),

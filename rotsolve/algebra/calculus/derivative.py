@@ -130,11 +130,15 @@ def _leibniz(f: Integral, name: str) -> Formula:
     return result
 
 
+ROUND = ("sin", "cos", "sqrt", "abs")  # functions of what comes round that come round with it
+
+
 def period_of(function: Formula, letter: str) -> Formula | None:
-    """2π/n of a function in which a letter x stands in sin n x and cos n x only."""
-    calls = {node for node in function.walk(Call) if isinstance(node, Call) and letter in node.symbols()}
+    """2π/n of a function in which a letter x stands in sin n x and cos n x only, also under a root of what is made of them."""
+    found = {node for node in function.walk(Call) if isinstance(node, Call) and letter in node.symbols()}
+    calls = {node for node in found if node.function in ("sin", "cos")}
     outside = function.transform(lambda node: PI if node in calls else node, Call)
-    if not calls or letter in outside.symbols() or any(node.function not in ("sin", "cos") for node in calls):
+    if not calls or letter in outside.symbols() or any(node.function not in ROUND for node in found):
         return None
     slopes = {simplify(differentiate(node.arguments[0], letter)) for node in calls}
     slope = slopes.pop()

@@ -37,6 +37,7 @@ FRACTIONS = {  # glyph -> value
         strict=True,
     )
 }
+DOTS = "…"  # what stands for a formula that no page can hold
 GLYPHS = {value: glyph for glyph, value in FRACTIONS.items()}
 
 _GREEK_CLASS = "".join(LETTER_NAMES)
@@ -160,6 +161,8 @@ def _latex_subscript(text: str) -> str:
 def name_to_latex(name: str) -> str:
     """An ASCII name in LaTeX: `theta0` is \\theta_{0}, `a_end` is a_{\\mathrm{end}}."""
     letter = parts(name)
+    if name == DOTS:
+        return r"\dots"
     if letter is None:
         return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
     below = ",".join(filter(None, (letter.index, _latex_subscript(letter.word) if letter.word else "")))

@@ -127,8 +127,13 @@ class Hearing:
         return [*self.told, *(name for name in self.letters if name in self.known)]
 
     def left(self, changes: Mapping[int, float]) -> list[float]:
-        """What the equations leave over with changed answers."""
-        return self.changed({self.places[place]: change for place, change in changes.items()}).left_over()
+        """What the equations leave over with changed answers; not confirmed where a state that tells one of them as well breaks with it."""
+        try:
+            return self.changed({self.places[place]: change for place, change in changes.items()}).left_over()
+        except Unfit:
+            if not changes:
+                raise
+            raise NotConfirmed(UNTESTED) from None
 
     def changed(self, changes: Mapping[tuple[str, str, str] | str, float]) -> Inquiry:
         """The scene with changed answers."""
