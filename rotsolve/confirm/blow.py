@@ -21,6 +21,7 @@ from rotsolve.confirm.pose import Pose, Way, load, turned
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.seating import put, where
 from rotsolve.confirm.signs import GROUND, RIGHT, normal
+from rotsolve.elements.at_once import AtOnce
 from rotsolve.elements.collisions import Bounces, Collides
 from rotsolve.elements.events import Cuts, Fixes, Grips, Impulse, Joins, Leaves, Removes
 from rotsolve.language.bodies import PointRef
@@ -28,6 +29,10 @@ from rotsolve.language.elements import Event
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+
+
+ACROSS = ("impulse", "normal")  # kinds of the rows of what bounces, along the line on which it comes together
+RESTS = 1e-9  # share of the largest rate below which nothing comes together
 
 
 class Struck(Struct, frozen=True):
@@ -38,6 +43,7 @@ class Struck(Struct, frozen=True):
     columns: Mapping[tuple[str, str], Slope]
     open: frozenset[tuple[str, str]]
     clash: float
+    loads: Mapping[str, Slope] = {}  # impulses of a size that was told, by owner
 
 
 class Blowing(Struct, frozen=True):
@@ -65,7 +71,7 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
             rates = [old + change for old, change in zip(at.speed, found.rates, strict=True)]
             after = replace(at, speed=rates, open=found.open_rates | untouched(at, found), clash=0.0)
             check_lifted(model, after, event)
-            return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash)
+            return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash, hit.loads)
     raise NotConfirmed(f"no way to stick and slip through `{event.name}` fits")
 
 
@@ -194,6 +200,26 @@ def collides(event: Collides, pose: Pose, model: Known) -> Blowing:
     return Blowing((Row(event.name, "impulse", slope, -model.value(event.restitution) * now, 0.0, slope),))
 
 
+def at_once(event: AtOnce, pose: Pose, model: Known) -> Blowing:
+    """Several blows, each of which comes together and pushes."""
+    parts = [HITS.get(type(item), unheard)(item, pose, model) for item in event.parts]
+    rows = [replace(row, push=True) if row.kind in ACROSS else row for part in parts for row in together(part, pose)]
+    loads = {owner: slope for part in parts for owner, slope in part.loads.items()}
+    return Blowing(tuple(rows), loads, tuple(grip for part in parts for grip in part.grips))
+
+
+def together(part: Blowing, pose: Pose) -> Iterator[Row]:
+    """The rows of one of several blows, those of a push in the sense in which it comes together."""
+    for row in part.rows:
+        now = sum([share * pose.speed[index] for index, share in row.column.items()])
+        if row.kind in ACROSS and abs(now) <= RESTS * max(map(abs, pose.speed), default=0.0):
+            raise NotConfirmed(f"what meets in `{row.owner}` rests against each other: no restitution tells its push")
+        turn = -1.0 if row.kind in ACROSS and now > 0.0 else 1.0
+        speed = None if row.speed is None else turn * row.speed
+        slopes = [{index: turn * share for index, share in slope.items()} for slope in (row.slope, row.column)]
+        yield replace(row, slope=slopes[0], speed=speed, column=slopes[1])
+
+
 def bounces(event: Bounces, pose: Pose, model: Known) -> Blowing:
     """Off a flat surface, across it and along it; off something fixed along the line on which the point comes."""
     ref, name = event.struck, event.struck.owner
@@ -252,4 +278,5 @@ HITS: dict[type[Event], Callable[[Any, Pose, Known], Blowing]] = {
     Impulse: impulse,
     Collides: collides,
     Bounces: bounces,
+    AtOnce: at_once,
 }

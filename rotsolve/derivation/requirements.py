@@ -171,7 +171,7 @@ def requirements_by_state(
         from rotsolve.derivation.swung import far_ends
 
         yield from far_ends(search)
-    if any(encounter.closing is not None for encounter in scene.encounters.values()):
+    if any(encounter.closings for encounter in scene.encounters.values()):
         from rotsolve.derivation.parted import kept_in_front, partings
 
         yield from partings(search)

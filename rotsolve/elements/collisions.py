@@ -51,6 +51,7 @@ class Collides(Event, frozen=True):
     word = "collides"
     bodily = True
     about = "two bodies bounce off each other"
+    blow = True
     heats = True
     quantities = ("impulse", "angular_impulse")
     instead = (
@@ -119,6 +120,10 @@ class Collides(Event, frozen=True):
             message = f"nothing tells along which line the blow of `{self.name}` acts"
             raise Unsolvable(message, span=self.collides[0].span, help=help)
         return line
+
+    def push(self, instant: Moment) -> Formula:
+        """The impulse along that line, on the last-named."""
+        return instant.ask("impulse", self.name)
 
     def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula]:
         """Along the line of approach."""
@@ -216,8 +221,12 @@ class Bounces(Collides, frozen=True):
         return RIGHT if self.surface is None else self.surface.normal.turned(-90)
 
     def approach(self, instant: Moment) -> Heading:
-        """Into the surface; against something fixed the line of its motion."""
-        return super().approach(instant) if self.surface is None else self.surface.normal.turned(180)
+        """Into the surface; against something fixed the way in which it comes, where that is known."""
+        if self.surface is not None:
+            return self.surface.normal.turned(180)
+        line = super().approach(instant)
+        comes = instant.configuration.signs.sign(self.rate(instant, line))
+        return line.turned(180) if comes == -1 else line
 
     def spot(self, ref: PointRef, instant: Moment) -> Vector:
         """Where the body touches the surface: a rim towards it, or the point that is named."""
@@ -226,6 +235,10 @@ class Bounces(Collides, frozen=True):
     def rate(self, instant: Moment, way: Heading) -> Formula:
         """How fast the touching point moves in a direction."""
         return instant.motion(self.struck.owner).velocity_of(self.spot(self.struck, instant)).along(way)
+
+    def push(self, instant: Moment) -> Formula:
+        """The impulse out of what it strikes."""
+        return instant.ask("impulse", self.name, component="n" if self.grips else "")
 
     def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula]:
         line = self.approach(before)
@@ -240,7 +253,7 @@ class Bounces(Collides, frozen=True):
     def blows(self, ref: PointRef, body: BodyFacts, instant: Moment) -> Iterator[Force]:
         """The push of the surface, and friction along it: as large as it takes, or μ times the push against the slip."""
         away, arm = self.approach(instant).turned(180), self.spot(ref, instant)
-        push = instant.ask("impulse", self.name, component="n" if self.grips else "")
+        push = self.push(instant)
         yield Force(self.name, CONTACT, body.name, push, unit(away), arm, "blow", internal=True)
         if not self.grips:
             return

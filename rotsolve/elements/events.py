@@ -55,6 +55,7 @@ class Joins(Event, frozen=True):
 class Impulse(Event, frozen=True):
     word = "impulse"
     about = "a blow: an impulse on a point of a body"
+    blow = True
     quantities = ("impulse", "angular_impulse")
     spatial = True
     impulse: Formula | None = amount("size; `unknown` asks for it", "impulse", "J", required=True)

@@ -456,6 +456,7 @@ class Event(Element, frozen=True):
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     at_once: ClassVar[str] = ""  # how scenes in space say that several happen at once
     bodily: ClassVar[bool] = False
+    blow: ClassVar[bool] = False  # whether it gives impulses alone, so that several can be at once
     heats: ClassVar[bool] = (
         False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
     )
@@ -470,6 +471,10 @@ class Event(Element, frozen=True):
     def completed(self, bodies: Container[str], surfaces: Mapping[str, Surface]) -> Event:
         """The event as it is among the bodies and surfaces of a scene."""
         return self
+
+    def each(self) -> tuple[Event, ...]:
+        """The events that happen in it: itself, of several at once each."""
+        return (self,)
 
     def rubs(self) -> bool:
         """Whether what it strikes may slip, against friction of a size that is known."""

@@ -89,15 +89,14 @@ def meeting_of_last(owner: str, interval: str, scene: SceneEquations) -> Meeting
 
 def last_named(owner: str, interval: str, scene: SceneEquations) -> str:
     """The body that an event or connection names last."""
-    from rotsolve.motion.encounters import participants
-
     found = scene.configuration.timeline.interval(interval)
     assert found is not None and found.event is not None
     instant = scene.instant(found.start)
     item = scene.configuration.connection(owner, found.start)
     refs = item.touches() if item is not None else ()
-    if found.event.name == owner:
-        refs = participants(found, scene.configuration)
+    own = next((event for event in found.event.each() if event.name == owner), None)
+    if own is not None:
+        refs = own.points(scene.configuration.problem.connections)
     bodies = [ref.owner for ref in refs if ref.owner in scene.configuration.bodies]
     return instant.host(bodies[-1]) if bodies else ""
 

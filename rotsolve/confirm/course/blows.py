@@ -60,7 +60,9 @@ class Blow:
                 part = size * self.struck.columns[name, kind].get(first + k, 0.0)
                 known[k] -= part
                 found[k] += part if name in owners else 0.0
-        if owner == self.event.name:  # what the event gives by itself is what no row gave
+        if owner in self.struck.loads:
+            found = [part + self.struck.loads[owner].get(first + k, 0.0) for k, part in enumerate(found)]
+        elif owner == self.event.name:  # what the event gives by itself is what no row gave
             found = [a + b for a, b in zip(found, known, strict=True)]
         return (found[0], found[1]), found[2]
 
@@ -72,9 +74,8 @@ class Blow:
         model = self.after.model
         items = (*model.acting.connections, *self.before.model.acting.connections)
         item = next((item for item in items if item.name == owner), None)
-        refs = (
-            self.event.points(model.problem.connections) if owner == self.event.name else item.touches() if item else ()
-        )
+        event = next((event for event in self.event.each() if event.name == owner), None)
+        refs = event.points(model.problem.connections) if event else item.touches() if item else ()
         named = [ref.owner for ref in refs if ref.owner in model.seats]
         if not named:
             raise NotConfirmed(f"`{owner}` gives no impulse")

@@ -139,9 +139,8 @@ def energy_kept(scene: Scene) -> Made:
 
 def elastic_laws(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The laws of an event in which no kinetic energy is lost."""
-    if encounter.restitution is not None:
-        _, approach, separation = encounter.restitution
-        elastic = replace(encounter, restitution=(ONE, approach, separation))
+    if encounter.bounces:
+        elastic = replace(encounter, bounces=tuple((ONE, *speeds) for _, *speeds in encounter.bounces))
         yield from equations_for(EVENT, ThroughEvent(elastic, section))
         return
     before, after = (
