@@ -224,7 +224,8 @@ APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 COMES = Need("comes", placed=True)  # what strikes a surface, towards it
 IN_FRONT = Need("in front", placed=True, closed=True)  # what has struck a surface, of that
-PUSHES = Need("pushes")  # of several blows at once each
+PUSHES = Need("pushes")  # of several blows at once each, and of a rough one
+TURNS = Need("turns", closed=True)  # the slip of what friction turns too, in a blow, back
 SLIDES = Need("slides", placed=True, closed=True)  # what slips through a blow, on the same way
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull

@@ -8,7 +8,20 @@ from typing import ClassVar
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.facts import COMES, CONTACT, GAINS, SLIDES, BodyFacts, Force, Requirement, Rule, enough, signed
+from rotsolve.core.facts import (
+    COMES,
+    CONTACT,
+    GAINS,
+    PUSHES,
+    SLIDES,
+    TURNS,
+    BodyFacts,
+    Force,
+    Requirement,
+    Rule,
+    enough,
+    signed,
+)
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, NOWHERE, RIGHT, Heading, Vector, unit
 from rotsolve.core.writing import spoken
@@ -196,24 +209,35 @@ class Bounces(Collides, frozen=True):
                 message = f"`{item.name}` holds `{body.name}` on `{name}`, off which `{self.name}` lets it bounce"
                 raise Unsolvable(message, span=self.against.span, help=f"leave `{item.name}` out")
 
-    def check_freedom(self, instant: Moment) -> None:
-        """Friction is solved in a blow through the centre of mass of what flies freely: the push across does not turn it then."""
+    def coupled(self, instant: Moment) -> bool:
+        """Whether the push also moves the touching point along the surface: it turns the body about another point, or a joint holds it."""
         name = instant.host(self.struck.owner)
-        states = (self.from_ or "", self.to or "")
-        held = [item for state in states for item in instant.configuration.connections(state)]
-        tied = any(
-            instant.host(ref.owner) == name for item in held for ref in item.touches() if self.known(ref, instant)
-        )
-        central = self.surface is not None and is_zero(self.spot(self.struck, instant).along(self.forward))
-        if tied or instant.motion(name).kind != "plane" or not central:
-            message = f"friction of `{self.name}`, whose push turns `{name}`, or which something else holds, is not solved yet"
-            help = (
-                f"solved are round bodies that fly freely, without `moves`; `fixes: {name}.end` holds a point for good"
-            )
-            raise Unsolvable(message, span=self.struck.span, help=help)
+        central = is_zero(self.spot(self.struck, instant).along(self.forward))
+        return bool(self.holding(instant)) or instant.motion(name).kind != "plane" or not central
 
-    def known(self, ref: PointRef, instant: Moment) -> bool:
-        return ref.owner in instant.configuration.bodies
+    def holding(self, instant: Moment) -> list[Connection]:
+        """The connections of the body and of all that moves with it, before the blow and after."""
+        name, states = self.struck.owner, (self.from_ or "", self.to or "")
+        group = {host for state in states for host in instant.configuration.component(name, state)}
+        held = (item for state in states for item in instant.configuration.connections(state))
+        bodies = instant.configuration.bodies
+        return [
+            item
+            for item in held
+            if any(ref.owner in bodies and instant.host(ref.owner) in group for ref in item.touches())
+        ]
+
+    def check_freedom(self, instant: Moment) -> None:
+        """Friction is solved of what flies freely, or on hinges and axles; what lies on something else or is led along a line is not."""
+        name = instant.host(self.struck.owner)
+        other = [
+            item.name for item in self.holding(instant) if not (item.joint() or item.fixed_points() or item.joined())
+        ]
+        if other or instant.motion(name).kind == "line":
+            by = f"`{other[0]}` holds" if other else "is led along a line"
+            message = f"friction of `{self.name}` on `{name}`, which {by}, is not solved yet"
+            help = "solved is what flies freely, without `moves`, or hangs on hinges and axles; a smooth blow"
+            raise Unsolvable(message, span=self.struck.span, help=help)
 
     @property
     def forward(self) -> Heading:
@@ -231,6 +255,9 @@ class Bounces(Collides, frozen=True):
     def spot(self, ref: PointRef, instant: Moment) -> Vector:
         """Where the body touches the surface: a rim towards it, or the point that is named."""
         return instant.point(ref) if self.surface is None else contact_arm(ref, self.surface.normal, instant)
+
+    def slip(self, instant: Moment) -> Formula:
+        return self.rate(instant, self.forward)
 
     def rate(self, instant: Moment, way: Heading) -> Formula:
         """How fast the touching point moves in a direction."""
@@ -286,7 +313,7 @@ class Bounces(Collides, frozen=True):
         turning = self.spot(self.struck, after).turned(90).times(motion.spin).along(self.forward)
         sides, label = (motion.velocity.along(self.forward), negate(turning)), f"{body} grips the {on} as it leaves"
         if self.tangential is not None and self.tangential != ZERO:
-            slips = self.rate(after, self.forward), negate(self.tangential * self.rate(before, self.forward))
+            slips = self.slip(after), negate(self.tangential * self.slip(before))
             sides, label = slips, f"the touching point of {body} comes back along the {on}"
         yield Rule(self.name, label, (name,), sides, None, linear=False)
 
@@ -301,12 +328,24 @@ class Bounces(Collides, frozen=True):
             faster, into = f"{body} leaves the {on} faster than it came", f"{body} goes into the {on}"
             yield Requirement(self.name, GAINS, came - went, ZERO, "", f"{faster}: no blow gives energy, in")
             yield Requirement(self.name, GAINS, went, ZERO, "", f"{into} in")
-        if not self.rubs():
+        if not self.grips:
             return
         push, rub = (before.ask("impulse", self.name, component=part) for part in "nf")
-        mode = before.mode(self.name)
-        if mode == "sticks":
+        mode, coupled = before.mode(self.name), self.coupled(before)
+        if coupled:
+            yield Requirement(
+                self.name, PUSHES, push, ZERO, f"the {on} pushes {body}", f"the {on} would have to pull {body}"
+            )
+        if mode != "sticks":
+            slip = signed(self.slip(after), -1 if mode == "slips back" else 1)
+            turns = Requirement(
+                self.name, TURNS, slip, ZERO, f"{body} slips all through", f"the slip of {body} turns back"
+            )
+            yield turns if coupled else Requirement(self.name, SLIDES, slip, ZERO, "", f"{body} slips back in")
+            return
+        if self.rubs():
             yield enough(self.name, rub, (self.friction.static or ZERO) * push, "slip")
-        else:
-            slip = signed(self.rate(after, self.forward), -1 if mode == "slips back" else 1)
-            yield Requirement(self.name, SLIDES, slip, ZERO, "", f"{body} slips back in")
+        if coupled:
+            slid = self.slip(before) + self.slip(after)
+            lost = push * (came - went) - rub * slid  # twice the energy that the impulses take
+            yield Requirement(self.name, GAINS, lost, ZERO, "", f"{body} would gain energy, which no blow gives, in")

@@ -82,6 +82,7 @@ class Surroundings(Protocol):
     def connections(self, state: str) -> tuple[Connection, ...]: ...
     def throughout(self, name: str) -> tuple[str, ...]: ...
     def host(self, name: str, state: str) -> str: ...
+    def component(self, name: str, state: str) -> frozenset[str]: ...
     def pivot(self, name: str, state: str) -> PointRef | None: ...
     def line(self, name: str, state: str) -> tuple[Heading, str] | None: ...
     def mover(self, name: str, state: str) -> str: ...
@@ -483,6 +484,18 @@ class Event(Element, frozen=True):
     def lying(self) -> str:
         """The body that strikes it."""
         return ""
+
+    def coupled(self, instant: Moment) -> bool:
+        """Whether its push alone would already change how the touching point slips."""
+        return False
+
+    def slip(self, instant: Moment) -> Formula:
+        """How fast the touching point slips on what it strikes."""
+        return ZERO
+
+    def push(self, instant: Moment) -> Formula:
+        """Its impulse across what it strikes."""
+        return ZERO
 
     def static(self) -> Formula | None:
         """The coefficient by which its push limits the friction that holds."""
