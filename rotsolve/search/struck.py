@@ -43,11 +43,12 @@ def decide_blow(blow: Interval, trials: Trials) -> None:
     holds = beyond != 1
     words: list[Words] = [("impulse of friction needed: ", needed), ("at most: ", limit)]
     trials.note({key: STICKS}, words, holds, "less than there can be" if holds else "more than there can be")
-    if coupled:
-        return decide_coupled(event, blow, key, trials, STICKS if holds else BACK if way == 1 else FORWARD)
-    trials.modes[key] = STICKS if holds else BACK if way == 1 else FORWARD
     if not holds:
         trials.slipping.append(SlippingContact(event, search, *found))
+    mode = STICKS if holds else BACK if way == 1 else FORWARD
+    if coupled:
+        return decide_coupled(event, blow, key, trials, mode)
+    trials.modes[key] = mode
 
 
 def decide_by_numbers(event: Event, blow: Interval, key: str, trials: Trials, search: Search) -> None:
