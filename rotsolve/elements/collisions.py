@@ -66,7 +66,7 @@ class Collides(Event, frozen=True):
     about = "two bodies bounce off each other"
     blow = True
     heats = True
-    quantities = ("impulse", "angular_impulse")
+    quantities = ("impulse", "angular_impulse", "work")
     instead = (
         "a blow off something fixed: `impulse: J, on: BODY.P, direction: z` with `J: unknown` under `given`, and"
         " `BODY.P.velocity.z: e*u` in the state after it"

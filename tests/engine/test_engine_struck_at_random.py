@@ -95,7 +95,8 @@ class Chain:
             f"x{k}: p{k}.impulse.x during {self.first}, y{k}: p{k}.impulse.y during {self.first}" for k in names if k
         ]
         asked += [f"h: post.impulse.x during {self.first}"] if self.held else []
-        asked += [f"J{name}: size of {name}.impulse during {name}" for name, _, _ in self.hits]
+        for name, _, _ in self.hits:
+            asked.append(f"J{name}: size of {name}.impulse during {name}, W{name}: {name}.work during {name}")
         asked.append("Q: lost kinetic_energy from before to after")
         return (
             "title: Chain\nplane: horizontal\nsurfaces: {floor: level, side: {wall: right}}\n"
@@ -115,7 +116,9 @@ class Chain:
         for k in range(1, len(self.rods)):
             found |= {f"x{k}": impulses[f"p{k}.x"], f"y{k}": impulses[f"p{k}.y"]}
         found |= {"h": impulses["post.x"]} if self.held else {}
-        found |= {f"J{name}": impulses[name] for name, _, _ in self.hits}
+        for name, parts, _ in self.hits:
+            mean = float(self.bodies.row(parts) @ (before + after)) / 2
+            found |= {f"J{name}": impulses[name], f"W{name}": impulses[name] * mean}
         return found | {"Q": self.bodies.energy(before) - self.bodies.energy(after)}
 
 

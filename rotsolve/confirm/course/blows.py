@@ -66,6 +66,21 @@ class Blow:
             found = [a + b for a, b in zip(found, known, strict=True)]
         return (found[0], found[1]), found[2]
 
+    def work(self, owner: str) -> float:
+        """Of the impulses of one event, by the mean of the rates before and after it."""
+        if any(name == owner for name, _ in self.struck.open):
+            raise NotConfirmed(f"the equations of rigid bodies leave the impulses of `{owner}` open")
+        pushes = [
+            (size, self.struck.columns[name, kind])
+            for (name, kind), size in self.struck.impulses.items()
+            if name == owner
+        ]
+        pushes += [(1.0, slope) for name, slope in self.struck.loads.items() if name == owner]
+        speeds = list(zip(self.before.placed.speed, self.struck.placed.speed, strict=True))
+        return math.fsum(
+            size * part * sum(speeds[index]) / 2 for size, column in pushes for index, part in column.items()
+        )
+
     def change(self, index: int) -> float:
         return self.struck.placed.speed[index] - self.before.placed.speed[index]
 
