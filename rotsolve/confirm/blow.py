@@ -240,15 +240,17 @@ def collides(event: Collides, pose: Pose, model: Known) -> Blowing:
     return Blowing((Row(event.name, "impulse", slope, -model.value(event.restitution) * now, 0.0, slope),))
 
 
-def at_once(event: AtOnce, pose: Pose, model: Known) -> Blowing:
+def several_at_once(event: AtOnce, pose: Pose, model: Known) -> Blowing:
     """Several blows, each of which comes together and pushes."""
     parts = [HITS.get(type(item), unheard)(item, pose, model) for item in event.parts]
-    rows = [replace(row, push=True) if row.kind in ACROSS else row for part in parts for row in together(part, pose)]
+    rows = [
+        replace(row, push=True) if row.kind in ACROSS else row for part in parts for row in coming_together(part, pose)
+    ]
     loads = {owner: slope for part in parts for owner, slope in part.loads.items()}
     return Blowing(tuple(rows), loads, tuple(grip for part in parts for grip in part.grips))
 
 
-def together(part: Blowing, pose: Pose) -> Iterator[Row]:
+def coming_together(part: Blowing, pose: Pose) -> Iterator[Row]:
     """The rows of one of several blows, those of a push in the sense in which it comes together."""
     for row in part.rows:
         now = sum([share * pose.speed[index] for index, share in row.column.items()])
@@ -318,5 +320,5 @@ HITS: dict[type[Event], Callable[[Any, Pose, Known], Blowing]] = {
     Impulse: impulse,
     Collides: collides,
     Bounces: bounces,
-    AtOnce: at_once,
+    AtOnce: several_at_once,
 }

@@ -12,7 +12,6 @@ from rotsolve.core.facts import PUSHES, Couple, Requirement, Rule
 from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.core.writing import and_joined, spoken
-from rotsolve.elements.collisions import Collides
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Event, Moment
 
@@ -47,9 +46,9 @@ class AtOnce(Event, frozen=True):
 
     def needs(self, before: Moment, after: Moment) -> Iterator[Requirement]:
         """What each needs, and that each comes together and pushes: of several a hard one may take the push from another."""
-        hits = [item for item in self.parts if isinstance(item, Collides)]
+        hits = [item for item in self.parts if item.closing(before, after) is not None]
         for one, other in combinations(hits, 2):
-            check_apart(one, other, before)
+            check_places_apart(one, other, before)
         for item in self.parts:
             yield from item.needs(before, after)
         for item in hits:
@@ -59,27 +58,28 @@ class AtOnce(Event, frozen=True):
         return "the blows there have no arm"
 
 
-def check_apart(one: Collides, other: Collides, before: Moment) -> None:
+def check_places_apart(one: Event, other: Event, before: Moment) -> None:
     """Two blows of the same bodies along one line are at different places: of one place nothing tells how they share it."""
     places = [{ref.owner: before.point(ref) for ref in item.points(())} for item in (one, other)]
-    if places[0].keys() != places[1].keys() or (one.approach(before) - other.approach(before)).sin() != ZERO:
+    ways = [way for item in (one, other) for _, way in item.axes(before)]
+    if places[0].keys() != places[1].keys() or (ways[0] - ways[-1]).sin() != ZERO:
         return
     gaps = [(place - places[1][name]).along(axis) for name, place in places[0].items() for axis in (RIGHT, UP)]
     if all(before.configuration.signs.by_numbers(gap) == 0 for gap in gaps):
         names = " and ".join(f"`{name}`" for name in places[0])
         message = f"`{one.name}` and `{other.name}` strike {names} at one place: nothing tells what each gives"
-        raise Unsolvable(message, span=other.collides[0].span, help="leave one of them out")
+        raise Unsolvable(message, span=other.points(())[0].span, help="leave one of them out")
 
 
-def pushing(item: Collides, before: Moment, after: Moment) -> Iterator[Requirement]:
+def pushing(item: Event, before: Moment, after: Moment) -> Iterator[Requirement]:
     """Of one of several blows: the two come together, u ≠ 0, and push each other, J u > 0, J along the line on the second of them."""
-    came, _ = item.closing(before, after)
-    names = " and ".join(spoken(ref.owner) for ref in item.collides)
+    came, _ = item.closing(before, after) or (ZERO, ZERO)
+    names = " and ".join(map(spoken, item.met()))
     sign = before.configuration.signs.sign(came)
     if is_zero(came) or sign == 0:
         message = f"{names} rest against each other as another blow meets them in `{item.name}`: not solved yet"
         what = "what passes on through a contact in which nothing comes together no coefficient of restitution tells"
-        raise Unsolvable(message, span=item.collides[0].span, help=f"{what}; {APART}", kind=UNSOLVED)
+        raise Unsolvable(message, span=item.points(())[0].span, help=f"{what}; {APART}", kind=UNSOLVED)
     size = item.push(before)
     left = size * came if sign is None else size * sign
     yield Requirement(
@@ -87,7 +87,7 @@ def pushing(item: Collides, before: Moment, after: Moment) -> Iterator[Requireme
     )
 
 
-def united(events: Iterable[Event]) -> Event | None:
+def as_one_event(events: Iterable[Event]) -> Event | None:
     """The one event that several between the same states are; None of none."""
     found = tuple(events)
     if len(found) < 2:
@@ -95,6 +95,6 @@ def united(events: Iterable[Event]) -> Event | None:
     return AtOnce(and_joined([item.name for item in found]), found[0].from_, found[0].to, found)
 
 
-def between(events: Iterable[Event], first: str, last: str) -> Event | None:
+def event_between(events: Iterable[Event], first: str, last: str) -> Event | None:
     """What happens from one state to the next."""
-    return united(item for item in events if (item.from_, item.to) == (first, last))
+    return as_one_event(item for item in events if (item.from_, item.to) == (first, last))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import ClassVar
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.derivation import Words
@@ -43,6 +45,11 @@ def whereabouts(ref: PointRef) -> Words:
     if ref.argument is not None:
         return (f"the point of {spoken(ref.owner)} at ", ref.argument)
     return (spoken(ref.owner) if ref.point is None else called(ref),)
+
+
+def centre_instead(ref: PointRef) -> PointRef:
+    """The centre of mass of a body of which a point is named; of one named alone that body."""
+    return ref if ref.point is None else PointRef(ref.owner, "cm")
 
 
 class Overhead(Level, frozen=True):
@@ -110,6 +117,12 @@ class Collides(Event, frozen=True):
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return self.collides
 
+    def met(self) -> tuple[str, ...]:
+        return tuple(ref.owner for ref in self.collides)
+
+    def of_centres(self) -> Collides:
+        return replace(self, collides=tuple(map(centre_instead, self.collides)))
+
     def told(self) -> Words:
         bounce: Words = () if self.restitution is None else (", coefficient of restitution ", self.restitution)
         one, other = map(whereabouts, self.collides)
@@ -157,6 +170,10 @@ class Bounces(Collides, frozen=True):
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return (self.struck,)
+
+    def of_centres(self) -> Collides:
+        against, own = centre_instead(self.against), centre_instead(self.struck)
+        return replace(self, collides=(own, against), struck=own)
 
     def told(self) -> Words:
         """In words: "ball bounces off floor, coefficient of restitution e, friction μ"."""

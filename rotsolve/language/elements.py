@@ -485,6 +485,14 @@ class Event(Element, frozen=True):
         """The body that strikes it."""
         return ""
 
+    def met(self) -> tuple[str, ...]:
+        """What comes together in it, bodies and what is fixed."""
+        return ()
+
+    def of_centres(self) -> Event:
+        """The same event as if bodies met with their centres of mass."""
+        return self
+
     def coupled(self, instant: Moment) -> bool:
         """Whether its push alone would already change how the touching point slips."""
         return False

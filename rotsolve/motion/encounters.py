@@ -261,7 +261,7 @@ Spot = tuple[str, Vector]  # a body, and a point of it from its reference
 
 def common_places(bodies: list[BodyFacts], event: Event, instant: Instant) -> dict[str, Vector]:
     """Reference of each body from one common point: the axis of one that is held, else where they meet; of those whose place that tells."""
-    spots = [(item, list(spots_of(item, instant))) for item in event.each()]
+    spots = [(item, list(struck_places(item, instant))) for item in event.each()]
     held = next((body.name for body in bodies if body.motion.kind == "axis"), None)
     origin = {held: NOWHERE} if held else {name: tidy(-spot) for name, spot in spots[0][1][:1]}
     connections = instant.configuration.connections(instant.state)
@@ -272,7 +272,7 @@ def common_places(bodies: list[BodyFacts], event: Event, instant: Instant) -> di
     return placed(origin, [*(pair for _, own in spots for pair in pairwise(own)), *joints, *axes])
 
 
-def spots_of(event: Event, instant: Instant) -> Iterator[Spot]:
+def struck_places(event: Event, instant: Instant) -> Iterator[Spot]:
     """Where an event acts on each body."""
     for ref in event.points(instant.configuration.problem.connections):
         yield instant.host(ref.owner), event.spot(ref, instant)

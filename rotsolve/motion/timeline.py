@@ -11,7 +11,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import INSIDE, OSCILLATING
-from rotsolve.elements.at_once import between
+from rotsolve.elements.at_once import event_between
 from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Path, Problem, State, references
 from rotsolve.motion.lifted import lifted
@@ -105,7 +105,7 @@ def timeline(problem: Problem) -> Timeline:
         states = (*states, State(OPEN))
     intervals = []
     for number, (before, after) in enumerate(pairwise(states)):
-        event = between(problem.events, before.name, after.name)
+        event = event_between(problem.events, before.name, after.name)
         if event is not None:
             intervals.append(Interval(event.name or f"{before.name} to {after.name}", before.name, after.name, event))
             continue

@@ -56,7 +56,7 @@ def decide_by_numbers(event: Event, blow: Interval, key: str, trials: Trials, se
     before = search.scene.instant(blow.start)
     needed = before.ask("impulse", event.name, component="f")
     way, beyond = (
-        sense_of(value, search)
+        sense_by_laws(value, search)
         for value in (needed, call("abs", needed) - (event.static() or ZERO) * event.push(before))
     )
     if way is None or beyond is None:
@@ -81,7 +81,7 @@ def decide_coupled(event: Event, blow: Interval, key: str, trials: Trials, mode:
 def slip_on(event: Event, blow: Interval, key: str, trials: Trials, begins: str = "") -> None:
     """It slips all through the blow in the sense in which it came; where it did not, in the one in which it begins to."""
     search = trials.fresh(trials.modes, families_for(None))
-    way = sense_of(event.slip(search.scene.instant(blow.start)), search)
+    way = sense_by_laws(event.slip(search.scene.instant(blow.start)), search)
     if way is None or (way == 0 and not begins):
         return left_untold(blow, trials)
     trials.modes[key] = begins if way == 0 else FORWARD if way == 1 else BACK
@@ -91,10 +91,10 @@ def slip_gained(event: Event, blow: Interval, key: str, trials: Trials, mode: st
     """The sense in which the slip changes as the push grows, with as much friction as there can be against a slip of that `mode`."""
     search = trials.fresh({**trials.modes, key: mode}, families_for(None))
     first, last = (search.scene.instant(state) for state in (blow.start, blow.end))
-    return sense_of((event.slip(last) - event.slip(first)) * event.push(first), search)
+    return sense_by_laws((event.slip(last) - event.slip(first)) * event.push(first), search)
 
 
-def sense_of(value: Formula, search: Search) -> int | None:
+def sense_by_laws(value: Formula, search: Search) -> int | None:
     """The sign of a value of the laws, in the case that is looked at; of what has no closed form that of its number."""
     settled = search.settled(value)
     if settled is not None:

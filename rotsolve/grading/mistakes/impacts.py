@@ -13,10 +13,8 @@ from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation, Law
 from rotsolve.core.passage import Alteration, Encounter, Meeting
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.collisions import Bounces, Collides
 from rotsolve.grading.mistakes.energies import Laws, blows_of_event, in_event
 from rotsolve.grading.mistakes.mistake import Change, Made
-from rotsolve.language.bodies import PointRef
 from rotsolve.laws import momentum
 from rotsolve.laws.rules import rules_through_event
 from rotsolve.laws.table import EVENT, ThroughEvent, equations_for
@@ -45,7 +43,7 @@ def about_centre_of(name: str) -> Laws:
         if middle.place is None or any(item.place is None for item in encounter.meetings):
             return
         origin = middle.place + middle.body.cm
-        members = tuple(seen_from(item, origin, encounter, own=item is middle) for item in encounter.meetings)
+        members = tuple(about_point_of(item, origin, encounter, own=item is middle) for item in encounter.meetings)
         free = replace(encounter, meetings=members, about="", joined=())
         names = tuple(sorted(item.body.name for item in members))
         yield from momentum.about_common_point(free, section, names)
@@ -55,7 +53,7 @@ def about_centre_of(name: str) -> Laws:
     return changed
 
 
-def seen_from(item: Meeting, origin: Vector, encounter: Encounter, *, own: bool) -> Meeting:
+def about_point_of(item: Meeting, origin: Vector, encounter: Encounter, *, own: bool) -> Meeting:
     """A body with its place from a point, and the event's blows alone; of what has its centre of mass there, I about that."""
     assert item.place is not None
     arm = item.body.cm
@@ -101,25 +99,13 @@ def held_at_centre(name: str) -> Laws:
 def restitution_of_centres(scene: Scene) -> Made:
     """The speeds of the centres of mass are put into the restitution, for those of the points that meet."""
     for interval in scene.equations.configuration.timeline.intervals:
-        events = [
-            item for item in (interval.event.each() if interval.event is not None else ()) if isinstance(item, Collides)
-        ]
-        for event in events:
+        for event in interval.event.each() if interval.event is not None else ():
             first, last = (scene.equations.instant(state) for state in (interval.start, interval.end))
-            bounce = between_centres(event).bounce(first, last)
+            bounce = event.of_centres().bounce(first, last)
             if bounce is not None and any(ref.point is not None for ref in event.points(())):
                 altered = Alteration(event=in_event(interval.name, with_bounce(event.name, bounce)))
                 words = f"the restitution in the {spoken(event.name)} was taken between the centres of mass"
                 yield words, Change(altered=altered)
-
-
-def between_centres(event: Collides) -> Collides:
-    """The same blow as if the centres of mass met."""
-    centres = [ref if ref.point is None else PointRef(ref.owner, "cm") for ref in event.collides]
-    if isinstance(event, Bounces):
-        own = next(ref for ref in centres if ref.owner == event.struck.owner)
-        return replace(event, collides=tuple(centres), struck=own)
-    return replace(event, collides=tuple(centres))
 
 
 def with_bounce(event: str, bounce: tuple[Formula, Formula, Formula]) -> Laws:

@@ -19,11 +19,11 @@ NAMING = frozenset(
 
 def names_of_scene(problem: Problem) -> frozenset[str]:
     """All names of a scene, and how they are spoken."""
-    found = frozenset(_names("", problem)) | frozenset(together(problem))
+    found = frozenset(_names("", problem)) | frozenset(names_at_once(problem))
     return found | frozenset(map(spoken, found))
 
 
-def together(problem: Problem) -> Iterator[str]:
+def names_at_once(problem: Problem) -> Iterator[str]:
     """What several events at once are called."""
     for pair in dict.fromkeys((event.from_, event.to) for event in problem.events):
         names = [event.name for event in problem.events if (event.from_, event.to) == pair]
