@@ -273,7 +273,9 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "surfaces: {floor: level}\nbodies: {block: {mass: m, moves: right}}\nconnections: {base: {contact: [block, floor]}}\n"
         + BLOW
         + "events: {hit: {impulse: 1 N s, on: block, direction: 60 deg, from: before, to: after}}\nfind: {x: block.velocity at after}\n",
-        "",
+        "bodies: {block: {mass: m}}\n"
+        + BLOW
+        + "events: {hit: {impulse: 1 N s, on: block, direction: 60 deg, from: before, to: after}}\nfind: {x: block.velocity.x at after}\n",
     ),
     "blow to the side of a line": (HUNG, ""),
     "top that nods after a time": (
