@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
-from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import Words
-from rotsolve.core.facts import PUSHES, Couple, Requirement, Rule
-from rotsolve.core.faults import UNSOLVED, Unsolvable
+from rotsolve.core.facts import MEETS, PUSHES, Couple, Requirement, Rule
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Event, Moment
-
-APART = "one after the other, each to a state of its own, is how what rests against each other passes a blow on over a small gap"
 
 
 class AtOnce(Event, frozen=True):
@@ -72,16 +69,14 @@ def check_places_apart(one: Event, other: Event, before: Moment) -> None:
 
 
 def pushing(item: Event, before: Moment, after: Moment) -> Iterator[Requirement]:
-    """Of one of several blows: the two come together, u ≠ 0, and push each other, J u > 0, J along the line on the second of them."""
+    """Of one of several blows: the two come together, u² > 0, since no e tells what passes through what rests against each other; and they
+    push each other, J u > 0, J along the line on the second of them."""
     came, _ = item.closing(before, after) or (ZERO, ZERO)
     names = " and ".join(map(spoken, item.met()))
+    yield Requirement(item.name, MEETS, came**2, ZERO, "", f"{names} rest against each other")
     sign = before.configuration.signs.sign(came)
-    if is_zero(came) or sign == 0:
-        message = f"{names} rest against each other as another blow meets them in `{item.name}`: not solved yet"
-        what = "what passes on through a contact in which nothing comes together no coefficient of restitution tells"
-        raise Unsolvable(message, span=item.points(())[0].span, help=f"{what}; {APART}", kind=UNSOLVED)
     size = item.push(before)
-    left = size * came if sign is None else size * sign
+    left = size * (sign or came)
     yield Requirement(
         item.name, PUSHES, left, ZERO, f"{names} push each other", f"{names} would have to pull each other"
     )
