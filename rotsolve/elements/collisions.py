@@ -26,7 +26,7 @@ from rotsolve.core.facts import (
 )
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, NOWHERE, RIGHT, Heading, Vector, unit
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import is_negative, spoken
 from rotsolve.elements.connections.touch import Friction, contact_arm
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.elements.surfaces import Level
@@ -262,12 +262,11 @@ class Bounces(Collides, frozen=True):
         return RIGHT if self.surface is None else self.surface.normal.turned(-90)
 
     def approach(self, instant: Moment) -> Heading:
-        """Into the surface; against something fixed the way in which it comes, where that is known."""
+        """Into the surface; against something fixed the way in which it comes, as the scene writes its speed: −v up is v down."""
         if self.surface is not None:
             return self.surface.normal.turned(180)
         line = super().approach(instant)
-        comes = instant.configuration.signs.sign(self.rate(instant, line))
-        return line.turned(180) if comes == -1 else line
+        return line.turned(180) if is_negative(self.rate(instant, line)) else line
 
     def spot(self, ref: PointRef, instant: Moment) -> Vector:
         """Where the body touches the surface: a rim towards it, or the point that is named."""
